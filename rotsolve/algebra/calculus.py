@@ -1,0 +1,240 @@
+"""Calculus: derivatives, and integrals of what textbooks integrate by hand; SymPy is asked only beyond that."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from fractions import Fraction
+
+from rotsolve.algebra.exact import Problem
+from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Call,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    call,
+    divide,
+    multiply,
+    negate,
+    total,
+)
+
+
+def differentiate(f: Formula, name: str) -> Formula:
+    """df/d(name), not simplified beyond trivial zeros and ones."""
+    if isinstance(f, Symbol):
+        return ONE if f.name == name else ZERO
+    if name not in f.symbols():
+        return ZERO
+    if isinstance(f, Sum):
+        return total([differentiate(term, name) for term in f.terms])
+    if isinstance(f, Negative):
+        return negate(differentiate(f.operand, name))
+    if isinstance(f, Product):
+        return _product_rule(f, name)
+    if isinstance(f, Quotient):
+        top, bottom = differentiate(f.numerator, name), differentiate(f.denominator, name)
+        first = divide(top, f.denominator)
+        return add(first, negate(divide(multiply(f.numerator, bottom), _power(f.denominator, 2))))
+    if isinstance(f, Power):
+        return _power_rule(f, name)
+    if isinstance(f, Call):
+        return _chain_rule(f, name)
+    if isinstance(f, Integral):
+        return _leibniz(f, name)
+    raise ValueError(f"no derivative of {f!r}")
+
+
+def _power(base: Formula, n: int) -> Formula:
+    return ONE if n == 0 else base if n == 1 else Power(base, Number(Fraction(n)))
+
+
+def _product_rule(f: Product, name: str) -> Formula:
+    terms = []
+    for k, factor in enumerate(f.factors):
+        slope = differentiate(factor, name)
+        for other in (*f.factors[:k], *f.factors[k + 1 :]):
+            slope = multiply(slope, other)
+        terms.append(slope)
+    return total(terms)
+
+
+def _power_rule(f: Power, name: str) -> Formula:
+    slope = differentiate(f.base, name)
+    if name not in f.exponent.symbols():
+        exponent = add(f.exponent, Number(Fraction(-1)))
+        lower = ONE if exponent == ZERO else f.base**exponent
+        return multiply(multiply(f.exponent, lower), slope)
+    growth = multiply(differentiate(f.exponent, name), call("log", f.base))
+    return multiply(f, add(growth, multiply(f.exponent, divide(slope, f.base))))
+
+
+def _chain_rule(f: Call, name: str) -> Formula:
+    u = f.arguments[0]
+    slope = differentiate(u, name)
+    if f.function == "atan2":
+        x = f.arguments[1]
+        top = add(multiply(x, slope), negate(multiply(u, differentiate(x, name))))
+        return divide(top, add(_power(x, 2), _power(u, 2)))
+    if f.function == "sin":
+        return multiply(slope, call("cos", u))
+    if f.function == "cos":
+        return negate(multiply(slope, call("sin", u)))
+    if f.function == "exp":
+        return multiply(slope, f)
+    below = {
+        "tan": lambda: _power(call("cos", u), 2),
+        "sqrt": lambda: multiply(Number(Fraction(2)), f),
+        "log": lambda: u,
+        "asin": lambda: call("sqrt", add(ONE, negate(_power(u, 2)))),
+        "acos": lambda: negate(call("sqrt", add(ONE, negate(_power(u, 2))))),
+        "atan": lambda: add(ONE, _power(u, 2)),
+        "abs": lambda: divide(f, u),
+    }[f.function]()
+    return divide(slope, below)
+
+
+def _leibniz(f: Integral, name: str) -> Formula:
+    upper = multiply(f.integrand.substitute({f.variable: f.upper}), differentiate(f.upper, name))
+    lower = multiply(f.integrand.substitute({f.variable: f.lower}), differentiate(f.lower, name))
+    result = add(upper, negate(lower))
+    if f.variable != name and name in f.integrand.symbols():
+        inner = differentiate(f.integrand, name)
+        result = add(result, Integral(inner, f.variable, f.lower, f.upper))
+    return result
+
+
+def integrate_polynomial(f: Formula, name: str) -> Formula | None:
+    """An antiderivative of a Laurent polynomial in `name`, or of sin, cos, exp of linear arguments; None otherwise."""
+    if name not in f.symbols():
+        return multiply(f, Symbol(name))
+    problem = Problem([f], extra=(name,))
+    ring = problem.field
+    num, den = ring.cancel(problem.ratio())
+    i = ring.index[Symbol(name)]
+    if any(den.degrees()[k] and ring.mentions(k, name) for k in range(len(ring.atoms))):
+        return None
+    below = ring.coefficients(den, i)
+    if sum(1 for part in below if len(part)) != 1:
+        return None
+    shift = len(below) - 1
+    terms: list[Formula] = []
+    for piece, atom in _pieces(ring, num, name):
+        for n, part in enumerate(ring.coefficients(piece, i)):
+            if len(part):
+                term = _antiderivative(atom, n - shift, name)
+                if term is None:
+                    return None
+                terms.append(multiply(problem.shaper.ratio(ring.cancel((part, below[-1]))), term))
+    return total(terms)
+
+
+def _pieces(ring: Field, num: Poly, name: str) -> list[tuple[Poly, Formula]]:
+    """The numerator split by the product of atoms that hold the name (ONE where there is none)."""
+    parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
+    inside = [ring.mentions(k, name) for k in range(len(ring.atoms))]
+    for coefficient, exponents in ring.terms(num):
+        key = tuple(e if hit else 0 for e, hit in zip(exponents, inside, strict=True))
+        rest = tuple(0 if hit else e for e, hit in zip(exponents, inside, strict=True))
+        parts.setdefault(key, {})[rest] = coefficient
+    found = []
+    for key, terms in parts.items():
+        atom: Formula = ONE
+        for k, e in enumerate(key):
+            if e:
+                atom = multiply(atom, _power(ring.atoms[k], e))
+        found.append((ring.context.from_dict(terms), atom))
+    return found
+
+
+def _antiderivative(atom: Formula, n: int, name: str) -> Formula | None:
+    """∫ atom · nameⁿ d(name)."""
+    x = Symbol(name)
+    if atom == ONE:
+        if n == -1:
+            return call("log", x)
+        return divide(_power(x, n + 1), Number(Fraction(n + 1))) if n >= 0 else negate(
+            divide(ONE, multiply(Number(Fraction(-n - 1)), _power(x, -n - 1)))
+        )
+    if n or not isinstance(atom, (Call, Power, Product)):
+        return None
+    if isinstance(atom, Call) and atom.function in ("sin", "cos", "exp"):
+        slope = _constant_slope(atom.arguments[0], name)
+        if slope is None:
+            return None
+        other = {"sin": negate(call("cos", *atom.arguments)), "cos": call("sin", *atom.arguments), "exp": atom}
+        return divide(other[atom.function], slope)
+    return _antiderivative_of_squares(atom, name)
+
+
+def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
+    """∫ sin², ∫ cos² and ∫ sin cos of one linear argument."""
+    factors = atom.factors if isinstance(atom, Product) else (atom,)
+    calls = [f.base if isinstance(f, Power) else f for f in factors]
+    if not all(isinstance(c, Call) and c.function in ("sin", "cos") for c in calls):
+        return None
+    if len({c.children() for c in calls}) != 1:
+        return None
+    argument = calls[0].children()[0]
+    slope = _constant_slope(argument, name)
+    if slope is None:
+        return None
+    two = Number(Fraction(2))
+    s, c = call("sin", argument), call("cos", argument)
+    if len(factors) == 2 and all(isinstance(f, Call) for f in factors):
+        return divide(_power(s, 2), multiply(two, slope))
+    if len(factors) == 1 and factors[0] in (_power(s, 2), _power(c, 2)):
+        half = divide(multiply(s, c), multiply(two, slope))
+        linear = divide(Symbol(name), two)
+        return add(linear, negate(half) if factors[0] == _power(s, 2) else half)
+    return None
+
+
+def _constant_slope(argument: Formula, name: str) -> Formula | None:
+    """The slope of a linear argument, None where it is not linear."""
+    problem = Problem([differentiate(argument, name)])
+    slope = problem.shortest(problem.ratio())
+    return None if name in slope.symbols() or slope == ZERO else slope
+
+
+def integrate(
+    f: Formula, name: str, lower: Formula, upper: Formula, *, positive: Collection[str] = ()
+) -> Formula | None:
+    """∫ f d(name) from lower to upper in closed form, None where neither this module nor SymPy finds one.
+
+    An antiderivative with a pole or logarithm is used only where both ends have one known sign.
+    """
+    primitive = integrate_polynomial(f, name)
+    if primitive is not None and _continuous(primitive, name, lower, upper, positive):
+        high = primitive.substitute({name: upper})
+        return add(high, negate(primitive.substitute({name: lower})))
+    from rotsolve.algebra.sympy_bridge import definite_integral
+
+    return definite_integral(f, name, lower, upper, positive)
+
+
+def _continuous(primitive: Formula, name: str, lower: Formula, upper: Formula, positive: Collection[str]) -> bool:
+    """Whether the antiderivative has no pole in `name`, or both ends are certainly positive."""
+    singular = any(
+        (isinstance(node, Quotient) and name in node.denominator.symbols())
+        or (isinstance(node, Call) and node.function == "log" and name in node.symbols())
+        for node in primitive.walk()
+    )
+    return not singular or all(_is_positive(end, positive) for end in (lower, upper))
+
+
+def _is_positive(end: Formula, positive: Collection[str]) -> bool:
+    if isinstance(end, Number):
+        return end.value > 0
+    if isinstance(end, (Sum, Product, Quotient)):
+        return all(_is_positive(child, positive) for child in end.children())
+    return isinstance(end, Symbol) and end.name in positive

@@ -1,0 +1,113 @@
+"""Cursor: a place in a formula's tokens, the brackets open there, and the faults that can be told without grammar."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from rotsolve.algebra.tokens import FormulaError, Token, resolve
+
+MAX_NESTING = 60
+
+CLOSERS = {"(": ")", "[": "]", "|": "|"}
+STARTS = frozenset(("number", "fraction", "name", "symbol", "constant", "function", "(", "[", "√", "∫"))
+
+
+class Cursor:
+    """Reads tokens one by one."""
+
+    def __init__(
+        self, text: str, tokens: list[Token], names: Collection[str] | None, paths: bool, strict: bool
+    ) -> None:
+        self.text = text
+        self.tokens = tokens
+        self.names = names
+        self.paths = paths
+        self.strict = strict
+        self.index = 0
+        self.depth = 0
+        self.open: list[Token] = []  # the brackets that are open, innermost last
+        self.bound: list[str] = []  # variables of integration
+        self.stop: Token | None = None  # the `d` of the innermost integral
+
+    @property
+    def token(self) -> Token:
+        return self.tokens[self.index]
+
+    def next(self) -> Token:
+        token = self.tokens[self.index]
+        self.index += 1
+        return token
+
+    def enter(self) -> None:
+        self.depth += 1
+        if self.depth > MAX_NESTING:
+            token = self.token
+            raise FormulaError(f"nested too deep: at most {MAX_NESTING} levels", token.start, token.end)
+
+    def unexpected(self) -> FormulaError:
+        token = self.token
+        if token.kind == "end" and self.open:
+            opening = self.open[-1]
+            return FormulaError(f"this `{opening.text}` is never closed", opening.start, opening.end)
+        if token.kind == "end":
+            what = "ends too early" if self.index else "is empty"
+            return FormulaError(f"the formula {what}", token.start, token.end)
+        if token.kind == ",":
+            return FormulaError("unexpected comma: a decimal number takes a point, `1.5`", token.start, token.end)
+        if token.kind in CLOSERS.values():
+            return FormulaError(f"this `{token.text}` closes nothing", token.start, token.end)
+        return FormulaError(f"unexpected `{self.text[token.start : token.end]}`", token.start, token.end)
+
+    def two_ways(self, start: int, end: int, cure: str) -> FormulaError:
+        return FormulaError(f"`{self.text[start:end]}` can be read in two ways: write {cure}", start, end)
+
+    def open_bracket(self, opening: Token) -> None:
+        self.enter()
+        self.open.append(opening)
+
+    def close_bracket(self) -> None:
+        """Read the mark that closes the innermost bracket."""
+        if self.token.kind != CLOSERS[self.open[-1].kind]:
+            raise self.unexpected()
+        self.open.pop()
+        self.depth -= 1
+        self.index += 1
+
+    def expect(self, mark: str) -> None:
+        if self.token.kind != mark:
+            raise self.unexpected()
+        self.next()
+
+    def expand(self) -> int:
+        """Replace the name ahead by what it means, several tokens if a run of letters splits; their number."""
+        token = self.token
+        if token.kind != "name":
+            return 1
+        meanings = resolve(token, self.names, self.bound, split=not self.paths)
+        self.tokens[self.index : self.index + 1] = meanings
+        return len(meanings)
+
+    def starts_factor(self) -> bool:
+        """Whether the next token multiplies what was read, without a mark between them."""
+        token = self.token
+        if token is self.stop:
+            return False
+        if token.kind == "|":
+            return not (self.open and self.open[-1].kind == "|")
+        before = self.tokens[self.index - 1]
+        if token.kind in ("number", "fraction") and before.kind in ("number", "fraction"):
+            both = self.text[before.start : token.end]
+            raise FormulaError(f"two numbers side by side: `{both}`", before.start, token.end)
+        return token.kind in STARTS
+
+    def find(self, start: int, wanted: str) -> int:
+        """The index of the first `wanted` outside of brackets from `start` on; -1 where there is none."""
+        level = 0
+        for index in range(start, len(self.tokens) - 1):
+            token, after = self.tokens[index], self.tokens[index + 1]
+            if level == 0 and token.text == wanted and (wanted != "d" or after.kind in ("name", "symbol")):
+                return index
+            level += (token.kind in "([") - (token.kind in ")]")
+            if level < 0:
+                break
+        return -1

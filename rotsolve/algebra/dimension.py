@@ -1,0 +1,291 @@
+"""Dimension: what a quantity is made of (length, mass, time), and whether a formula's parts fit together.
+
+Angle is a *soft* dimension: it is carried along, so that a torque (J/rad) can be told from an energy, but two
+dimensions match when all else agrees, since textbooks write v = ω R.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+from rotsolve.algebra.letters import superscripted
+from rotsolve.algebra.limits import rational
+from rotsolve.algebra.text import to_text
+
+Exponent = int | Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Dimension:
+    """length^… · mass^… · time^… · angle^…"""
+
+    length: Exponent = 0
+    mass: Exponent = 0
+    time: Exponent = 0
+    angle: Exponent = 0
+
+    def matches(self, other: Dimension) -> bool:
+        """Whether both are the same but for angle."""
+        return (self.length, self.mass, self.time) == (other.length, other.mass, other.time)
+
+    def __mul__(self, other: Dimension) -> Dimension:
+        return Dimension(
+            self.length + other.length, self.mass + other.mass, self.time + other.time, self.angle + other.angle
+        )
+
+    def __truediv__(self, other: Dimension) -> Dimension:
+        return self * other**-1
+
+    def __pow__(self, exponent: Exponent) -> Dimension:
+        return Dimension(self.length * exponent, self.mass * exponent, self.time * exponent, self.angle * exponent)
+
+
+class DimensionError(ValueError):
+    """Parts of a formula that do not fit together."""
+
+    def __init__(self, message: str) -> None:
+        super().__init__(message)
+        self.message = message
+
+
+NONE = Dimension()
+LENGTH = Dimension(length=1)
+MASS = Dimension(mass=1)
+TIME = Dimension(time=1)
+ANGLE = Dimension(angle=1)
+AREA = LENGTH**2
+VOLUME = LENGTH**3
+FREQUENCY = TIME**-1
+VELOCITY = LENGTH / TIME
+ACCELERATION = VELOCITY / TIME
+ANGULAR_VELOCITY = ANGLE / TIME
+ANGULAR_ACCELERATION = ANGULAR_VELOCITY / TIME
+FORCE = MASS * ACCELERATION
+ENERGY = FORCE * LENGTH
+TORQUE = ENERGY / ANGLE
+POWER = ENERGY / TIME
+MOMENTUM = MASS * VELOCITY
+INERTIA = TORQUE / ANGULAR_ACCELERATION
+ANGULAR_MOMENTUM = TORQUE * TIME
+STIFFNESS = FORCE / LENGTH
+TORSION_STIFFNESS = TORQUE / ANGLE
+PRESSURE = FORCE / AREA
+LINE_DENSITY = MASS / LENGTH
+AREA_DENSITY = MASS / AREA
+DENSITY = MASS / VOLUME
+DAMPING = FORCE / VELOCITY
+ROTARY_DAMPING = TORQUE / ANGULAR_VELOCITY
+
+
+@dataclass(frozen=True, slots=True)
+class Kind:
+    """A kind of quantity: its name, with its article, and the unit in which it is printed."""
+
+    name: str
+    article: str
+    unit: str
+    dimension: Dimension
+
+    @property
+    def words(self) -> str:
+        return f"{self.article} {self.name}".strip()
+
+
+KINDS = (  # of kinds with one dimension, the first is meant where nobody says which
+    Kind("pure number", "a", "", NONE),
+    Kind("length", "a", "m", LENGTH),
+    Kind("mass", "a", "kg", MASS),
+    Kind("time", "a", "s", TIME),
+    Kind("angle", "an", "rad", ANGLE),
+    Kind("area", "an", "m²", AREA),
+    Kind("volume", "a", "m³", VOLUME),
+    Kind("rate", "a", "1/s", FREQUENCY),
+    Kind("frequency", "a", "Hz", FREQUENCY),
+    Kind("velocity", "a", "m/s", VELOCITY),
+    Kind("acceleration", "an", "m/s²", ACCELERATION),
+    Kind("angular velocity", "an", "rad/s", ANGULAR_VELOCITY),
+    Kind("angular acceleration", "an", "rad/s²", ANGULAR_ACCELERATION),
+    Kind("force", "a", "N", FORCE),
+    Kind("torque", "a", "N m", TORQUE),
+    Kind("energy or torque", "an", "J", ENERGY),
+    Kind("energy", "an", "J", ENERGY),
+    Kind("work", "", "J", ENERGY),
+    Kind("power", "a", "W", POWER),
+    Kind("momentum", "a", "kg m/s", MOMENTUM),
+    Kind("impulse", "an", "N s", MOMENTUM),
+    Kind("moment of inertia", "a", "kg m²", INERTIA),
+    Kind("angular momentum", "an", "kg m²/s", ANGULAR_MOMENTUM),
+    Kind("angular impulse", "an", "N m s", ANGULAR_MOMENTUM),
+    Kind("stiffness", "a", "N/m", STIFFNESS),
+    Kind("torsion stiffness", "a", "N m/rad", TORSION_STIFFNESS),
+    Kind("line density", "a", "kg/m", LINE_DENSITY),
+    Kind("area density", "an", "kg/m²", AREA_DENSITY),
+    Kind("density", "a", "kg/m³", DENSITY),
+    Kind("pressure", "a", "Pa", PRESSURE),
+    Kind("damping", "a", "N s/m", DAMPING),
+    Kind("rotary damping", "a", "N m s/rad", ROTARY_DAMPING),
+    Kind("force per time", "a", "N/s", FORCE / TIME),
+    Kind("force per time squared", "a", "N/s²", FORCE / TIME**2),
+    Kind("torque per time", "a", "N m/s", TORQUE / TIME),
+    Kind("torque per time squared", "a", "N m/s²", TORQUE / TIME**2),
+)
+
+
+def kind_of(dimension: Dimension, name: str | None = None) -> Kind | None:
+    """The kind of that dimension: the one called `name`, else the first with the same angle, else the first."""
+    matching = [kind for kind in KINDS if kind.dimension.matches(dimension)]
+    exact = [kind for kind in matching if kind.dimension.angle == dimension.angle]
+    named = [kind for kind in matching if kind.name == name]
+    return next(iter((*named, *exact, *matching)), None)
+
+
+def base_unit_text(dimension: Dimension) -> str:
+    """The dimension in base units: `kg m³/s`."""
+    parts = (("kg", dimension.mass), ("m", dimension.length), ("rad", dimension.angle), ("s", dimension.time))
+    above = " ".join(_unit_power(unit, exponent) for unit, exponent in parts if exponent > 0)
+    below = [_unit_power(unit, -exponent) for unit, exponent in parts if exponent < 0]
+    if not below:
+        return above
+    return f"{above or '1'}/{below[0]}" if len(below) == 1 else f"{above or '1'}/({' '.join(below)})"
+
+
+def _unit_power(unit: str, exponent: Exponent) -> str:
+    if exponent == 1:
+        return unit
+    whole = Fraction(exponent)
+    return unit + superscripted(whole.numerator) if whole.denominator == 1 else f"{unit}^({whole})"
+
+
+def describe(dimension: Dimension, *, article: bool = False) -> str:
+    """Words for messages: `force (N)`, with `article=True` `a force (N)`."""
+    kind = kind_of(dimension)
+    if kind is None:
+        return f"{'a ' * article}quantity in {base_unit_text(dimension)}"
+    name = kind.words if article else kind.name
+    return f"{name} ({kind.unit})" if kind.unit else name
+
+
+def dimension_of(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension:
+    """The dimension of a formula; `DimensionError` if its parts do not fit together. Zero fits everything."""
+    return _dimension(formula, symbols) or NONE
+
+
+def _dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension | None:
+    """The dimension; None for a zero, which has any."""
+    match formula:
+        case Number(value):
+            return NONE if value else None
+        case Constant():
+            return NONE
+        case Symbol(name):
+            if name not in symbols:
+                raise DimensionError(f"the dimension of {to_text(formula)} is not known")
+            return symbols[name]
+        case Negative(operand):
+            return _dimension(operand, symbols)
+        case Sum(terms):
+            return _common(terms, symbols)
+        case Product(factors):
+            return _product(factors, symbols)
+        case Quotient(numerator, denominator):
+            above, below = _dimension(numerator, symbols), _dimension(denominator, symbols)
+            return None if above is None else above / (below or NONE)
+        case Power(base, exponent):
+            return _power(base, exponent, symbols)
+        case Call(function, arguments):
+            return _call(function, arguments, symbols)
+        case Integral():
+            return _integral(formula, symbols)
+    raise TypeError(f"no dimension for {formula!r}")
+
+
+def _common(terms: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
+    """The one dimension of all terms."""
+    first: tuple[Formula, Dimension] | None = None
+    for term in terms:
+        dimension = _dimension(term, symbols)
+        if dimension is None:
+            continue
+        if first is None:
+            first = term, dimension
+        elif not dimension.matches(first[1]):
+            left, right = (_say(part) for part in (first[0], term))
+            there, here = describe(first[1], article=True), describe(dimension, article=True)
+            raise DimensionError(f"{left} is {there}, but {right} is {here}")
+    return None if first is None else first[1]
+
+
+def _say(formula: Formula) -> str:
+    return to_text(formula.operand if isinstance(formula, Negative) else formula)
+
+
+def _product(factors: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
+    result = NONE
+    zero = False
+    for factor in factors:
+        dimension = _dimension(factor, symbols)
+        zero = zero or dimension is None
+        result = result * (dimension or NONE)
+    return None if zero else result
+
+
+def _power(base: Formula, exponent: Formula, symbols: Mapping[str, Dimension]) -> Dimension | None:
+    above = _dimension(exponent, symbols)
+    if above is not None and not above.matches(NONE):
+        raise DimensionError(f"the exponent {_say(exponent)} is {describe(above, article=True)}, not a pure number")
+    dimension = _dimension(base, symbols)
+    value = rational(exponent)
+    if dimension is None:
+        return NONE if value == 0 else None
+    if value is not None:
+        return dimension**value
+    if not dimension.matches(NONE):
+        what = describe(dimension, article=True)
+        raise DimensionError(f"{_say(base)} is {what}, so its exponent must be a number, not {_say(exponent)}")
+    return NONE
+
+
+def _call(function: str, arguments: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
+    if function == "atan2":
+        _common(arguments, symbols)
+        return ANGLE
+    dimension = _dimension(arguments[0], symbols)
+    if function == "abs":
+        return dimension
+    if function == "sqrt":
+        return None if dimension is None else dimension ** Fraction(1, 2)
+    if dimension is not None and not dimension.matches(NONE):
+        wanted = "an angle" if function in ("sin", "cos", "tan") else "a pure number"
+        what = describe(dimension, article=True)
+        raise DimensionError(f"{function} takes {wanted}, but {_say(arguments[0])} is {what}")
+    return ANGLE if function.startswith("a") else NONE
+
+
+def _integral(formula: Integral, symbols: Mapping[str, Dimension]) -> Dimension | None:
+    """The integrand's dimension times the variable's, which the bounds must have too."""
+    bounds = _common((formula.lower, formula.upper), symbols)
+    of_bounds = {} if bounds is None else {formula.variable: bounds}
+    known = {"time": TIME, **of_bounds, **symbols}
+    variable = known.get(formula.variable)
+    if variable is None:
+        raise DimensionError(f"the dimension of {to_text(Symbol(formula.variable))} is not known")
+    if bounds is not None and not bounds.matches(variable):
+        what = f"{describe(bounds, article=True)}, but {to_text(Symbol(formula.variable))} is"
+        raise DimensionError(f"the bound {_say(formula.upper)} is {what} {describe(variable, article=True)}")
+    integrand = _dimension(formula.integrand, known)
+    return None if integrand is None else integrand * variable

@@ -1,0 +1,145 @@
+"""Exact: equality, textbook form and linear solving of formulas as rational functions in symbols and atoms.
+
+Symbols are real; only the names in `positive` are taken to be positive. Every answer is equal to its input by construction.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+
+from rotsolve.algebra.field import Field, Poly, Ratio
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
+from rotsolve.algebra.rewrite import Rewriter
+from rotsolve.algebra.shape import Shaper
+
+
+class Problem:
+    """Formulas that are handled together: rewritten, with one field for all."""
+
+    def __init__(
+        self,
+        formulas: Sequence[Formula],
+        order: Sequence[str] = (),
+        positive: Collection[str] = (),
+        *,
+        split_logs: bool = False,
+        extra: Iterable[str] = (),
+    ) -> None:
+        self.order = tuple(order)
+        rewrite = Rewriter(formulas, self.order, positive, split_logs)
+        self.formulas = [rewrite(formula) for formula in formulas]
+        self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
+        self.shaper = Shaper(self.field, self.order)
+
+    def ratio(self, k: int = 0) -> Ratio:
+        """Formula k as a fraction; ZeroDivisionError where its denominator vanishes."""
+        num, den = self.field.convert(self.formulas[k])
+        self.field.check_divisor(den)
+        return num, den
+
+    def numerator(self, k: int = 0) -> Poly:
+        """The reduced numerator of formula k with common factors cancelled."""
+        num, den = self.ratio(k)
+        return self.field.cancel((self.field.reduce(num), self.field.reduce(den)))[0]
+
+    def shortest(self, ratio: Ratio) -> Formula:
+        """The shortest textbook form of a fraction among the ways to use sin² + cos² = 1 and to clear roots."""
+        ring = self.field
+        best: Formula | None = None
+        seen: list[Ratio] = []
+        for candidate in self._variants(ratio):
+            reduced = ring.cancel(candidate)
+            if reduced not in seen:
+                seen.append(reduced)
+                shown = self.shaper.ratio(reduced)
+                if best is None or length(shown) < length(best):
+                    best = shown
+        assert best is not None
+        return best
+
+    def _variants(self, ratio: Ratio) -> Iterable[Ratio]:
+        ring = self.field
+        num, den = ratio
+        if not ring.pairs and not ring.roots:
+            return (ratio,)
+        sines = ring.reduce(num), ring.reduce(den)
+        if not len(sines[0]):
+            return (sines,)
+        found = [ratio, sines]
+        for pair in ring.pairs[:3]:
+            found.append((ring.reduce_to_cos(sines[0], pair), ring.reduce_to_cos(sines[1], pair)))
+        if len(ring.pairs) > 1:
+            num, den = sines
+            for pair in ring.pairs:
+                num, den = ring.reduce_to_cos(num, pair), ring.reduce_to_cos(den, pair)
+            found.append((num, den))
+        cleared = rationalised(ring, sines)
+        return [*found, cleared] if cleared is not None else found
+
+
+def rationalised(ring: Field, ratio: Ratio) -> Ratio | None:
+    """The fraction without roots in its denominator, None where it has none there."""
+    num, den = ratio
+    start = den
+    for i, _, _ in ring.roots:
+        if len(den) > 1 and den.degrees()[i] == 1:
+            conjugate = den - 2 * ring.gens[i] * den.derivative(i)
+            num, den = ring.reduce(num * conjugate), ring.reduce(den * conjugate)
+    return None if den == start else (num, den)
+
+
+def length(node: Formula) -> int:
+    """How long a formula is to read: its number of nodes."""
+    return 1 + sum(length(child) for child in node.children())
+
+
+def is_zero(f: Formula, positive: Collection[str] = frozenset()) -> bool:
+    """Whether the formula vanishes identically."""
+    problem = Problem([f], positive=positive, split_logs=True)
+    num, _ = problem.ratio()
+    return not len(problem.field.reduce(num))
+
+
+def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bool:
+    """Whether two formulas are equal wherever both are defined."""
+    return a == b or is_zero(add(a, negate(b)), positive)
+
+
+def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
+    """The formula in factored textbook form, symbols in the given order."""
+    if isinstance(f, (Symbol, Number)):
+        return f
+    problem = Problem([f], order, positive)
+    return problem.shortest(problem.ratio())
+
+
+def coefficients(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> tuple[Formula, ...] | None:
+    """(c₀, c₁, …) of the numerator of f as a polynomial in the unknown; None when the unknown is inside an atom."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    parts = polynomial(problem, unknown)
+    if parts is None:
+        return None
+    return tuple(problem.shortest((part, problem.field.one)) if len(part) else ZERO for part in parts)
+
+
+def polynomial(problem: Problem, unknown: str) -> list[Poly] | None:
+    """The numerator of the problem's formula by powers of the unknown; None when it is inside an atom."""
+    ring = problem.field
+    num = problem.numerator()
+    used = num.degrees()
+    if any(used[i] and ring.mentions(i, unknown) for i in range(len(ring.atoms))):
+        return None
+    return ring.coefficients(num, ring.index[Symbol(unknown)])
+
+
+def solve_linear(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> Formula | None:
+    """The unknown from f = 0; None when f is not linear in it or does not hold it."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    parts = polynomial(problem, unknown)
+    if parts is None or len(parts) != 2:
+        return None
+    return problem.shortest((-parts[0], parts[1]))

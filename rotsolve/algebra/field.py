@@ -1,0 +1,267 @@
+"""Field: rational functions over ℚ in the symbols and atoms of some formulas, on flint polynomials.
+
+The generators are ordered (roots from the outside in, cosines, other atoms, sines, symbols) so that each relation
+r² = radicand and cos² = 1 − sin² has its square as the leading monomial: reducing is one polynomial division.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from math import gcd
+from typing import Any
+
+from rotsolve.algebra.flints import fmpz_mpoly_ctx
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+
+Poly = Any
+Ratio = tuple[Poly, Poly]
+RADICALS = ("sqrt", "abs")
+TRIG = ("sin", "cos")
+
+
+def is_integer_power(node: Formula) -> bool:
+    """Whether the node is a power with a whole number as exponent."""
+    return isinstance(node, Power) and isinstance(node.exponent, Number) and node.exponent.value.denominator == 1
+
+
+def generators(formulas: Iterable[Formula]) -> dict[Formula, int]:
+    """Symbols and atoms of the formulas with their level: the depth of nested radicals, 0 for all others."""
+    found: dict[Formula, int] = {}
+
+    def visit(node: Formula) -> int:
+        if isinstance(node, Number):
+            return 0
+        if node in found:
+            return found[node]
+        if isinstance(node, (Sum, Product, Quotient, Negative)):
+            return max(visit(child) for child in node.children())
+        if isinstance(node, Power) and is_integer_power(node):
+            return visit(node.base)
+        if isinstance(node, Call) and node.function in RADICALS:
+            level = 1 + visit(node.arguments[0])
+            found[node] = level
+            return level
+        if isinstance(node, Call) and node.function in TRIG:
+            for function in TRIG:
+                found.setdefault(Call(function, node.arguments), 0)
+        found.setdefault(node, 0)
+        return 0
+
+    for formula in formulas:
+        visit(formula)
+    return found
+
+
+def _place(item: tuple[Formula, int]) -> tuple[int, int]:
+    node, level = item
+    if level:
+        return (0, -level)
+    if isinstance(node, Call):
+        return ({"cos": 1, "sin": 3}.get(node.function, 2), 0)
+    return (4, 0)
+
+
+class Field:
+    """The ring of polynomials in which some formulas live, with the relations between its generators."""
+
+    def __init__(self, formulas: Iterable[Formula]) -> None:
+        found = sorted(generators(formulas).items(), key=_place)
+        self.atoms: tuple[Formula, ...] = tuple(node for node, _ in found)
+        self.index: dict[Formula, int] = {node: i for i, node in enumerate(self.atoms)}
+        self.context = fmpz_mpoly_ctx.get([f"x{i}" for i in range(len(found))], "lex")
+        self.gens: tuple[Poly, ...] = self.context.gens()
+        self.zero: Poly = self.context.constant(0)
+        self.one: Poly = self.context.constant(1)
+        self.roots: list[tuple[int, Poly, Poly]] = []  # (index, modulus, radicand)
+        self.pairs: list[tuple[int, int, Poly]] = []  # (index of sin, index of cos, modulus)
+        for node, level in reversed(found):
+            if level:
+                self._relate_root(node)
+            elif isinstance(node, Call) and node.function == "sin":
+                s, c = self.index[node], self.index[Call("cos", node.arguments)]
+                self.pairs.append((s, c, self.gens[c] ** 2 + self.gens[s] ** 2 - 1))
+        self.roots.reverse()
+
+    def _relate_root(self, node: Formula) -> None:
+        """Record r² = radicand for √radicand, or r² = argument² for |argument|."""
+        assert isinstance(node, Call)
+        i = self.index[node]
+        num, den = self.convert(node.arguments[0])
+        if not den.is_one():
+            raise ValueError("a radicand must be a polynomial with whole coefficients")
+        square = num if node.function == "sqrt" else self.reduce_roots(num * num)
+        self.roots.append((i, self.gens[i] ** 2 - square, square))
+
+    # reducing
+
+    def reduce_roots(self, poly: Poly) -> Poly:
+        """The polynomial with every square of a root replaced by its radicand."""
+        if self.roots and len(poly):
+            for i, modulus, _ in self.roots:
+                if poly.degrees()[i] > 1:
+                    poly = poly % modulus
+        return poly
+
+    def reduce(self, poly: Poly) -> Poly:
+        """The normal form: linear in every root and every cosine; zero only if the polynomial vanishes everywhere."""
+        poly = self.reduce_roots(poly)
+        for _, c, modulus in self.pairs:
+            if len(poly) and poly.degrees()[c] > 1:
+                poly = poly % modulus
+        return poly
+
+    def reduce_to_cos(self, poly: Poly, pair: tuple[int, int, Poly]) -> Poly:
+        """The polynomial with sin² replaced by 1 − cos² for this pair."""
+        s, c, modulus = pair
+        if not len(poly) or poly.degrees()[s] < 2:
+            return poly
+        swapped = list(self.gens)
+        swapped[s], swapped[c] = swapped[c], swapped[s]
+        return (poly.compose(*swapped, ctx=self.context) % modulus).compose(*swapped, ctx=self.context)
+
+    def cancel(self, ratio: Ratio) -> Ratio:
+        """The fraction without common factor, the leading coefficient of its denominator positive."""
+        num, den = ratio
+        if not len(num):
+            return self.zero, self.one
+        if den.is_one():
+            return ratio
+        if not den.is_constant():
+            common = num.gcd(den)
+            if not common.is_one():
+                num, den = num / common, den / common
+        if den.is_constant():
+            common = gcd(int(den.leading_coefficient()), *(int(c) for c in num.coeffs()))
+            if common != 1:
+                num, den = num / common, den / common
+        return (-num, -den) if den.leading_coefficient() < 0 else (num, den)
+
+    # arithmetic
+
+    def convert(self, node: Formula) -> Ratio:
+        """A formula of this field as numerator and denominator, roots reduced, otherwise as it comes."""
+        if isinstance(node, Number):
+            value = node.value
+            return self.context.constant(value.numerator), self.context.constant(value.denominator)
+        i = self.index.get(node)
+        if i is not None:
+            return self.gens[i], self.one
+        if isinstance(node, Sum):
+            return self._sum(node.terms)
+        if isinstance(node, Product):
+            num, den = self.convert(node.factors[0])
+            for factor in node.factors[1:]:
+                n, d = self.convert(factor)
+                num, den = num * n, den if d.is_one() else den * d
+            return self.reduce_roots(num), self.reduce_roots(den)
+        if isinstance(node, Negative):
+            num, den = self.convert(node.operand)
+            return -num, den
+        if isinstance(node, Quotient):
+            num, den = self.convert(node.numerator)
+            n, d = self.convert(node.denominator)
+            self.check_divisor(n)
+            num = num if d.is_one() else self.reduce_roots(num * d)
+            return num, n if den.is_one() else self.reduce_roots(den * n)
+        if isinstance(node, Power) and isinstance(node.exponent, Number):
+            return self._power(self.convert(node.base), int(node.exponent.value))
+        raise ValueError(f"not of this field: {node!r}")
+
+    def check_divisor(self, poly: Poly) -> None:
+        """Raise where a divisor is zero, also one that is zero only by sin² + cos² = 1."""
+        if not len(poly) or ((self.pairs or self.roots) and not len(self.reduce(poly))):
+            raise ZeroDivisionError("division by zero")
+
+    def _power(self, base: Ratio, exponent: int) -> Ratio:
+        num, den = base
+        if exponent < 0:
+            self.check_divisor(num)
+            num, den, exponent = den, num, -exponent
+        return self.reduce_roots(num**exponent), self.reduce_roots(den**exponent)
+
+    def _sum(self, terms: Sequence[Formula]) -> Ratio:
+        num, den = self.convert(terms[0])
+        for term in terms[1:]:
+            n, d = self.convert(term)
+            if (d.is_one() and den.is_one()) or d == den:
+                num = num + n
+            else:
+                common = d.gcd(den)
+                left, right = d / common, den / common
+                num, den = self.reduce_roots(num * left + n * right), self.reduce_roots(den * left)
+        return num, den
+
+    # looking inside
+
+    def generator_of(self, poly: Poly) -> int | None:
+        """The index of the generator that the polynomial is, None where it is more."""
+        if len(poly) != 1 or poly.leading_coefficient() != 1 or poly.total_degree() != 1:
+            return None
+        return int(poly.monomial(0).index(1))
+
+    def terms(self, poly: Poly) -> Iterator[tuple[int, tuple[int, ...]]]:
+        """Coefficient and exponents of each term."""
+        for exponents, coefficient in poly.to_dict().items():
+            yield int(coefficient), tuple(map(int, exponents))
+
+    def coefficients(self, poly: Poly, i: int) -> list[Poly]:
+        """The coefficients of the polynomial by powers of generator i, from the constant on."""
+        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        for exponents, coefficient in poly.to_dict().items():
+            rest = (*exponents[:i], 0, *exponents[i + 1 :])
+            parts.setdefault(int(exponents[i]), {})[rest] = coefficient
+        return [self.context.from_dict(parts.get(k, {})) for k in range(max(parts, default=0) + 1)]
+
+    def mentions(self, i: int, name: str) -> bool:
+        """Whether generator i is an atom that holds the symbol inside."""
+        atom = self.atoms[i]
+        return not isinstance(atom, (Symbol, Constant)) and name in atom.symbols()
+
+    # factoring
+
+    def factor(self, poly: Poly) -> tuple[int, list[tuple[Poly, int]]]:
+        """Number and irreducible factors with their multiplicity; leading coefficients positive."""
+        content, parts = 1, []
+        monomial = poly.term_content()
+        if not monomial.is_one():
+            poly = poly / monomial
+            content = int(monomial.leading_coefficient())
+            exponents = monomial.monomial(0)
+            parts = [(self.gens[i], int(e)) for i, e in enumerate(exponents) if e]
+        if poly.leading_coefficient() < 0:
+            content, poly = -content, -poly
+        if poly.is_one():
+            return content, parts
+        return content, parts + self._split(poly)
+
+    def _split(self, poly: Poly) -> list[tuple[Poly, int]]:
+        """Factors of a primitive polynomial: where it is linear in a variable, one gcd splits it."""
+        if len(poly) > 2:
+            for i, degree in enumerate(poly.degrees()):
+                if degree == 1:
+                    slope = poly.derivative(i)
+                    rest = poly - slope * self.gens[i]
+                    common = slope.gcd(rest)
+                    if common.is_constant():
+                        return [(poly, 1)]
+                    first = poly / common
+                    if common.leading_coefficient() < 0:
+                        first, common = -first, -common
+                    return [(first, 1), *self._split(common)]
+        elif poly.total_degree() == 1:
+            return [(poly, 1)]
+        unit, parts = poly.factor()
+        return [(-p if p.leading_coefficient() < 0 else p, int(e)) for p, e in parts]
+
+

@@ -1,0 +1,41 @@
+"""The few flint types that the algebra needs, loaded without the thirty others that `import flint` brings along.
+
+`import flint` takes about 33 ms, these types 20 ms. The package's own `__init__` is skipped by standing in an empty package
+while the submodules load; it is taken away again, so that a later `import flint` (SymPy's, say) is an ordinary one.
+"""
+
+from __future__ import annotations
+
+import importlib
+import importlib.util
+import sys
+from types import ModuleType
+
+
+def _load(names: tuple[str, ...]) -> list[ModuleType]:
+    """The submodules of flint with these names, without running `flint/__init__.py`."""
+    full = [f"flint.{name}" for name in names]
+    spec = None if "flint" in sys.modules else importlib.util.find_spec("flint")
+    if spec is None or spec.submodule_search_locations is None:
+        return [importlib.import_module(name) for name in full]
+    package = ModuleType("flint")
+    package.__path__ = list(spec.submodule_search_locations)
+    package.__spec__ = spec
+    sys.modules["flint"] = package
+    try:
+        return [importlib.import_module(name) for name in full]
+    finally:
+        if sys.modules.get("flint") is package:
+            del sys.modules["flint"]
+
+
+_pyflint, _fmpz, _fmpq, _arb, _acb, _mpoly = _load(
+    ("pyflint", "types.fmpz", "types.fmpq", "types.arb", "types.acb", "types.fmpz_mpoly")
+)
+context = _pyflint.ctx
+fmpz = _fmpz.fmpz
+fmpq = _fmpq.fmpq
+arb = _arb.arb
+acb = _acb.acb
+fmpz_mpoly = _mpoly.fmpz_mpoly
+fmpz_mpoly_ctx = _mpoly.fmpz_mpoly_ctx

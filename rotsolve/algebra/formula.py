@@ -1,0 +1,332 @@
+"""Formula: a small immutable expression tree that keeps what was written, in the order in which it was written.
+
+A formula is data only: nothing here simplifies beyond the trivial (x + 0, 1 x, 0 x, −(−x)), so that `m g − T` stays `m g − T`.
+The normal form lives in `exact`, numbers in `ball`, printed text in `text`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+
+FUNCTIONS = {  # name -> number of arguments
+    "sqrt": 1,
+    "sin": 1,
+    "cos": 1,
+    "tan": 1,
+    "asin": 1,
+    "acos": 1,
+    "atan": 1,
+    "atan2": 2,
+    "exp": 1,
+    "log": 1,
+    "abs": 1,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Formula:
+    """Base of all nodes; operators build trees and drop only trivial zeros and ones."""
+
+    def children(self) -> tuple[Formula, ...]:
+        return ()
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return self
+
+    def __add__(self, other: Formula | int | Fraction) -> Formula:
+        return add(self, formula(other))
+
+    def __radd__(self, other: Formula | int | Fraction) -> Formula:
+        return add(formula(other), self)
+
+    def __sub__(self, other: Formula | int | Fraction) -> Formula:
+        return add(self, negate(formula(other)))
+
+    def __rsub__(self, other: Formula | int | Fraction) -> Formula:
+        return add(formula(other), negate(self))
+
+    def __mul__(self, other: Formula | int | Fraction) -> Formula:
+        return multiply(self, formula(other))
+
+    def __rmul__(self, other: Formula | int | Fraction) -> Formula:
+        return multiply(formula(other), self)
+
+    def __truediv__(self, other: Formula | int | Fraction) -> Formula:
+        return divide(self, formula(other))
+
+    def __rtruediv__(self, other: Formula | int | Fraction) -> Formula:
+        return divide(formula(other), self)
+
+    def __pow__(self, other: Formula | int | Fraction) -> Formula:
+        exponent = formula(other)
+        return self if exponent == ONE else Power(self, exponent)
+
+    def __neg__(self) -> Formula:
+        return negate(self)
+
+    def walk(self) -> Iterator[Formula]:
+        """Every node of the tree, this one first."""
+        stack: list[Formula] = [self]
+        while stack:
+            node = stack.pop()
+            yield node
+            stack.extend(reversed(node.children()))
+
+    def symbols(self) -> frozenset[str]:
+        """Names of the free symbols (a variable of integration is bound, hence not among them)."""
+        if isinstance(self, Symbol):
+            return frozenset((self.name,))
+        if isinstance(self, Integral):
+            inner = self.integrand.symbols() - {self.variable}
+            return inner | self.lower.symbols() | self.upper.symbols()
+        names: frozenset[str] = frozenset()
+        for child in self.children():
+            names |= child.symbols()
+        return names
+
+    def substitute(self, values: Mapping[str, Formula]) -> Formula:
+        """The same formula with symbols replaced; trivial zeros and ones that this makes are dropped."""
+        if not values:
+            return self
+        if isinstance(self, Integral):
+            values = {name: value for name, value in values.items() if name != self.variable}
+        return self.transform(lambda node: values.get(node.name, node) if isinstance(node, Symbol) else node)
+
+    def transform(self, change: Callable[[Formula], Formula]) -> Formula:
+        """Rebuild bottom-up, passing every node through `change`; unchanged parts keep their written form."""
+        old = self.children()
+        new = tuple(child.transform(change) for child in old)
+        if all(a is b for a, b in zip(old, new, strict=True)):
+            return change(self)
+        return change(self.with_children(new))
+
+
+@dataclass(frozen=True, slots=True)
+class Number(Formula):
+    """An exact rational number."""
+
+    value: Fraction
+
+
+@dataclass(frozen=True, slots=True)
+class Symbol(Formula):
+    """A letter, by its ASCII name as in the scene: `m1`, `theta0`, `a_end`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Constant(Formula):
+    """A mathematical constant; only `pi`."""
+
+    name: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sum(Formula):
+    """terms[0] + terms[1] + …; a difference is a sum with a `Negative` term."""
+
+    terms: tuple[Formula, ...]
+
+    def children(self) -> tuple[Formula, ...]:
+        return self.terms
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        result: Formula = children[0]
+        for child in children[1:]:
+            result = add(result, child)
+        return result
+
+
+@dataclass(frozen=True, slots=True)
+class Product(Formula):
+    """factors[0] · factors[1] · …"""
+
+    factors: tuple[Formula, ...]
+
+    def children(self) -> tuple[Formula, ...]:
+        return self.factors
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        result: Formula = children[0]
+        for child in children[1:]:
+            result = multiply(result, child)
+        return result
+
+
+@dataclass(frozen=True, slots=True)
+class Quotient(Formula):
+    """numerator / denominator."""
+
+    numerator: Formula
+    denominator: Formula
+
+    def children(self) -> tuple[Formula, ...]:
+        return (self.numerator, self.denominator)
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return divide(children[0], children[1])
+
+
+@dataclass(frozen=True, slots=True)
+class Power(Formula):
+    """base ^ exponent."""
+
+    base: Formula
+    exponent: Formula
+
+    def children(self) -> tuple[Formula, ...]:
+        return (self.base, self.exponent)
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return children[0] ** children[1]
+
+
+@dataclass(frozen=True, slots=True)
+class Negative(Formula):
+    """− operand."""
+
+    operand: Formula
+
+    def children(self) -> tuple[Formula, ...]:
+        return (self.operand,)
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return negate(children[0])
+
+
+@dataclass(frozen=True, slots=True)
+class Call(Formula):
+    """function(arguments…); the functions are those of `FUNCTIONS`."""
+
+    function: str
+    arguments: tuple[Formula, ...]
+
+    def children(self) -> tuple[Formula, ...]:
+        return self.arguments
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return Call(self.function, children)
+
+
+@dataclass(frozen=True, slots=True)
+class Integral(Formula):
+    """∫ integrand d(variable) from lower to upper, not yet carried out."""
+
+    integrand: Formula
+    variable: str
+    lower: Formula
+    upper: Formula
+
+    def children(self) -> tuple[Formula, ...]:
+        return (self.integrand, self.lower, self.upper)
+
+    def with_children(self, children: tuple[Formula, ...]) -> Formula:
+        return Integral(children[0], self.variable, children[1], children[2])
+
+
+ZERO = Number(Fraction(0))
+ONE = Number(Fraction(1))
+PI = Constant("pi")
+
+
+def formula(value: Formula | int | Fraction) -> Formula:
+    """`value` as a formula; numbers must be exact, so a float is refused."""
+    if isinstance(value, Formula):
+        return value
+    if isinstance(value, (int, Fraction)):
+        return Number(Fraction(value))
+    raise TypeError(f"not an exact number: {value!r}")
+
+
+def symbol(name: str) -> Symbol:
+    return Symbol(name)
+
+
+def add(left: Formula, right: Formula) -> Formula:
+    """left + right, one flat sum."""
+    if left == ZERO:
+        return right
+    if right == ZERO:
+        return left
+    if isinstance(left, Number) and isinstance(right, Number):
+        return Number(left.value + right.value)
+    terms = left.terms if isinstance(left, Sum) else (left,)
+    return Sum((*terms, *(right.terms if isinstance(right, Sum) else (right,))))
+
+
+def negate(operand: Formula) -> Formula:
+    """− operand."""
+    if isinstance(operand, Negative):
+        return operand.operand
+    if isinstance(operand, Number):
+        return Number(-operand.value)
+    if isinstance(operand, Sum):
+        return Sum(tuple(negate(term) for term in operand.terms))
+    return Negative(operand)
+
+
+def multiply(left: Formula, right: Formula) -> Formula:
+    """left · right, one flat product with the sign in front."""
+    if ZERO in (left, right):
+        return ZERO
+    if left == ONE:
+        return right
+    if right == ONE:
+        return left
+    if isinstance(left, Number) and isinstance(right, Number):
+        return Number(left.value * right.value)
+    if isinstance(left, Negative):
+        return negate(multiply(left.operand, right))
+    if isinstance(right, Negative):
+        return negate(multiply(left, right.operand))
+    if isinstance(right, Number):
+        left, right = right, left
+    if isinstance(left, Number) and left.value < 0:
+        return negate(multiply(Number(-left.value), right))
+    factors = left.factors if isinstance(left, Product) else (left,)
+    more = right.factors if isinstance(right, Product) else (right,)
+    if isinstance(factors[0], Number) and isinstance(more[0], Number):
+        number = Number(factors[0].value * more[0].value)
+        rest = (*factors[1:], *more[1:])
+        factors, more = ((number,), rest) if number != ONE else ((), rest)
+    elif isinstance(more[0], Number):
+        factors, more = (more[0], *factors), more[1:]
+    merged = (*factors, *more)
+    return merged[0] if len(merged) == 1 else Product(merged)
+
+
+def divide(numerator: Formula, denominator: Formula) -> Formula:
+    """numerator / denominator."""
+    if denominator == ONE:
+        return numerator
+    if numerator == ZERO:
+        return ZERO
+    if isinstance(numerator, Number) and isinstance(denominator, Number) and denominator.value:
+        return Number(numerator.value / denominator.value)
+    if isinstance(numerator, Negative):
+        return negate(divide(numerator.operand, denominator))
+    if isinstance(denominator, Negative):
+        return negate(divide(numerator, denominator.operand))
+    return Quotient(numerator, denominator)
+
+
+def call(function: str, *arguments: Formula) -> Formula:
+    """function(arguments…), arity checked."""
+    if FUNCTIONS.get(function) != len(arguments):
+        raise ValueError(f"{function} does not take {len(arguments)} arguments")
+    return Call(function, tuple(arguments))
+
+
+def sqrt(argument: Formula) -> Formula:
+    return argument if argument in (ZERO, ONE) else Call("sqrt", (argument,))
+
+
+def total(terms: list[Formula] | tuple[Formula, ...]) -> Formula:
+    """The sum of all terms, ZERO where there are none."""
+    result: Formula = ZERO
+    for term in terms:
+        result = add(result, term)
+    return result

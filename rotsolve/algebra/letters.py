@@ -1,0 +1,135 @@
+"""Letters: how an ASCII name such as `theta0` is written in text (θ₀), in LaTeX (\\theta_{0}), and read back.
+
+Reading and printing share these tables, so that what is printed can always be read again.
+"""
+
+from __future__ import annotations
+
+import re
+from fractions import Fraction
+
+_GREEK = """
+    α alpha β beta γ gamma δ delta ε epsilon ζ zeta η eta θ theta ι iota κ kappa λ lambda μ mu ν nu ξ xi π pi ρ rho
+    σ sigma τ tau υ upsilon φ phi χ chi ψ psi ω omega
+    Γ Gamma Δ Delta Θ Theta Λ Lambda Ξ Xi Π Pi Σ Sigma Φ Phi Ψ Psi Ω Omega
+"""
+_GREEK_WORDS = _GREEK.split()
+LETTER_NAMES = dict(zip(_GREEK_WORDS[::2], _GREEK_WORDS[1::2], strict=True))  # θ -> theta
+GREEK_LETTERS = {name: letter for letter, name in LETTER_NAMES.items()}  # theta -> θ
+# Other code points that look like these letters: micro sign, ohm sign, increment, and the curly variants.
+LETTER_NAMES |= {"µ": "mu", "Ω": "Omega", "∆": "Delta", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "ϱ": "rho"}
+
+SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+_UNSUBSCRIPT = {sub: plain for plain, sub in SUBSCRIPTS.items()}
+SUPERSCRIPTS = dict(zip("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", strict=True))
+_UNSUPERSCRIPT = {raised: plain for plain, raised in SUPERSCRIPTS.items()}
+
+FRACTIONS = {  # glyph -> value
+    glyph: Fraction(int(parts[0]), int(parts[1:]))
+    for glyph, parts in zip(
+        "½⅓⅔¼¾⅕⅖⅗⅘⅙⅚⅐⅛⅜⅝⅞⅑⅒",
+        ["12", "13", "23", "14", "34", "15", "25", "35", "45", "16", "56", "17", "18", "38", "58", "78", "19", "110"],
+        strict=True,
+    )
+}
+GLYPHS = {value: glyph for glyph, value in FRACTIONS.items()}
+
+_GREEK_CLASS = "".join(LETTER_NAMES)
+_SUB_CLASS = "".join(_UNSUBSCRIPT)
+# A run of name characters, and the names into which a run falls apart at its Greek letters and subscripts: `2πr`, `m₁g`.
+RUN = rf"[A-Za-z{_GREEK_CLASS}][A-Za-z0-9_{_GREEK_CLASS}{_SUB_CLASS}]*"
+SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[A-Za-z0-9{_GREEK_CLASS}]+)*"
+
+_INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
+_LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
+_WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
+_TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
+
+
+def spellings(raw: str) -> tuple[str, ...]:
+    """The ASCII names that `raw` may stand for, the likeliest first: `ω₂` is `omega2` or `omega_2`."""
+    digits_plain: list[str] = []
+    digits_joined: list[str] = []
+    in_subscript = False
+    for char in raw:
+        plain = _UNSUBSCRIPT.get(char)
+        if plain is None:
+            piece = LETTER_NAMES.get(char, char)
+            digits_plain.append(piece)
+            digits_joined.append(piece)
+        else:
+            joint = "" if in_subscript else "_"
+            digits_plain.append(plain if plain.isdigit() else joint + plain)
+            digits_joined.append(joint + plain if plain.isdigit() else plain)
+        in_subscript = plain is not None
+    first, second = "".join(digits_plain), "".join(digits_joined)
+    index = _TRAILING_INDEX.search(first)
+    if index is None:
+        return (first,) if first == second else (first, second)
+    head = first[: index.start()]
+    return tuple(dict.fromkeys((first, second, head + index[1], f"{head}_{index[1]}")))
+
+
+def subscripted(text: str) -> str:
+    return "".join(SUBSCRIPTS[char] for char in text)
+
+
+def superscripted(number: int) -> str:
+    return "".join(SUPERSCRIPTS[char] for char in str(number))
+
+
+def from_superscript(text: str) -> str:
+    """ASCII digits and signs of a run of superscripts."""
+    return "".join(_UNSUPERSCRIPT[char] for char in text)
+
+
+def _greek(head: str) -> str:
+    return GREEK_LETTERS.get(head, head)
+
+
+def name_to_text(name: str) -> str:
+    """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ; `a_end` and paths stay as they are."""
+    if match := _INDEXED.fullmatch(name):
+        return _greek(match[1]) + subscripted(match[2])
+    if match := _LETTERED.fullmatch(name):
+        return _greek(match[1]) + subscripted(match[2])
+    if match := _WORDED.fullmatch(name):
+        return f"{_greek(match[1])}{match[2]}_{match[3]}"
+    return _greek(name)
+
+
+def _latex_head(head: str) -> str:
+    if head in GREEK_LETTERS:
+        # \\epsilon is drawn ϵ, which is not the letter that the text form prints.
+        return r"\varepsilon" if head == "epsilon" else rf"\{head}"
+    return head if len(head) == 1 else rf"\mathrm{{{head}}}"
+
+
+def _latex_subscript(text: str) -> str:
+    if text in GREEK_LETTERS:
+        return _latex_head(text)
+    return text if len(text) == 1 or text.isdigit() else rf"\mathrm{{{text.replace('_', ',')}}}"
+
+
+def name_to_latex(name: str) -> str:
+    """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
+    if match := _INDEXED.fullmatch(name):
+        return f"{_latex_head(match[1])}_{{{match[2]}}}"
+    if match := _WORDED.fullmatch(name):
+        index = f"{match[2]}," if match[2] else ""
+        return f"{_latex_head(match[1])}_{{{index}{_latex_subscript(match[3])}}}"
+    if re.fullmatch("[A-Za-z]+", name):
+        return _latex_head(name)
+    return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+
+
+def same_text(names: list[str] | tuple[str, ...] | frozenset[str]) -> tuple[tuple[str, str], ...]:
+    """Pairs of names that print alike, such as `x1` and `x_1`: a scene should not have both."""
+    seen: dict[str, str] = {}
+    pairs: list[tuple[str, str]] = []
+    for name in sorted(names):
+        text = name_to_text(name)
+        if text in seen:
+            pairs.append((seen[text], name))
+        seen.setdefault(text, name)
+    return tuple(pairs)

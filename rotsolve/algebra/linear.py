@@ -1,0 +1,150 @@
+"""Linear: exact systems of linear equations, by fraction-free elimination that leaves the asked unknown for the last."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+
+from rotsolve.algebra.exact import Problem
+from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.formula import Formula, Symbol
+
+Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
+CONSTANT = -1
+
+
+class Singular(ValueError):
+    """The equations do not settle the asked unknown; tells which equation says nothing new, or contradicts."""
+
+    def __init__(self, words: str, *, redundant: int | None = None, contradiction: int | None = None) -> None:
+        super().__init__(words)
+        self.redundant = redundant
+        self.contradiction = contradiction
+
+
+class NotLinear(ValueError):
+    """An equation is not linear in the unknowns; tells which."""
+
+    def __init__(self, equation: int, unknown: str) -> None:
+        super().__init__(f"equation {equation + 1} is not linear in {unknown}")
+        self.equation = equation
+        self.unknown = unknown
+
+
+def solve_system(
+    equations: Sequence[Formula],
+    unknowns: Sequence[str],
+    asked: str,
+    order: Sequence[str] = (),
+    positive: Collection[str] = (),
+) -> Formula:
+    """The asked unknown from equations (each a formula that is zero) that are linear in the unknowns."""
+    problem = Problem(equations, order, positive, extra=unknowns)
+    ring = problem.field
+    columns = {ring.index[Symbol(name)]: name for name in unknowns}
+    target = ring.index[Symbol(asked)]
+    rows = {k: _row(problem, k, columns) for k in range(len(equations))}
+    used = _eliminate(ring, rows, set(columns) - {target})
+    return _read_off(problem, rows, used, target, asked)
+
+
+def _row(problem: Problem, k: int, columns: dict[int, str]) -> Row:
+    """Equation k as coefficients of the unknowns and the rest."""
+    ring = problem.field
+    poly = problem.numerator(k)
+    degrees = poly.degrees()
+    row: Row = {}
+    for i, name in columns.items():
+        if any(degrees[j] and ring.mentions(j, name) for j in range(len(ring.atoms))):
+            raise NotLinear(k, name)
+        if degrees[i] > 1:
+            raise NotLinear(k, name)
+        if degrees[i] == 1:
+            slope = poly.derivative(i)
+            if any(slope.degrees()[j] for j in columns):
+                raise NotLinear(k, name)
+            row[i] = slope
+            poly = poly - slope * ring.gens[i]
+    if len(poly):
+        row[CONSTANT] = poly
+    return row
+
+
+def _eliminate(ring: Field, rows: dict[int, Row], columns: set[int]) -> set[int]:
+    """Clear all the columns; returns the rows used as pivots."""
+    used: set[int] = set()
+    while columns:
+        holders: dict[int, list[int]] = {}
+        for k, row in rows.items():
+            if k not in used:
+                for i in row:
+                    if i in columns:
+                        holders.setdefault(i, []).append(k)
+        if not holders:
+            return used
+        column, pivot = _best(rows, holders)
+        for k in holders[column]:
+            if k != pivot:
+                rows[k] = _combine(ring, rows[k], rows[pivot], column)
+        used.add(pivot)
+        columns.discard(column)
+    return used
+
+
+def _best(rows: dict[int, Row], holders: dict[int, list[int]]) -> tuple[int, int]:
+    """The column and pivot row that make the least work: few entries to clear, short pivot."""
+    best: tuple[tuple[int, int, int], int, int] | None = None
+    for column, members in holders.items():
+        for k in members:
+            row = rows[k]
+            cost = ((len(members) - 1) * (len(row) - 1), len(row[column]), len(row))
+            if best is None or cost < best[0]:
+                best = (cost, column, k)
+    assert best is not None
+    return best[1], best[2]
+
+
+def _combine(ring: Field, row: Row, pivot: Row, column: int) -> Row:
+    """The row with the column cleared by the pivot row, divided by what its entries have in common."""
+    a, p = row[column], pivot[column]
+    common = a.gcd(p)
+    if not common.is_one():
+        a, p = a / common, p / common
+    result: Row = {}
+    for i in {**row, **pivot}:
+        if i != column:
+            value = ring.reduce(row.get(i, ring.zero) * p - pivot.get(i, ring.zero) * a)
+            if len(value):
+                result[i] = value
+    return _primitive(result)
+
+
+def _primitive(row: Row) -> Row:
+    """The row divided by the greatest common divisor of its entries."""
+    common: Poly = None
+    for value in sorted(row.values(), key=len):
+        common = value if common is None else common.gcd(value)
+        if common.is_one():
+            return row
+    return row if common is None else {i: value / common for i, value in row.items()}
+
+
+def _read_off(problem: Problem, rows: dict[int, Row], used: set[int], target: int, asked: str) -> Formula:
+    """The asked unknown from the rows that are left; Singular when they contradict or say nothing."""
+    ring = problem.field
+    answer: Row | None = None
+    redundant: int | None = None
+    for k, row in rows.items():
+        if k in used:
+            continue
+        if answer is not None and target in row:
+            row = _combine(ring, row, answer, target)
+        elif target in row:
+            answer = row
+            continue
+        if set(row) == {CONSTANT}:
+            raise Singular(f"equation {k + 1} contradicts the others", contradiction=k)
+        redundant = k if redundant is None and not row else redundant
+    if answer is None:
+        words = f"equation {redundant + 1} says nothing new" if redundant is not None else "too few equations"
+        raise Singular(f"{asked} is not settled: {words}", redundant=redundant)
+    return problem.shortest((-answer.get(CONSTANT, ring.zero), answer[target]))

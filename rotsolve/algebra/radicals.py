@@ -1,0 +1,194 @@
+"""Radicals: one form for each square root and absolute value, √(a/b) = √a √b/b where a factor can't be negative.
+
+Only names in `positive` are taken to be positive; a factor of unknown sign stays under one root together with its like.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from fractions import Fraction
+
+from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Call,
+    Constant,
+    Formula,
+    Number,
+    Power,
+    Symbol,
+    add,
+    call,
+    multiply,
+)
+from rotsolve.algebra.shape import Shaper, square_part
+
+Factor = tuple[Poly, int]
+
+
+class Signs:
+    """What is known of the signs of a field's polynomials."""
+
+    def __init__(self, ring: Field, positive: Collection[str]) -> None:
+        self.field = ring
+        self.kinds = [self._kind(atom, positive) for atom in ring.atoms]
+
+    @staticmethod
+    def _kind(atom: Formula, positive: Collection[str]) -> str:
+        """plus: never negative; bounded: between −1 and 1; any."""
+        if isinstance(atom, Constant) or (isinstance(atom, Symbol) and atom.name in positive):
+            return "plus"
+        if isinstance(atom, Call) and atom.function in ("sqrt", "abs", "exp"):
+            return "plus"
+        if isinstance(atom, Call) and atom.function in ("sin", "cos"):
+            return "bounded"
+        return "any"
+
+    def nonnegative(self, poly: Poly) -> bool:
+        """Whether the polynomial is certainly never negative (a no means: not known)."""
+        lows: dict[tuple[int, ...], int] = {}
+        for coefficient, exponents in self.field.terms(poly):
+            split = self._split(exponents)
+            if split is None:
+                return False
+            key, varies, odd = split
+            low = min(coefficient, 0) if varies and not odd else -abs(coefficient) if odd else coefficient
+            lows[key] = lows.get(key, 0) + low
+        return all(low >= 0 for low in lows.values())
+
+    def _split(self, exponents: tuple[int, ...]) -> tuple[tuple[int, ...], bool, bool] | None:
+        """The part of a monomial that is never negative, whether a bounded part varies, whether it changes sign."""
+        key, varies, odd = list(exponents), False, False
+        for i, e in enumerate(exponents):
+            if e and self.kinds[i] == "bounded":
+                key[i], varies, odd = 0, True, odd or e % 2 == 1
+            elif e % 2 and self.kinds[i] == "any":
+                return None
+        return tuple(key), varies, odd
+
+
+class Radicals:
+    """Canonical roots and absolute values under one set of positive names."""
+
+    def __init__(self, order: Sequence[str] = (), positive: Collection[str] = ()) -> None:
+        self.order = order
+        self.positive = positive
+
+    def _factors(self, argument: Formula) -> tuple[Field, Fraction, list[Factor], Signs]:
+        ring = Field([argument])
+        num, den = ring.convert(argument)
+        num, den = ring.cancel((ring.reduce(num), ring.reduce(den)))
+        if not len(num):
+            return ring, Fraction(0), [], Signs(ring, self.positive)
+        parts = Shaper(ring).parts((num, den))
+        factors = [(ring.gens[i], e) for i, e in parts.gens.items()] + parts.sums
+        if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
+            top, above = ring.factor(num)
+            bottom, below = ring.factor(den)
+            return ring, Fraction(top, bottom), above + [(p, -e) for p, e in below], Signs(ring, self.positive)
+        return ring, parts.number, [(p, int(e)) for p, e in factors if e], Signs(ring, self.positive)
+
+    def _settled(self, ring: Field, signs: Signs, number: Fraction, factors: list[Factor]) -> tuple[
+        Fraction, list[Factor], list[Factor]
+    ]:
+        """Number, factors that are never negative, factors of unknown sign."""
+        known: list[Factor] = []
+        unknown: list[Factor] = []
+        for poly, e in factors:
+            if signs.nonnegative(poly):
+                known.append((poly, e))
+            elif signs.nonnegative(-poly):
+                known.append((-poly, e))
+                number *= (-1) ** e
+            else:
+                unknown.append((poly, e))
+        return number, known, unknown
+
+    def sqrt(self, argument: Formula) -> Formula:
+        """√argument as a product of canonical roots."""
+        ring, number, factors, signs = self._factors(argument)
+        if not number:
+            return Number(number)
+        number, known, unknown = self._settled(ring, signs, number, factors)
+        odd = [(poly, e) for poly, e in unknown if e % 2]
+        if len(odd) == 1:  # the root exists only where this factor has the sign of the number
+            poly, e = odd[0]
+            known.append((poly if number > 0 else -poly, e))
+            number, unknown, odd = abs(number), [item for item in unknown if item[1] % 2 == 0], []
+        shaper = Shaper(ring, self.order)
+        result = _numeric_root(abs(number))
+        rest = ring.one if number > 0 else -ring.one
+        for poly, e in known:
+            shown = shaper.poly(poly)
+            result = multiply(result, _power(shown, e // 2))
+            if e % 2:
+                result = multiply(result, call("sqrt", shown))
+        for poly, e in unknown:
+            if e % 2:
+                rest = rest * poly
+            result = multiply(result, _power(self._abs(shaper.poly(poly)) if e // 2 % 2 else shaper.poly(poly), e // 2))
+        return result if rest.is_one() else multiply(result, call("sqrt", shaper.poly(rest)))
+
+    def abs(self, argument: Formula) -> Formula:
+        """|argument| with the factors outside whose sign is known."""
+        ring, number, factors, signs = self._factors(argument)
+        number, known, unknown = self._settled(ring, signs, number, factors)
+        shaper = Shaper(ring, self.order)
+        result: Formula = Number(abs(number))
+        for poly, e in known:
+            result = multiply(result, _power(shaper.poly(poly), e))
+        for poly, e in unknown:
+            shown = shaper.poly(poly)
+            result = multiply(result, _power(self._abs(shown) if e % 2 else shown, e))
+        return result
+
+    def log(self, argument: Formula) -> Formula:
+        """log(argument) as a sum over the factors that are never negative."""
+        ring, number, factors, signs = self._factors(argument)
+        number, known, unknown = self._settled(ring, signs, number, factors)
+        shaper = Shaper(ring, self.order)
+        rest: Formula = Number(number)
+        result: Formula = ZERO
+        for poly, e in unknown:
+            rest = multiply(rest, _power(shaper.poly(poly), e))
+        for poly, e in known:
+            result = add(result, multiply(Number(Fraction(e)), call("log", shaper.poly(poly))))
+        if unknown or number < 0:
+            return add(result, call("log", rest))
+        for n, sign in ((number.numerator, 1), (number.denominator, -1)):
+            for p, e in prime_powers(n):
+                result = add(result, multiply(Number(Fraction(sign * e)), call("log", Number(Fraction(p)))))
+        return result
+
+    @staticmethod
+    def _abs(shown: Formula) -> Formula:
+        return call("abs", shown)
+
+
+def _power(base: Formula, exponent: int) -> Formula:
+    if exponent == 0:
+        return ONE
+    return base if exponent == 1 else Power(base, Number(Fraction(exponent)))
+
+
+def prime_powers(n: int) -> list[tuple[int, int]]:
+    """The prime factors of n below 2000 with their exponents, and what is left as one factor."""
+    found, p = [], 2
+    while p * p <= n and p < 2000:
+        e = 0
+        while n % p == 0:
+            n, e = n // p, e + 1
+        if e:
+            found.append((p, e))
+        p += 1 if p == 2 else 2
+    return [*found, (n, 1)] if n > 1 else found
+
+
+def _numeric_root(value: Fraction) -> Formula:
+    """√value with squares outside and a root for every small prime."""
+    outside, rest = square_part(value.numerator * value.denominator)
+    result: Formula = Number(Fraction(outside, value.denominator))
+    for p, _ in prime_powers(rest):
+        result = multiply(result, call("sqrt", Number(Fraction(p))))
+    return result

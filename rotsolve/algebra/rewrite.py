@@ -1,0 +1,267 @@
+"""Rewrite: formulas with every function call in canonical form, so that equal atoms are the same atom.
+
+Calls of sin and cos stay compact (sin(θ − φ)) while their angles are independent; angles that depend on each other
+(θ and 2 θ; θ, φ and θ − φ) are expanded to common base angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from fractions import Fraction
+from math import lcm
+
+from rotsolve.algebra import angles
+from rotsolve.algebra.angles import SinCos, Vector
+from rotsolve.algebra.field import Field, is_integer_power
+from rotsolve.algebra.formula import (
+    ONE,
+    PI,
+    ZERO,
+    Call,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    add,
+    call,
+    divide,
+    multiply,
+    negate,
+)
+from rotsolve.algebra.inverses import exact_inverse, known_pair
+from rotsolve.algebra.radicals import Radicals
+from rotsolve.algebra.shape import Shaper
+
+TRIG = ("sin", "cos", "tan")
+INVERSE = ("asin", "acos", "atan", "atan2")
+CONSTANT_LIMIT = 12  # multiples of a base angle beyond which constants such as sin(37π/180) stay as they are
+
+
+class Rewriter:
+    """Canonical calls for formulas that are handled together."""
+
+    def __init__(
+        self,
+        formulas: Iterable[Formula],
+        order: Sequence[str] = (),
+        positive: Collection[str] = (),
+        split_logs: bool = False,
+    ) -> None:
+        self.order = order
+        self.positive = positive
+        self.split_logs = split_logs
+        self.radicals = Radicals(order, positive)
+        self.memo: dict[Formula, Formula] = {}
+        self.known: dict[tuple[str, Formula], Formula] = {}
+        self.shares: dict[Formula, int] = {}  # term -> denominator of its base angle, for terms to be expanded
+        self.exp_shares: dict[Formula, int] = {}
+        found = [node for f in formulas for node in f.walk() if isinstance(node, Call)]
+        self.plain = not found
+        self._plan(dict.fromkeys(found))
+
+    # which angles to expand
+
+    def _plan(self, calls: Iterable[Call]) -> None:
+        vectors: list[Vector] = []
+        turns: set[Fraction] = set()
+        for node in calls:
+            if node.function in TRIG and not _holds(node.arguments[0], TRIG):
+                vector, rest, _ = angles.split_pi(self._linear(node.arguments[0]))
+                if vector:
+                    if _signed(vector)[1] not in vectors:
+                        vectors.append(_signed(vector)[1])
+                elif angles.exact_angle(rest) is None:
+                    turns.add(abs(rest))
+            elif node.function == "exp" and not _holds(node.arguments[0], TRIG):
+                for term, value in self._linear(node.arguments[0]).items():
+                    self.exp_shares[term] = lcm(self.exp_shares.get(term, 1), value.denominator)
+        for group in _groups(vectors):
+            if angles.rank(group) < len(group) or any(_is_inverse(term) for vector in group for term in vector):
+                for vector in group:
+                    for term, value in vector.items():
+                        self.shares[term] = lcm(self.shares.get(term, 1), value.denominator)
+        share = lcm(*(t.denominator for t in turns)) if len(turns) > 1 else 1
+        if len(turns) > 1 and all(t * share <= CONSTANT_LIMIT for t in turns):
+            self.shares[PI] = share
+
+    def _linear(self, argument: Formula) -> Vector:
+        return angles.linear(argument if not _holds(argument, ("sqrt", "abs", *INVERSE)) else self(argument), self.order)
+
+    # rewriting
+
+    def __call__(self, node: Formula) -> Formula:
+        """The formula with all its calls canonical."""
+        if self.plain and not any(isinstance(n, (Power, Integral)) for n in node.walk()):
+            return node
+        return self._rewrite(node)
+
+    def _rewrite(self, node: Formula) -> Formula:
+        if not node.children():
+            return node
+        found = self.memo.get(node)
+        if found is None:
+            found = self._rewrite_inner(node)
+            self.memo[node] = found
+        return found
+
+    def _rewrite_inner(self, node: Formula) -> Formula:
+        if isinstance(node, Integral):
+            return node
+        old = node.children()
+        new = tuple(self._rewrite(child) for child in old)
+        if any(a is not b for a, b in zip(old, new, strict=True)):
+            node = node.with_children(new)
+        if isinstance(node, Call):
+            return self._call(node.function, node.arguments)
+        if isinstance(node, Power) and not is_integer_power(node):
+            return self._power(node)
+        return node
+
+    def _power(self, node: Power) -> Formula:
+        exponent = self.tidy(node.exponent)
+        if isinstance(exponent, Number):
+            value = exponent.value
+            if value.denominator == 1:
+                return Power(node.base, exponent)
+            if value.denominator == 2:
+                return Power(self.radicals.sqrt(node.base), Number(Fraction(value.numerator)))
+        return Power(self.tidy(node.base), exponent)
+
+    def _call(self, function: str, arguments: tuple[Formula, ...]) -> Formula:
+        first = arguments[0]
+        if function in TRIG:
+            s, c = self._sin_cos(first)
+            return s if function == "sin" else c if function == "cos" else divide(s, c)
+        if function == "sqrt":
+            return self.radicals.sqrt(first)
+        if function == "abs":
+            return self.radicals.abs(first)
+        if function == "exp":
+            return self._exp(first)
+        if function == "log":
+            return self._log(first)
+        return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
+
+    def tidy(self, node: Formula) -> Formula:
+        """One written form for an argument whose calls are canonical already."""
+        ring = Field([node])
+        num, den = ring.convert(node)
+        return Shaper(ring, self.order).ratio(ring.cancel((ring.reduce(num), ring.reduce(den))))
+
+    # sin and cos
+
+    def _sin_cos(self, argument: Formula) -> SinCos:
+        vector, turns, quarters = angles.split_pi(angles.linear(argument, self.order))
+        if not vector:
+            return angles.turn(self._constant(turns), quarters)
+        if any(term in self.shares or _is_inverse(term) for term in vector):
+            pair: SinCos = self._constant(turns)
+            for term, value in vector.items():
+                share = lcm(self.shares.get(term, 1), value.denominator)
+                pair = angles.add_angles(pair, angles.multiple(self._base(term, share), int(value * share)))
+            return angles.turn(pair, quarters)
+        sign, vector = _signed(vector)
+        if turns:
+            vector = {**vector, PI: sign * turns}
+        shown = angles.combination(vector)
+        s, c = call("sin", shown), call("cos", shown)
+        return angles.turn((negate(s) if sign < 0 else s, c), quarters)
+
+    def _constant(self, turns: Fraction) -> SinCos:
+        """sin and cos of turns · π."""
+        exact = angles.exact_angle(turns)
+        if exact is not None:
+            return exact
+        share = self.shares.get(PI)
+        if share and (turns * share).denominator == 1:
+            return angles.multiple(self._base(PI, share), int(turns * share))
+        shown = angles.combination({PI: abs(turns)})
+        s = call("sin", shown)
+        return (negate(s) if turns < 0 else s, call("cos", shown))
+
+    def _base(self, term: Formula, share: int) -> SinCos:
+        """sin and cos of term/share as atoms, or as an algebraic value where the term is an inverse function."""
+        if share == 1 and isinstance(term, Call) and term.function in INVERSE:
+            return known_pair(term, self.radicals)
+        shown = angles.combination({term: Fraction(1, share)})
+        return call("sin", shown), call("cos", shown)
+
+    # the others
+
+    def _exp(self, argument: Formula) -> Formula:
+        result: Formula = ONE
+        for term, value in angles.linear(argument, self.order).items():
+            share = lcm(self.exp_shares.get(term, 1), value.denominator)
+            n = int(value * share)
+            if isinstance(term, Call) and term.function == "log" and share == 1:
+                base = term.arguments[0]
+            else:
+                base = call("exp", angles.combination({term: Fraction(1, share)}))
+            result = multiply(result, base if n == 1 else Power(base, Number(Fraction(n))))
+        return result
+
+    def _log(self, argument: Formula) -> Formula:
+        shown = self.tidy(argument)
+        if shown == ONE:
+            return ZERO
+        if isinstance(shown, Call) and shown.function == "exp":
+            return shown.arguments[0]
+        return self.radicals.log(shown) if self.split_logs else self._same("log", shown)
+
+    def _inverse(self, function: str, arguments: tuple[Formula, ...]) -> Formula:
+        exact = exact_inverse(function, arguments)
+        if exact is not None:
+            return exact
+        first = arguments[0]
+        if isinstance(first, Negative):
+            if function == "acos":
+                return add(PI, negate(self._inverse("acos", (first.operand,))))
+            return negate(self._inverse(function, (first.operand, *arguments[1:])))
+        if function == "acos" and self.split_logs:
+            return add(divide(PI, Number(Fraction(2))), negate(self._same("asin", first)))
+        return self._same(function, first) if len(arguments) == 1 else call(function, *arguments)
+
+    def _same(self, function: str, argument: Formula) -> Formula:
+        """The call, or an earlier call of the function whose argument is equal though written in another way."""
+        for (name, other), node in self.known.items():
+            if name == function and (other == argument or self._zero(add(other, negate(argument)))):
+                return node
+        return self.known.setdefault((function, argument), call(function, argument))
+
+    @staticmethod
+    def _zero(node: Formula) -> bool:
+        ring = Field([node])
+        return not len(ring.reduce(ring.convert(node)[0]))
+
+
+def _holds(node: Formula, functions: tuple[str, ...]) -> bool:
+    return any(isinstance(n, Call) and n.function in functions for n in node.walk())
+
+
+def _is_inverse(term: Formula) -> bool:
+    return isinstance(term, Call) and term.function in INVERSE
+
+
+def _signed(vector: Vector) -> tuple[int, Vector]:
+    """Sign and vector with its first term (alphabetically, shortest first) positive."""
+    lead = min(vector, key=lambda term: (len(repr(term)), repr(term)))
+    if vector[lead] > 0:
+        return 1, vector
+    return -1, {term: -value for term, value in vector.items()}
+
+
+def _groups(vectors: list[Vector]) -> list[list[Vector]]:
+    """The vectors in groups that share no term."""
+    groups: list[tuple[set[Formula], list[Vector]]] = []
+    for vector in vectors:
+        terms, members = set(vector), [vector]
+        apart = []
+        for other_terms, other in groups:
+            if terms & other_terms:
+                terms |= other_terms
+                members = other + members
+            else:
+                apart.append((other_terms, other))
+        groups = [*apart, (terms, members)]
+    return [members for _, members in groups]

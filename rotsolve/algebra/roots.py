@@ -1,0 +1,133 @@
+"""Roots: closed forms for quadratic equations and for equations in the sine and cosine of one angle."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+
+from rotsolve.algebra.exact import Problem, polynomial, simplify
+from rotsolve.algebra.field import Poly
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Symbol, add, call, divide, multiply, negate, sqrt
+
+
+@dataclass(frozen=True, slots=True)
+class Candidate:
+    """A root and how it was found: `asin`, `pi - asin`, `acos`, `-acos`, `atan`, `atan + pi`, `atan2 + acos`, …"""
+
+    formula: Formula
+    form: str
+
+
+def solve_polynomial(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> list[Formula]:
+    """The roots of f = 0 as a linear or quadratic equation in the unknown; empty where it is neither."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    parts = polynomial(problem, unknown)
+    if parts is None or not 2 <= len(parts) <= 3:
+        return []
+    return _roots(problem, parts, order, positive)
+
+
+def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positive: Collection[str]) -> list[Formula]:
+    """The roots of c₀ + c₁ x + c₂ x²."""
+    if len(parts) == 2:
+        return [problem.shortest((-parts[0], parts[1]))]
+    c, b, a = parts
+    ring = problem.field
+    if not len(b):
+        square = problem.shortest((-c, a))
+        if square == ZERO:
+            return [ZERO]
+        root = simplify(sqrt(square), order=order, positive=positive)
+        return [root, negate(root)]
+    if not len(c):
+        return [ZERO, problem.shortest((-b, a))]
+    plain = problem.shaper
+    inside = ring.reduce(b * b - 4 * a * c)
+    if not len(inside):
+        return [problem.shortest((-b, 2 * a))]
+    root = sqrt(plain.ratio((inside, ring.one)))
+    top, bottom = plain.poly(-b), plain.poly(2 * a)
+    found = []
+    for sign in (1, -1):
+        value = divide(add(top, root if sign > 0 else negate(root)), bottom)
+        found.append(simplify(value, order=order, positive=positive))
+    return found
+
+
+def solve_trig(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> list[Candidate]:
+    """Roots of f = 0 where the unknown stands only in sin and cos of one linear argument; empty where it does not.
+
+    Handles A sin + B cos + C = 0 and quadratics in the sine alone or the cosine alone.
+    """
+    problem = Problem([f], order, positive)
+    ring = problem.field
+    num = problem.numerator()
+    degrees = num.degrees()
+    inside = [i for i in range(len(ring.atoms)) if degrees[i] and ring.mentions(i, unknown)]
+    at = ring.index.get(Symbol(unknown))
+    if not inside or (at is not None and degrees[at]):
+        return []
+    arguments = {ring.atoms[i].children() for i in inside}
+    pair = next((p for p in ring.pairs if p[0] in inside or p[1] in inside), None)
+    if len(arguments) != 1 or pair is None or not set(inside) <= set(pair[:2]):
+        return []
+    atom = ring.atoms[pair[0]]
+    assert isinstance(atom, Call)
+    found = _angle_roots(problem, num, pair, order, positive)
+    return [
+        Candidate(simplify(shown, order=order, positive=positive), form)
+        for value, form in found
+        for shown in _unwrap(atom.arguments[0], unknown, value)
+    ]
+
+
+def _unwrap(argument: Formula, unknown: str, value: Formula) -> list[Formula]:
+    """The unknown from argument = value."""
+    if argument == Symbol(unknown):
+        return [value]
+    return solve_polynomial(add(argument, negate(value)), unknown)[:1]
+
+
+def _angle_roots(
+    problem: Problem, num: Poly, pair: tuple[int, int, Poly], order: Sequence[str], positive: Collection[str]
+) -> list[tuple[Formula, str]]:
+    ring = problem.field
+    s, c, _ = pair
+    degrees = num.degrees()
+    if degrees[c] and degrees[s]:
+        turned = ring.reduce_to_cos(num, pair)
+        num = turned if not turned.degrees()[s] else num
+        degrees = num.degrees()
+    for i, name in ((s, "asin"), (c, "acos")):
+        if not degrees[s + c - i] and degrees[i] <= 2:
+            values = _roots(problem, ring.coefficients(num, i), order, positive)
+            return [root for value in values for root in _inverse(name, value)]
+    if degrees[c] > 1 or degrees[s] > 1:
+        return []
+    free, slope = ring.coefficients(num, c)
+    if slope.degrees()[s]:
+        return []
+    lines = ring.coefficients(free, s)
+    a, k = lines[1], -lines[0]
+    if not len(k):
+        root = call("atan", problem.shortest((-slope, a)))
+        return [(root, "atan"), (add(root, PI), "atan + pi")]
+    shown_a, shown_b = problem.shaper.ratio((a, ring.one)), problem.shaper.ratio((slope, ring.one))
+    radius = sqrt(add(multiply(shown_a, shown_a), multiply(shown_b, shown_b)))
+    phase = call("atan2", shown_a, shown_b)
+    swing = call("acos", divide(problem.shaper.ratio((k, ring.one)), radius))
+    return [(add(phase, swing), "atan2 + acos"), (add(phase, negate(swing)), "atan2 - acos")]
+
+
+def _inverse(name: str, value: Formula) -> list[tuple[Formula, str]]:
+    """Both angles of one turn with this sine or cosine; none where a plain number is beyond 1."""
+    if isinstance(value, Number) and abs(value.value) > 1:
+        return []
+    root = call(name, value)
+    if name == "asin":
+        return [(root, "asin"), (add(PI, negate(root)), "pi - asin")]
+    return [(root, "acos"), (negate(root), "-acos")]

@@ -1,0 +1,258 @@
+"""Text: a formula as a textbook prints it, `½ M R²`, `−√(3 g (1 + sin θ₀)/L)`, as plain ASCII, and as LaTeX.
+
+Every text can be read again by `parse` and then means the same (the order and the brackets may differ).
+A piece of text knows how tightly it binds; whoever puts it into something brackets it where it binds too loosely.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+from rotsolve.algebra.letters import GLYPHS, name_to_latex, name_to_text, superscripted
+
+__all__ = ["name_to_latex", "name_to_text", "number_to_text", "to_latex", "to_text"]
+
+# How tightly a text binds. A call without brackets (`sin θ`, `√x`) may be a factor, but is no base of a power.
+SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
+
+BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+BARE = frozenset(("sin", "cos", "tan", "log", "asin", "acos", "atan"))
+
+LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7
+MOST_DECIMALS = 6
+
+Piece = tuple[str, int]
+
+
+def to_text(formula: Formula, *, unicode: bool = True) -> str:
+    """The formula as a line of text: textbook style, or with `unicode=False` ASCII with every `*` written."""
+    return (_unicode if unicode else _ascii)(formula)[0]
+
+
+def number_to_text(value: Fraction) -> str:
+    """A non-negative rational as `2`, `3/4` or, where the fraction would look odd, the exact decimal `9.8`."""
+    if value.denominator == 1:
+        return str(value.numerator)
+    top, bottom = LARGEST_FRACTION_PART
+    if value.denominator % 5 == 0 and (value.numerator > top or value.denominator > bottom):
+        for decimals in range(1, MOST_DECIMALS + 1):
+            scaled = value * 10**decimals
+            if scaled.denominator == 1:
+                digits = str(scaled.numerator).rjust(decimals + 1, "0")
+                return f"{digits[:-decimals]}.{digits[-decimals:]}"
+    return f"{value.numerator}/{value.denominator}"
+
+
+def _number(value: Fraction, glyphs: bool) -> Piece:
+    if glyphs and value in GLYPHS:
+        return GLYPHS[value], CALL  # a glyph is no good base for a power
+    text = number_to_text(value)
+    return text, QUOTIENT if "/" in text else ATOM
+
+
+def unsigned(formula: Formula) -> Formula | None:
+    """The formula without its leading minus; None if it has none."""
+    if isinstance(formula, Negative):
+        return formula.operand
+    if isinstance(formula, Number) and formula.value < 0:
+        return Number(-formula.value)
+    if isinstance(formula, Product):
+        first = unsigned(formula.factors[0])
+        return None if first is None else Product((first, *formula.factors[1:]))
+    if isinstance(formula, Quotient):
+        top = unsigned(formula.numerator)
+        return None if top is None else Quotient(top, formula.denominator)
+    return None
+
+
+def _wrap(piece: Piece, level: int) -> str:
+    """The text, in brackets if it binds more loosely than `level`."""
+    return piece[0] if piece[1] >= level else f"({piece[0]})"
+
+
+def join_terms(
+    terms: tuple[Formula, ...], show: Callable[[Formula], Piece], minus: str, opening: str, closing: str
+) -> Piece:
+    """The terms with their signs between them."""
+    text = ""
+    for term in terms:
+        positive = unsigned(term)
+        body, level = show(term if positive is None else positive)
+        if level <= NEGATIVE:
+            body = f"{opening}{body}{closing}"
+        if text:
+            text += f" + {body}" if positive is None else f" {minus} {body}"
+        else:
+            text = body if positive is None else minus + body
+            sole = level if positive is None else NEGATIVE
+    return text, SUM if len(terms) > 1 else max(sole, NEGATIVE)
+
+
+def _ascii(formula: Formula) -> Piece:
+    positive = unsigned(formula)
+    if positive is not None:
+        return f"-{_wrap(_ascii(positive), PRODUCT)}", NEGATIVE
+    match formula:
+        case Number(value):
+            return _number(value, glyphs=False)
+        case Symbol(name) | Constant(name):
+            return name, ATOM
+        case Sum(terms):
+            return join_terms(terms, _ascii, "-", "(", ")") if terms else ("0", ATOM)
+        case Product(factors):
+            pieces = [_ascii(factor) for factor in factors]
+            leading = [_wrap(pieces[0], QUOTIENT)] if pieces else ["1"]
+            return "*".join([*leading, *(_wrap(piece, CALL) for piece in pieces[1:])]), PRODUCT
+        case Quotient(numerator, denominator):
+            top = _ascii(numerator)
+            text = f"({top[0]})" if top[1] in (SUM, NEGATIVE, QUOTIENT) else top[0]
+            return f"{text}/{_wrap(_ascii(denominator), CALL)}", QUOTIENT
+        case Power(base, exponent):
+            return f"{_wrap(_ascii(base), ATOM)}^{_wrap(_ascii(exponent), ATOM)}", POWER
+        case Call(function, arguments):
+            return f"{function}({', '.join(_ascii(argument)[0] for argument in arguments)})", ATOM
+        case Integral(integrand, variable, lower, upper):
+            return f"integral({_ascii(integrand)[0]}, {variable}, {_ascii(lower)[0]}, {_ascii(upper)[0]})", ATOM
+    raise TypeError(f"no text for {formula!r}")
+
+
+def _unicode(formula: Formula) -> Piece:
+    positive = unsigned(formula)
+    if positive is not None:
+        return f"−{_wrap(_unicode(positive), PRODUCT)}", NEGATIVE
+    match formula:
+        case Number(value):
+            return _number(value, glyphs=True)
+        case Symbol(name) | Constant(name):
+            return name_to_text(name), ATOM
+        case Sum(terms):
+            return join_terms(terms, _unicode, "−", "(", ")") if terms else ("0", ATOM)
+        case Product(factors):
+            return (_unicode_product(factors), PRODUCT) if factors else ("1", ATOM)
+        case Quotient(numerator, denominator):
+            top = _unicode(numerator)
+            text = f"({top[0]})" if top[1] in (SUM, NEGATIVE, QUOTIENT) else top[0]
+            return f"{text}/{_wrap(_unicode(denominator), CALL)}", QUOTIENT
+        case Power(base, exponent):
+            return _unicode_power(base, exponent)
+        case Call(function, arguments):
+            return _unicode_call(function, arguments)
+        case Integral(integrand, variable, lower, upper):
+            body = _unicode(integrand)
+            # A `d` in the integrand would look like the d of the variable.
+            text = f"({body[0]})" if body[1] <= NEGATIVE or "d" in integrand.symbols() else body[0]
+            bounds = f"{_unicode(lower)[0]} → {_unicode(upper)[0]}"
+            return f"∫[{bounds}] {text} d {name_to_text(variable)}", NEGATIVE
+    raise TypeError(f"no text for {formula!r}")
+
+
+def _unicode_product(factors: tuple[Formula, ...]) -> str:
+    """The factors side by side, with a dot before a number: 2·3 x."""
+    text = ""
+    for index, factor in enumerate(factors):
+        piece = _unicode(factor)
+        # `1/12 M` needs no bracket; `(L/2) M` gets one for the eye.
+        body = _wrap(piece, QUOTIENT if index == 0 and _is_fraction(factor) else CALL)
+        if trails(factor) and not (index == len(factors) - 1 or is_function(factors[index + 1])):
+            body = _unicode_closed(factor)
+        dot = "·" if body[0].isdigit() or body[0] in GLYPHS.values() else " "
+        text = f"{text}{dot}{body}" if text else body
+    return text
+
+
+def _is_fraction(formula: Formula) -> bool:
+    parts = (formula.numerator, formula.denominator) if isinstance(formula, Quotient) else (formula,)
+    return all(isinstance(part, Number) for part in parts)
+
+
+def is_function(formula: Formula) -> bool:
+    """Whether the text begins with the name of a function that may go without brackets."""
+    if isinstance(formula, Power):
+        return _square_like(formula) and is_function(formula.base)
+    return isinstance(formula, Call) and formula.function in BARE
+
+
+def _square_like(formula: Power) -> bool:
+    exponent = formula.exponent
+    return isinstance(exponent, Number) and exponent.value.denominator == 1 and exponent.value > 0
+
+
+def trails(formula: Formula) -> bool:
+    """Whether the text ends in an argument without brackets, so that a further factor could be taken into it."""
+    if isinstance(formula, Power):
+        return _square_like(formula) and is_function(formula.base) and trails(formula.base)
+    if not isinstance(formula, Call) or formula.function not in (*BARE, "sqrt"):
+        return False
+    argument = formula.arguments[0]
+    if isinstance(argument, Number):
+        return False
+    return may_be_bare(argument)
+
+
+def may_be_bare(argument: Formula) -> bool:
+    return isinstance(argument, Constant) or (isinstance(argument, Symbol) and "." not in argument.name)
+
+
+def _unicode_closed(formula: Formula) -> str:
+    """The text of a function with its brackets: cos(θ), cos²(θ), √(x)."""
+    if isinstance(formula, Power) and isinstance(formula.base, Call) and isinstance(formula.exponent, Number):
+        call, raised = formula.base, superscripted(formula.exponent.value.numerator)
+    else:
+        assert isinstance(formula, Call)
+        call, raised = formula, ""
+    name = "√" if call.function == "sqrt" else BARE_NAMES.get(call.function, call.function)
+    return f"{name}{raised}({_unicode(call.arguments[0])[0]})"
+
+
+def _unicode_call(function: str, arguments: tuple[Formula, ...]) -> Piece:
+    inner = ", ".join(_unicode(argument)[0] for argument in arguments)
+    if function == "abs":
+        # Bars within bars could not be told apart.
+        nested = any(isinstance(node, Call) and node.function == "abs" for node in arguments[0].walk())
+        return (f"abs({inner})", ATOM) if nested else (f"|{inner}|", ATOM)
+    bare = len(arguments) == 1 and may_be_bare(arguments[0])
+    if function == "sqrt":
+        number = isinstance(arguments[0], Number) and arguments[0].value.denominator == 1 and arguments[0].value >= 0
+        return f"√{inner}" if bare or number else f"√({inner})", CALL
+    name = BARE_NAMES.get(function, function)
+    if function in BARE:
+        return f"{name} {inner}" if bare else f"{name}({inner})", CALL
+    return f"{name}({inner})", CALL
+
+
+def _unicode_power(base: Formula, exponent: Formula) -> Piece:
+    whole = isinstance(exponent, Number) and exponent.value.denominator == 1
+    if isinstance(base, Call) and base.function in BARE and whole and _square_like(Power(base, exponent)):
+        assert isinstance(exponent, Number)
+        raised = superscripted(exponent.value.numerator)
+        inner = _unicode(base.arguments[0])[0]
+        body = f" {inner}" if may_be_bare(base.arguments[0]) else f"({inner})"
+        return f"{BARE_NAMES.get(base.function, base.function)}{raised}{body}", CALL
+    text = _wrap(_unicode(base), ATOM)
+    if whole:
+        assert isinstance(exponent, Number)
+        return text + superscripted(exponent.value.numerator), POWER
+    if isinstance(exponent, Number):
+        return f"{text}^({'−' * (exponent.value < 0)}{number_to_text(abs(exponent.value))})", POWER
+    return f"{text}^{_wrap(_unicode(exponent), ATOM)}", POWER
+
+
+def to_latex(formula: Formula) -> str:
+    """The formula in LaTeX, without dollar signs."""
+    from rotsolve.algebra.latex import latex  # few runs print LaTeX
+
+    return latex(formula)

@@ -1,0 +1,149 @@
+"""Tokens: a formula's text cut into numbers, names and marks, with the caps that keep hostile text harmless."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rotsolve.algebra.formula import FUNCTIONS
+from rotsolve.algebra.letters import FRACTIONS, RUN, SEGMENT, spellings
+
+MAX_LENGTH = 2000
+MAX_RUN = 100
+MAX_DIGITS = 60
+MAX_LITERAL_EXPONENT = 400
+
+ALIASES = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
+FUNCTION_NAMES = {name: name for name in (*FUNCTIONS, "integral")} | ALIASES
+SAME_MARK = dict.fromkeys("−–", "-") | dict.fromkeys("·×⋅∙", "*") | dict.fromkeys("÷∕", "/") | {"**": "^"}
+NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?"
+_SEGMENT = re.compile(SEGMENT)
+_TOKEN = re.compile(
+    rf"(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>{RUN})|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    r"|(?P<mark>\*\*|[-+*/^()\[\]|,.√∫→−–·×⋅∙÷∕])|(?P<space>\s+)|(?P<other>.)"
+)
+
+
+class FormulaError(ValueError):
+    """A text that is no formula: what is wrong, in which columns, and perhaps what was meant."""
+
+    def __init__(self, message: str, start: int, end: int, suggestion: str | None = None) -> None:
+        super().__init__(message if suggestion is None else f"{message}; did you mean `{suggestion}`?")
+        self.message = message
+        self.start = start
+        self.end = end
+        self.suggestion = suggestion
+
+
+@dataclass(frozen=True, slots=True)
+class Token:
+    """A piece of the text; marks have their own text as kind."""
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+def tokenize(text: str) -> list[Token]:
+    """The tokens of `text`, an `end` token last."""
+    if len(text) > MAX_LENGTH:
+        message = f"the formula is too long: {len(text)} characters, at most {MAX_LENGTH}"
+        raise FormulaError(message, MAX_LENGTH, len(text))
+    tokens: list[Token] = []
+    for match in _TOKEN.finditer(text):
+        kind, found = str(match.lastgroup), match[0]
+        if kind == "space":
+            continue
+        if kind == "other":
+            hint = ": a formula has no equals sign" if found == "=" else ""
+            shown = found if found.isprintable() else f"U+{ord(found):04X}"
+            raise FormulaError(f"unexpected character `{shown}`{hint}", match.start(), match.end())
+        if kind == "mark":
+            found = kind = SAME_MARK.get(found, found)
+        tokens.append(Token(kind, found, match.start(), match.end()))
+    tokens.append(Token("end", "", len(text), len(text)))
+    return tokens
+
+
+def read_number(text: str, start: int = 0) -> Fraction:
+    """The exact value of a decimal literal, within the caps."""
+    mantissa, _, exponent = text.lower().replace("−", "-").partition("e")
+    if len(mantissa) - mantissa.count(".") > MAX_DIGITS:
+        raise FormulaError(f"the number has more than {MAX_DIGITS} digits", start, start + len(text))
+    if exponent and (len(exponent) > 5 or abs(int(exponent)) > MAX_LITERAL_EXPONENT):
+        raise FormulaError(f"the exponent of ten is beyond ±{MAX_LITERAL_EXPONENT}", start, start + len(text))
+    whole, _, decimals = mantissa.partition(".")
+    return Fraction(int(whole + decimals)) * Fraction(10) ** (int(exponent or 0) - len(decimals))
+
+
+def resolve(token: Token, names: Collection[str] | None, bound: Collection[str], *, split: bool) -> list[Token]:
+    """What a run of name characters means: one symbol, constant or function, or several of them side by side."""
+    raw = token.text
+    whole = _meaning(token, names, bound)
+    if whole is not None:
+        return [whole]
+    pieces = [Token("name", m[0], token.start + m.start(), token.start + m.end()) for m in _SEGMENT.finditer(raw)]
+    if names is not None and split:
+        found = _split(token, names, bound)
+        if found:
+            return found
+        known = [*names, *bound, *FUNCTION_NAMES]
+        raise FormulaError(f"unknown name `{raw}`", token.start, token.end, suggest(raw, known))
+    if len(pieces) == 1 or sum(len(piece.text) for piece in pieces) < len(raw):
+        return [Token("symbol", spellings(raw)[0], token.start, token.end)]
+    return [
+        _meaning(piece, names, bound) or Token("symbol", spellings(piece.text)[0], piece.start, piece.end)
+        for piece in pieces
+    ]
+
+
+def _meaning(token: Token, names: Collection[str] | None, bound: Collection[str]) -> Token | None:
+    """The token as one known name, function or constant; None if it is none."""
+    raw = token.text
+    candidates = spellings(raw)
+    known = [name for name in candidates if name in bound or (names is not None and name in names)]
+    if raw in known:
+        known = [raw]
+    if len(known) > 1:
+        choice = " or ".join(f"`{name}`" for name in known)
+        raise FormulaError(f"`{raw}` can be read in two ways: write {choice}", token.start, token.end)
+    if known:
+        return Token("symbol", known[0], token.start, token.end)
+    if raw in FUNCTION_NAMES:
+        return Token("function", FUNCTION_NAMES[raw], token.start, token.end)
+    return Token("constant", "pi", token.start, token.end) if candidates[0] == "pi" else None
+
+
+def _split(token: Token, names: Collection[str], bound: Collection[str]) -> list[Token]:
+    """The run as known names side by side, longest first; empty if it does not split fully."""
+    raw = token.text[:MAX_RUN]
+    size = len(token.text)
+    if size > MAX_RUN:
+        return []
+    longest = max(map(len, (*names, *bound, "arctan2")))
+    # parts[i] splits raw[i:]; built from the end, so that the time stays quadratic at worst.
+    parts: list[list[Token] | None] = [None] * size + [[]]
+    for start in range(size - 1, -1, -1):
+        for end in range(min(size, start + longest), start, -1):
+            rest = parts[end]
+            if rest is None:
+                continue
+            piece = _meaning(Token("name", raw[start:end], token.start + start, token.start + end), names, bound)
+            # A function comes last, before its argument, or in front of a Greek letter: `mgsin`, `cosθ`.
+            if piece is not None and (piece.kind != "function" or not rest or not raw[end].isascii()):
+                parts[start] = [piece, *rest]
+                break
+    return parts[0] or []
+
+
+def suggest(word: str, known: Collection[str]) -> str | None:
+    """The known word that was probably meant."""
+    folded = [name for name in known if name.lower() == spellings(word)[0].lower()]
+    if folded:
+        return folded[0]
+    from difflib import get_close_matches  # only a faulty text pays for this import
+
+    return next(iter(get_close_matches(word, list(known), n=1)), None)

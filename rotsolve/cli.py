@@ -1,0 +1,222 @@
+"""The command line: arguments in, exit code out. It knows no physics, and imports what a command needs when it runs."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated, NoReturn
+
+import typer
+
+from rotsolve import __version__
+from rotsolve.render import FORMATS, format_of_file
+
+LAWS = ("newton", "energy", "angular-momentum")
+STAGES = ("facts", "equations", "plan")
+NAMES = tuple(item.name for item in FORMATS)
+SOLVED, UNSOLVED, USAGE, BROKEN_PIPE, INTERRUPTED = 0, 1, 2, 141, 130
+
+app = typer.Typer(
+    rich_markup_mode=None,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    no_args_is_help=True,
+    context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 100},
+)
+
+
+def print_version(wanted: bool) -> None:
+    if wanted:
+        print(f"rotsolve {__version__}")
+        raise typer.Exit
+
+
+def one_of(choices: tuple[str, ...], value: str | None) -> str | None:
+    """The value if it is one of the choices; a usage error that lists them otherwise."""
+    if value is None or value in choices:
+        return value
+    raise typer.BadParameter(f"{value!r} is not one of {', '.join(choices)}")
+
+
+def law_checked(value: str | None) -> str | None:
+    return one_of(LAWS, value)
+
+
+def format_checked(value: str | None) -> str | None:
+    return one_of(NAMES, value)
+
+
+def stage_checked(value: str | None) -> str | None:
+    return one_of(STAGES, value)
+
+
+def read_settings(pairs: list[str]) -> dict[str, str]:
+    """`m=3kg` as {'m': '3kg'}; a name set twice or a pair without `=` is a usage error."""
+    settings: dict[str, str] = {}
+    for pair in pairs:
+        name, equals, value = (part.strip() for part in pair.partition("="))
+        if not (name and equals and value):
+            raise typer.BadParameter(f"{pair!r} is not of the form NAME=VALUE, as in m=3kg", param_hint="'--set'")
+        if name in settings:
+            raise typer.BadParameter(f"{name!r} is set twice", param_hint="'--set'")
+        settings[name] = value
+    return settings
+
+
+@app.callback()
+def rotsolve(
+    version: Annotated[
+        bool, typer.Option("--version", callback=print_version, is_eager=True, help="Print the version and exit.")
+    ] = False,
+) -> None:
+    """Solve textbook problems of turning bodies: exact answers, certified digits, and the derivation.
+
+    \b
+    Examples:
+      rotsolve solve problems/block-on-disc.yaml
+      rotsolve solve problems/block-on-disc.yaml --law energy --set m=3kg
+      rotsolve elements string
+
+    \b
+    Exit codes:
+      0  solved
+      1  well formed, but not solvable
+      2  a bad scene, or wrong usage
+    """
+
+
+@app.command()
+def solve(
+    files: Annotated[
+        list[str], typer.Argument(metavar="FILES...", help="Scene files; - reads one from standard input.")
+    ],
+    law: Annotated[
+        str | None,
+        typer.Option(
+            metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"
+        ),
+    ] = None,
+    format: Annotated[
+        str | None,
+        typer.Option(
+            "--format",
+            "-f",
+            metavar="|".join(NAMES),
+            callback=format_checked,
+            help="Output format. [default: by -o's name, or text]",
+        ),
+    ] = None,
+    output: Annotated[
+        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file, all of it or nothing.")
+    ] = None,
+    digits: Annotated[
+        int, typer.Option(metavar="N", min=1, max=50, help="Significant digits, each one certified.")
+    ] = 4,
+    settings: Annotated[
+        list[str] | None,
+        typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
+    ] = None,
+    show: Annotated[
+        str | None,
+        typer.Option(
+            metavar="|".join(STAGES), callback=stage_checked, help="Print this stage instead of the derivation."
+        ),
+    ] = None,
+    width: Annotated[
+        int | None,
+        typer.Option(metavar="N", min=40, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+    ] = None,
+) -> None:
+    """Solve scenes, and print the derivation of each.
+
+    \b
+    Examples:
+      rotsolve solve problems/block-on-disc.yaml
+      rotsolve solve problems/block-on-disc.yaml --law energy
+      rotsolve solve problems/block-on-disc.yaml --set m=3kg --digits 10
+      rotsolve solve problems/*.yaml -o answers.tex
+      rotsolve solve problems/block-on-disc.yaml --show equations
+
+    A file that fails neither stops nor hides the others: its message goes to standard error, and the exit code is
+    that of the worst file.
+    """
+    from rotsolve.run import Request, run
+
+    if show and format not in (None, "text"):
+        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    by_name = format_of_file(output) if output and not show else None
+    chosen = format or (by_name.name if by_name else "text")
+    if width is None:
+        width = page_width(output)
+    request = Request(tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width)
+    raise typer.Exit(run(request))
+
+
+def page_width(output: str | None) -> int:
+    """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
+    if output or not sys.stdout.isatty():
+        return 120
+    return max(40, min(120, os.get_terminal_size(sys.stdout.fileno()).columns or 120))
+
+
+@app.command()
+def elements(
+    name: Annotated[
+        str | None, typer.Argument(metavar="NAME", help="An element, such as disc, string or hinge.")
+    ] = None,
+) -> None:
+    """Describe the scene language: all its elements, or one of them in full.
+
+    \b
+    Examples:
+      rotsolve elements
+      rotsolve elements string
+    """
+    from rotsolve.scene import describe
+
+    print((describe.describe_all() if name is None else describe.describe(name)).rstrip("\n"))
+
+
+@app.command()
+def schema() -> None:
+    """Print the JSON Schema of a scene file, for editors and other programs.
+
+    \b
+    Example:
+      rotsolve schema > scene.schema.json
+    """
+    import json
+
+    from rotsolve.scene.schema import json_schema
+
+    print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+
+
+def main(arguments: list[str] | None = None) -> NoReturn:
+    """Run a command and leave with its exit code; nothing that happens shows a traceback."""
+    prepare_streams()
+    try:
+        try:
+            app(args=arguments, prog_name="rotsolve")
+        finally:
+            sys.stdout.flush()
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is still in the buffer has nowhere to go
+        sys.exit(BROKEN_PIPE)
+    except Exception as error:
+        from rotsolve.run import internal_error
+
+        print(internal_error(" ".join(sys.argv[1:2]), error), file=sys.stderr)
+        sys.exit(UNSOLVED)
+    sys.exit(SOLVED)
+
+
+def prepare_streams() -> None:
+    """UTF-8 into pipes and files; on a terminal that lacks a letter, a question mark instead of a failure."""
+    for stream in (sys.stdout, sys.stderr):
+        reconfigure = getattr(stream, "reconfigure", None)
+        if reconfigure is not None:
+            reconfigure(errors="replace", encoding=None if stream.isatty() else "utf-8")

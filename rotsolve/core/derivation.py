@@ -1,0 +1,121 @@
+"""Derivation: what a solution says, as data. Printing it is the business of rotsolve.render.
+
+`Words` mix prose and formulas, so that every output format sets the formulas in its own way.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.formula import Formula
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.ball import Certified
+    from rotsolve.algebra.dimension import Dimension
+    from rotsolve.algebra.units import Unit
+    from rotsolve.scene.model import Given
+
+Words = tuple["str | Formula", ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Equality:
+    """left = right, each as written; `relation` may also be ≤, ≥, <, >, ≈ or ≠."""
+
+    left: Formula
+    right: Formula
+    relation: str = "="
+
+
+@dataclass(frozen=True, slots=True)
+class ForceLine:
+    """The forces on one body in words ("weight m g, down"), its declared positive sense, and remarks in brackets."""
+
+    body: str
+    forces: tuple[Words, ...]
+    positive: str = ""
+    remarks: tuple[Words, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class LawLine:
+    """One numbered equation with the law or rule that it states: "Newton's second law, block"; `remark` in brackets."""
+
+    number: int
+    law: str
+    equation: Equality
+    remark: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Move:
+    """One step of algebra: `sources` ("(3) and (4) in (2)"), the chain of equalities that it gives, its number if used later.
+
+    `reason` says why where a choice is made ("the rod turns clockwise: ω < 0").
+    """
+
+    sources: str
+    chain: tuple[Equality, ...]
+    number: int | None = None
+    reason: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Section:
+    """What belongs to one instant, phase or event: forces, laws, algebra, in the order in which a textbook shows them.
+
+    `title` is empty where the scene has one instant only. `remarks` are sentences such as why energy is conserved.
+    """
+
+    title: str
+    forces: tuple[ForceLine, ...] = ()
+    remarks: tuple[Words, ...] = ()
+    laws: tuple[LawLine, ...] = ()
+    moves: tuple[Move, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """An asked quantity: exact form, certified value in `unit`, and its direction in words.
+
+    `formula` is None where no closed form exists; `value` is None where a given has no number. `signed` is False where the words
+    tell the direction, so that the size is printed ("12.73 rad/s², clockwise"). `components` hold the parts of a vector answer.
+    """
+
+    name: str
+    symbol: Formula
+    formula: Formula | None
+    value: Certified | None
+    unit: Unit | None
+    dimension: Dimension | None
+    direction: str = ""
+    signed: bool = True
+    word: str = ""
+    components: tuple[Answer, ...] = ()
+    remark: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Check:
+    """One confirmation, or one objection when `holds` is False; None where it could not be decided."""
+
+    words: Words
+    holds: bool | None = True
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The whole solution of a problem."""
+
+    title: str
+    source: str
+    givens: tuple[Given, ...]
+    finds: tuple[Words, ...]
+    states: tuple[Words, ...]
+    conventions: tuple[Words, ...]
+    sections: tuple[Section, ...]
+    answers: tuple[Answer, ...]
+    checks: tuple[Check, ...]
+    equations_written: int = 0
+    equations_used: int = 0

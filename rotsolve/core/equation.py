@@ -1,0 +1,38 @@
+"""Equation: one law or rule, as a textbook writes it, with its reason and the place in the derivation where it belongs."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Words
+
+NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
+LAWS = (NEWTON, ENERGY, ANGULAR_MOMENTUM)  # what `--law` may name; an equation without a law serves them all
+
+
+@dataclass(frozen=True, slots=True)
+class Equation:
+    """left = right.
+
+    `family` is one of LAWS, or '' for rules and definitions; `label` names the law and the body; `section` the state, phase or event
+    where it is written; `cost` orders plans (a textbook's first choice costs least). `defines` names the symbol that a
+    definition introduces, which the solver puts in first.
+    """
+
+    left: Formula
+    right: Formula
+    label: str
+    section: str
+    family: str = ""
+    cost: int = 2
+    remark: Words = ()
+    defines: str = ""
+    bodies: tuple[str, ...] = ()
+
+    def symbols(self) -> frozenset[str]:
+        return self.left.symbols() | self.right.symbols()
+
+    def renamed(self, names: dict[str, Formula]) -> Equation:
+        remark = tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.remark)
+        return replace(self, left=self.left.substitute(names), right=self.right.substitute(names), remark=remark)

@@ -1,0 +1,184 @@
+"""Facts: what a free-body diagram shows. Elements state them, principles read them; neither knows the other.
+
+Signs: torques, angular velocities and angular accelerations in facts are counterclockwise positive; `Motion.sense` turns them
+into the sense that the scene declares. Vectors are in the plane, headings counterclockwise from the rightward horizontal.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.heading import NOWHERE, Heading, Vector
+
+
+def square(value: Formula) -> Formula:
+    """value², without a sign under the square."""
+    operand = value.operand if isinstance(value, Negative) else value
+    return ZERO if operand == ZERO else operand**2
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """How a body can move, about its reference point (the fixed pivot, else the centre of mass).
+
+    kind: 'axis' turns about a fixed point; 'line' travels along `heading` (and turns if `turns`); 'plane' moves freely;
+    'still' does not move. `velocity`, `acceleration` are those of the reference; `spin`, `spin_rate` are ccw ω and α.
+    `sense` is +1 where the declared positive turn is counterclockwise. `orientation` turns the body's own axes into space.
+    """
+
+    kind: str
+    velocity: Vector = NOWHERE
+    acceleration: Vector = NOWHERE
+    spin: Formula = ZERO
+    spin_rate: Formula = ZERO
+    sense: int = 1
+    turns: bool = False
+    heading: Heading | None = None
+    orientation: Heading = field(default_factory=Heading)
+    reference: Vector = NOWHERE
+
+    def velocity_of(self, arm: Vector) -> Vector:
+        """v_P = v + ω × r, r from the reference."""
+        return self.velocity + arm.turned(90).times(self.spin)
+
+    def acceleration_of(self, arm: Vector) -> Vector:
+        """a_P = a + α × r − ω² r, r from the reference."""
+        return self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
+
+
+@dataclass(frozen=True, slots=True)
+class Force:
+    """A force on a body: size along a unit vector, acting at `arm` from the body's reference point.
+
+    role: weight, tension, normal, friction, reaction, spring, applied. `works` is False where its point is at rest or moves across
+    it (reactions, rolling friction, normal forces), so that energy may leave it out.
+    """
+
+    owner: str
+    role: str
+    body: str
+    size: Formula
+    direction: Vector
+    arm: Vector
+    words: Words
+    works: bool = True
+    internal: bool = False  # ideal connection: its powers on all its bodies add up to nothing
+
+    @property
+    def vector(self) -> Vector:
+        return self.direction.times(self.size)
+
+    @property
+    def torque(self) -> Formula:
+        """r × F about the reference, counterclockwise positive."""
+        return self.arm.cross(self.vector)
+
+
+@dataclass(frozen=True, slots=True)
+class Couple:
+    """A couple on a body, counterclockwise positive."""
+
+    owner: str
+    role: str
+    body: str
+    torque: Formula
+    words: Words
+    internal: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Rule:
+    """A rate rule: left = right, for velocities and for accelerations.
+
+    `linear` says that the coefficients never change, so that the rule holds for displacements and angles turned as well.
+    """
+
+    owner: str
+    label: str
+    bodies: tuple[str, ...]
+    velocity: tuple[Formula, Formula]
+    acceleration: tuple[Formula, Formula]
+    linear: bool = True
+    remark: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Requirement:
+    """An inequality that the answer must obey: left ≥ right, else `otherwise` is what really happens."""
+
+    owner: str
+    left: Formula
+    right: Formula
+    words: Words
+    otherwise: str
+
+
+@dataclass(frozen=True, slots=True)
+class Potential:
+    """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`."""
+
+    owner: str
+    energy: Formula
+    elongation: Formula
+    rate: Formula
+    bodies: tuple[str, ...]
+    words: Words
+
+
+@dataclass(frozen=True, slots=True)
+class Inertia:
+    """Moment of inertia about the body's reference: the letter that the laws use, and the formula that defines it."""
+
+    letter: Formula
+    formula: Formula
+    label: str
+    remark: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class BodyFacts:
+    """One body at one instant: inertia, motion and all that acts on it."""
+
+    name: str
+    mass: Formula
+    inertia: Inertia | None
+    motion: Motion
+    cm: Vector  # centre of mass from the reference point
+    axes: tuple[Heading, ...]  # directions along which Newton's second law is written
+    positive: str
+    forces: tuple[Force, ...]
+    couples: tuple[Couple, ...]
+    round: bool = False
+
+    @property
+    def centre_velocity(self) -> Vector:
+        return self.motion.velocity_of(self.cm)
+
+    @property
+    def centre_acceleration(self) -> Vector:
+        return self.motion.acceleration_of(self.cm)
+
+
+@dataclass(frozen=True, slots=True)
+class Facts:
+    """All facts at one instant."""
+
+    state: str
+    span: str
+    bodies: tuple[BodyFacts, ...]
+    rules: tuple[Rule, ...]
+    requirements: tuple[Requirement, ...]
+    potentials: tuple[Potential, ...]
+
+    def body(self, name: str) -> BodyFacts | None:
+        return next((body for body in self.bodies if body.name == name), None)
+
+
+def signed(value: Formula, sense: int) -> Formula:
+    """`value` counted along a sense: itself for +1, its negative for −1."""
+    return value if sense > 0 else negate(value)
+
+
+UNIT = ONE

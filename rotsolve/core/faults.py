@@ -1,0 +1,88 @@
+"""Fault: one thing wrong with a scene, its place and its cure; SceneError: all faults of a file at once, as printed text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+WIDTH = 100  # columns of a source line that are shown around the caret
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Where something stands in the file: 1-based line and column, length in characters."""
+
+    line: int
+    column: int
+    length: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One fault: what is wrong, where, and how to cure it. `kind` is a short word: 'yaml', 'limit', 'name', 'not yet', …"""
+
+    message: str
+    span: Span | None = None
+    help: str = ""
+    kind: str = "scene"
+
+
+class SceneError(Exception):
+    """A scene that can't be read: every fault of the file, in the order of the file."""
+
+    def __init__(self, faults: Iterable[Fault], lines: Sequence[str] = (), file: str = "") -> None:
+        self.faults = one_per_place(faults)
+        self.lines = tuple(lines)
+        self.file = file
+        super().__init__(self.render())
+
+    def render(self) -> str:
+        """The text of all faults, a blank line between two."""
+        return "\n\n".join(render(fault, self.lines, self.file) for fault in self.faults)
+
+    @property
+    def not_yet(self) -> bool:
+        """Whether the scene is well formed and only uses words whose physics is not there yet."""
+        return all(fault.kind == "not yet" for fault in self.faults)
+
+
+def one_per_place(faults: Iterable[Fault]) -> tuple[Fault, ...]:
+    """The faults sorted by place, the first one reported at each place."""
+    seen: dict[object, Fault] = {}
+    for fault in faults:
+        seen.setdefault(fault.span and (fault.span.line, fault.span.column) or fault.message, fault)
+    return tuple(sorted(seen.values(), key=lambda fault: (fault.span.line, fault.span.column) if fault.span else (0, 0)))
+
+
+def render(fault: Fault, lines: Sequence[str], file: str) -> str:
+    """One fault as text: message, place, source line with a caret below, help."""
+    text = [f"error: {fault.message}"]
+    span = fault.span
+    if span is None:
+        if file:
+            text.append(f"  --> {printable(file)}")
+    else:
+        text.append(f"  --> {printable(file)}:{span.line}:{span.column}")
+        if 1 <= span.line <= len(lines):
+            text.extend(excerpt(lines[span.line - 1], span))
+    if fault.help:
+        text.append(f"help: {fault.help}")
+    return "\n".join(text)
+
+
+def excerpt(line: str, span: Span) -> tuple[str, str]:
+    """The source line and the caret line; a long line is clipped around the caret."""
+    start = min(span.column - 1, len(line))
+    length = max(1, min(span.length, len(line) - start))
+    first = 0 if len(line) <= WIDTH else max(0, min(start - WIDTH // 3, len(line) - WIDTH))
+    shown = printable(line[first : first + WIDTH]).rstrip()
+    before, after = "…" if first else "", "…" if first + WIDTH < len(line) else ""
+    length = max(1, min(length, first + WIDTH - start))
+    number = str(span.line)
+    indent = " " * (len(before) + start - first)
+    return f" {number} | {before}{shown}{after}", f" {' ' * len(number)} | {indent}{'^' * length}"
+
+
+def printable(text: str) -> str:
+    """The text with everything that would move or colour the terminal replaced, one character for one."""
+    return "".join(character if character.isprintable() else " " if character == "\t" else "\N{REPLACEMENT CHARACTER}" for character in text)

@@ -1,0 +1,202 @@
+"""Heading and Vector: directions in the plane as angles, so that components come out as a textbook writes them (m g sin β).
+
+A heading is measured counterclockwise from the rightward horizontal. Vectors are sums of size × unit vector(heading).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rotsolve.algebra.formula import (
+    ONE,
+    PI,
+    ZERO,
+    Call,
+    Constant,
+    Formula,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    add,
+    negate,
+    sqrt,
+)
+
+HALF = Number(Fraction(1, 2))
+_COSINE = {  # exact cosines of the first quadrant, degrees
+    Fraction(0): ONE,
+    Fraction(30): sqrt(Number(Fraction(3))) / 2,
+    Fraction(45): sqrt(Number(Fraction(2))) / 2,
+    Fraction(60): HALF,
+    Fraction(90): ZERO,
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Heading:
+    """degrees + Σ coefficient × angle, with the angles as formulas (mostly symbols)."""
+
+    degrees: Fraction = Fraction(0)
+    terms: tuple[tuple[Formula, Fraction], ...] = ()
+
+    def __add__(self, other: Heading) -> Heading:
+        return _heading(self.degrees + other.degrees, (*self.terms, *other.terms))
+
+    def __neg__(self) -> Heading:
+        return Heading(-self.degrees, tuple((angle, -factor) for angle, factor in self.terms))
+
+    def __sub__(self, other: Heading) -> Heading:
+        return self + (-other)
+
+    def turned(self, degrees: int | Fraction) -> Heading:
+        return Heading(self.degrees + degrees, self.terms)
+
+    def cos(self) -> Formula:
+        """cos of the heading: exact for the usual degrees, quarter turns turned into sin and signs."""
+        return self._cosine(Fraction(0))
+
+    def sin(self) -> Formula:
+        return self._cosine(Fraction(-90))
+
+    def _cosine(self, shift: Fraction) -> Formula:
+        degrees = (self.degrees + shift) % 360
+        if not self.terms:
+            return _cosine_of_degrees(degrees)
+        terms, quarter = self.terms, round(degrees / 90)
+        rest = degrees - 90 * quarter
+        flipped = terms[0][1] < 0
+        if flipped:  # the sign of the leading angle is pulled out: cos(−x) = cos x, sin(−x) = −sin x
+            terms, rest = tuple((angle, -factor) for angle, factor in terms), -rest
+        argument = Heading(rest, terms).formula()
+        function = "cos" if quarter % 2 == 0 else "sin"
+        # cos(x + 90°) = −sin x, cos(x + 180°) = −cos x, cos(x + 270°) = sin x
+        minus = quarter % 4 in (1, 2)
+        if flipped and function == "sin":
+            minus = not minus
+        value = Call(function, (argument,))
+        return negate(value) if minus else value
+
+    def formula(self) -> Formula:
+        """The heading as a formula in radians."""
+        result: Formula = ZERO
+        for angle, factor in self.terms:
+            result = add(result, Number(factor) * angle)
+        if self.degrees:
+            result = add(result, Number(self.degrees / 180) * PI)
+        return result
+
+
+RIGHT, UP, LEFT, DOWN = (Heading(Fraction(degrees)) for degrees in (0, 90, 180, 270))
+
+
+def heading(angle: Formula) -> Heading:
+    """The heading of a formula in radians: rational multiples of π become degrees, the rest stays as angles."""
+    return _heading(Fraction(0), tuple(_linear(angle, Fraction(1))))
+
+
+def _linear(angle: Formula, factor: Fraction) -> Iterable[tuple[Formula, Fraction]]:
+    match angle:
+        case Sum(terms):
+            for term in terms:
+                yield from _linear(term, factor)
+        case Negative(operand):
+            yield from _linear(operand, -factor)
+        case Product((Number(value), *rest)):
+            yield from _linear(rest[0] if len(rest) == 1 else Product(tuple(rest)), factor * value)
+        case Quotient(numerator, Number(value)) if value:
+            yield from _linear(numerator, factor / value)
+        case Number(value) if value == 0:
+            return
+        case _:
+            yield angle, factor
+
+
+def _heading(degrees: Fraction, terms: Iterable[tuple[Formula, Fraction]]) -> Heading:
+    collected: dict[Formula, Fraction] = {}
+    for angle, factor in terms:
+        if isinstance(angle, Constant):
+            degrees += 180 * factor
+        else:
+            collected[angle] = collected.get(angle, Fraction(0)) + factor
+    return Heading(degrees, tuple((angle, factor) for angle, factor in collected.items() if factor))
+
+
+def _cosine_of_degrees(degrees: Fraction) -> Formula:
+    folded = min(degrees % 360, 360 - degrees % 360)
+    value = _COSINE.get(min(folded, 180 - folded))
+    if value is None:
+        return Call("cos", (Number(degrees / 180) * PI,))
+    return negate(value) if folded > 90 else value
+
+
+@dataclass(frozen=True, slots=True)
+class Vector:
+    """Σ size × unit vector(heading), in the plane."""
+
+    parts: tuple[tuple[Formula, Heading], ...] = ()
+
+    def __add__(self, other: Vector) -> Vector:
+        return Vector((*self.parts, *other.parts))
+
+    def __neg__(self) -> Vector:
+        return Vector(tuple((negate(size), direction) for size, direction in self.parts))
+
+    def __sub__(self, other: Vector) -> Vector:
+        return self + (-other)
+
+    def times(self, factor: Formula) -> Vector:
+        return Vector(tuple((product(factor, size), direction) for size, direction in self.parts)) if factor != ZERO else NOWHERE
+
+    def rotated(self, by: Heading) -> Vector:
+        return Vector(tuple((size, direction + by) for size, direction in self.parts))
+
+    def turned(self, degrees: int) -> Vector:
+        return Vector(tuple((size, direction.turned(degrees)) for size, direction in self.parts))
+
+    def along(self, direction: Heading) -> Formula:
+        """Component along a direction: Σ size cos(heading − direction)."""
+        result: Formula = ZERO
+        for size, own in self.parts:
+            result = add(result, size * (own - direction).cos())
+        return result
+
+    def cross(self, other: Vector) -> Formula:
+        """z component of self × other, counterclockwise positive: Σ other · size · sin(difference of headings)."""
+        result: Formula = ZERO
+        for size, own in self.parts:
+            for other_size, other_own in other.parts:
+                result = add(result, product(other_size, size) * (other_own - own).sin())
+        return result
+
+    def dot(self, other: Vector) -> Formula:
+        result: Formula = ZERO
+        for size, own in self.parts:
+            for other_size, other_own in other.parts:
+                result = add(result, product(other_size, size) * (other_own - own).cos())
+        return result
+
+
+def product(left: Formula, right: Formula) -> Formula:
+    """left · right; a product with a sum in it is kept in brackets as it is."""
+    return left * right
+
+
+def vector(size: Formula, direction: Heading) -> Vector:
+    return Vector(((size, direction),)) if size != ZERO else NOWHERE
+
+
+def cartesian(x: Formula, y: Formula) -> Vector:
+    """The vector x right + y up."""
+    return vector(x, RIGHT) + vector(y, UP)
+
+
+def is_symbol(item: Formula) -> bool:
+    return isinstance(item, Symbol)
+
+
+NOWHERE = Vector()

@@ -1,0 +1,122 @@
+"""Quantities that a scene can ask for or state: the path words, their dimension, textbook letter and owners."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.algebra import dimension as base
+from rotsolve.algebra.dimension import Dimension
+
+NUMBER = base.NONE
+MASS, LENGTH, TIME, ANGLE = base.MASS, base.LENGTH, base.TIME, base.ANGLE
+VELOCITY = LENGTH / TIME
+ACCELERATION = VELOCITY / TIME
+FORCE = MASS * ACCELERATION
+TORQUE = FORCE * LENGTH
+ENERGY = FORCE * LENGTH
+ROTATION_RATE = ANGLE / TIME
+INERTIA = MASS * LENGTH**2
+ANGULAR_MOMENTUM = INERTIA / TIME
+
+DIMENSIONS: dict[str, Dimension] = {  # the words in which element keys and messages name a dimension
+    "number": NUMBER,
+    "angle": ANGLE,
+    "length": LENGTH,
+    "mass": MASS,
+    "time": TIME,
+    "velocity": VELOCITY,
+    "acceleration": ACCELERATION,
+    "angular velocity": ROTATION_RATE,
+    "angular acceleration": ROTATION_RATE / TIME,
+    "force": FORCE,
+    "torque": TORQUE,
+    "moment of inertia": INERTIA,
+    "stiffness": FORCE / LENGTH,
+    "torsional stiffness": TORQUE / ANGLE,
+    "power": ENERGY / TIME,
+    "energy": ENERGY,
+    "impulse": FORCE * TIME,
+    "angular impulse": TORQUE * TIME,
+    "momentum": MASS * VELOCITY,
+    "angular momentum": ANGULAR_MOMENTUM,
+    "area": LENGTH**2,
+    "frequency": NUMBER / TIME,
+    "linear density": MASS / LENGTH,
+    "surface density": MASS / LENGTH**2,
+    "density": MASS / LENGTH**3,
+}
+
+PLANE = ("x", "y")
+SPACE = ("x", "y", "z")
+MOTION = ("x", "y", "z", "tangential", "normal")
+BODY, POINT, LINK, ACTION, EVENT, SYSTEM = "body", "point", "connection", "action", "event", "system"
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityKind:
+    """A word of a path. `letter` is the textbook symbol as an ASCII name; `owners` are the kinds of things that have it.
+
+    A connection, action or event has only those words that its class lists in `quantities`.
+    """
+
+    word: str
+    dimension: Dimension
+    letter: str
+    owners: tuple[str, ...]
+    components: tuple[str, ...] = ()
+    help: str = ""
+    later: bool = False
+
+
+def kind(word: str, dimension: str, letter: str, owners: tuple[str, ...], help: str, components: tuple[str, ...] = (), later: bool = False) -> QuantityKind:
+    return QuantityKind(word, DIMENSIONS[dimension], letter, owners, components, help, later)
+
+
+QUANTITIES = (
+    kind("angle", "angle", "theta", (BODY, LINK), "from the rightward horizontal, counterclockwise, unwrapped"),
+    kind("rotation", "angle", "theta", (BODY,), "signed change of the angle since the state before"),
+    kind("angular_velocity", "angular velocity", "omega", (BODY, LINK), "rate of the angle along the declared sense", SPACE),
+    kind("angular_acceleration", "angular acceleration", "alpha", (BODY, LINK), "rate of the angular velocity", SPACE),
+    kind("position", "length", "r", (BODY, POINT), "place in the scene's coordinates", SPACE),
+    kind("displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION),
+    kind("distance", "length", "d", (BODY, POINT), "length of the way covered"),
+    kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
+    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", MOTION),
+    kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
+    kind("acceleration", "acceleration", "a", (BODY, POINT), "signed along the declared sense; of a point, its size", MOTION),
+    kind("force", "force", "F", (BODY, LINK, ACTION, EVENT), "force on the last-named body", (*MOTION, "net", "gravity")),
+    kind("tension", "force", "T", (LINK,), "pull of a string or belt, at one of its ends where a pulley is heavy"),
+    kind("normal_force", "force", "N", (LINK,), "push of a surface across itself"),
+    kind("friction_force", "force", "f", (LINK,), "friction along the surface, on the last-named body"),
+    kind("friction", "number", "mu", (LINK,), "coefficient of friction of a contact"),
+    kind("torque", "torque", "tau", (BODY, LINK, ACTION), "torque about the axis; `about` names another point", (*SPACE, "net", "gravity")),
+    kind("impulse", "impulse", "J", (BODY, LINK, ACTION, EVENT), "force summed over time", PLANE),
+    kind("angular_impulse", "angular impulse", "H", (BODY, LINK, ACTION, EVENT), "torque summed over time"),
+    kind("work", "energy", "W", (BODY, LINK, ACTION), "work done in a phase", ("net", "gravity")),
+    kind("power", "power", "P", (BODY, LINK, ACTION), "rate of work", ("net", "gravity")),
+    kind("kinetic_energy", "energy", "K", (BODY, SYSTEM), "of a body, or of the whole scene", ("rotational", "translational")),
+    kind("potential_energy", "energy", "U", (BODY, LINK, SYSTEM), "of gravity and springs"),
+    kind("energy", "energy", "E", (BODY, SYSTEM), "kinetic and potential energy together"),
+    kind("momentum", "momentum", "p", (BODY, SYSTEM), "mass times velocity of the centre of mass", PLANE),
+    kind("angular_momentum", "angular momentum", "L", (BODY, SYSTEM), "about the axis; `about` names another point", SPACE),
+    kind("inertia", "moment of inertia", "I", (BODY, SYSTEM), "moment of inertia about `cm`, or `about` a point"),
+    kind("gyration", "length", "k", (BODY,), "radius of gyration"),
+    kind("cm", "length", "x", (BODY, SYSTEM), "place of the centre of mass in the body's coordinates", SPACE),
+    kind("mass", "mass", "m", (BODY, SYSTEM), "mass"),
+    kind("radius", "length", "R", (BODY,), "radius; of a body that rides on another, its distance from the axis"),
+    kind("length", "length", "L", (BODY, LINK), "length"),
+    kind("elongation", "length", "x", (LINK,), "stretch of a spring beyond its rest length"),
+    kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring"),
+    kind("turns", "number", "n", (BODY,), "number of turns since the state before"),
+    kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`"),
+    kind("bending_moment", "torque", "M", (POINT, LINK), "inside a rod at a point", later=True),
+    kind("shear", "force", "V", (POINT, LINK), "inside a rod at a point", later=True),
+    kind("compression", "force", "C", (POINT, LINK), "inside a rod at a point", later=True),
+    kind("precession", "angular velocity", "Omega", (BODY,), "rate at which the spin axis turns", later=True),
+    kind("spin", "angular velocity", "s", (BODY,), "rate about the symmetry axis, in the precessing frame", later=True),
+    kind("nutation", "angular velocity", "nu", (BODY,), "rate at which the spin axis nods", later=True),
+    kind("inertia_tensor", "moment of inertia", "I", (BODY,), "tensor about `cm`, or `about` a point", later=True),
+    kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
+    kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
+)
+BY_WORD = {entry.word: entry for entry in QUANTITIES}

@@ -1,0 +1,103 @@
+"""Registry: the quantities of a scene (kind, owner, time), what the scene says of them, and the letters that print them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import Formula, Symbol
+
+# Quantities are symbols whose internal name is the key itself; letters are given when it is known which ones are printed.
+SEPARATOR = "|"
+
+
+@dataclass(frozen=True, slots=True)
+class Quantity:
+    """One quantity: `acceleration` of `block` in `now`.
+
+    `positive`, `negative` are the words for the two directions ("down", "up"); empty for sizes such as a tension.
+    """
+
+    kind: str
+    owner: str
+    when: str
+    component: str
+    letter: str
+    dimension: Dimension
+    positive: str = ""
+    negative: str = ""
+
+    @property
+    def key(self) -> str:
+        return SEPARATOR.join((self.kind, self.owner, self.component, self.when))
+
+    @property
+    def symbol(self) -> Symbol:
+        return Symbol(self.key)
+
+
+@dataclass
+class Registry:
+    """All quantities that were spoken of, by key, and the values that states fix.
+
+    The only mutable thing of a run: elements and principles ask for letters here while they write.
+    """
+
+    quantities: dict[str, Quantity] = field(default_factory=dict)
+    known: dict[str, Formula] = field(default_factory=dict)
+
+    def ask(self, quantity: Quantity) -> Formula:
+        """The symbol of a quantity, or its value where the scene fixes it."""
+        key = quantity.key
+        self.quantities.setdefault(key, quantity)
+        return self.known.get(key, Symbol(key))
+
+    def fix(self, quantity: Quantity, value: Formula) -> None:
+        self.quantities.setdefault(quantity.key, quantity)
+        self.known[quantity.key] = value
+
+    def letters(self, used: Iterable[str], taken: frozenset[str], chosen: dict[str, str]) -> dict[str, str]:
+        """Printed names of the used quantities: the plain letter where it is unambiguous, else with owner or time as index.
+
+        `chosen` holds names that the scene itself gives (an asked quantity has the name of its question).
+        """
+        names = dict(chosen)
+        occupied = set(taken) | set(chosen.values())
+        pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
+        for index in _indices():
+            rest = []
+            wanted: dict[str, list[Quantity]] = {}
+            for quantity in pending:
+                wanted.setdefault(index(quantity), []).append(quantity)
+            for name, group in wanted.items():
+                if len(group) == 1 and name not in occupied and not _kin(names, self.quantities, group[0], name, index):
+                    names[group[0].key] = name
+                else:
+                    rest.extend(group)
+            occupied |= set(names.values())
+            pending = rest
+        for number, quantity in enumerate(pending, 1):
+            names[quantity.key] = f"{quantity.letter}_{quantity.owner}_{number}"
+        return names
+
+
+def _kin(names: dict[str, str], known: dict[str, Quantity], quantity: Quantity, name: str, index: object) -> bool:
+    """Whether a plain letter would hide that another quantity of the same letter already has a name of its own."""
+    if name != quantity.letter:
+        return False
+    return any(known[key].letter == quantity.letter for key in names if key in known and names[key] != quantity.letter and False)
+
+
+def _join(*parts: str) -> str:
+    return "_".join(part for part in parts if part)
+
+
+def _indices() -> tuple:
+    """Ways to index a letter, from the plainest on."""
+    return (
+        lambda q: _join(q.letter, q.component),
+        lambda q: _join(q.letter, q.component, q.owner),
+        lambda q: _join(q.letter, q.component, q.when),
+        lambda q: _join(q.letter, q.component, q.owner, q.when),
+    )

@@ -1,0 +1,26 @@
+"""Connections: what touches what. Each states facts (forces, rate rules); no law is written here."""
+
+from rotsolve.elements.connections.connection import Connection as Connection
+from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
+from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Weld
+
+CONNECTIONS: tuple[type[Connection], ...] = (
+    Hinge,
+    Axle,
+    Ball,
+    Clamp,
+    Weld,
+    Contact,
+    Rolls,
+    String,
+    Spring,
+    Torsion,
+    Belt,
+    Gear,
+    Rides,
+)
+
+__all__ = ["CONNECTIONS", "Connection", "Friction"]

@@ -1,0 +1,66 @@
+"""Connection: base of all that joins bodies; the questions that the motion of bodies and the laws ask of it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, ClassVar
+
+from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule
+from rotsolve.core.heading import Heading
+from rotsolve.scene.model import Body, PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.instant import Instant
+
+Fact = Force | Couple | Rule | Requirement | Potential
+
+
+@dataclass(frozen=True)
+class Connection:
+    """Base of all connections. `quantities` can be asked of it; `words` can be said of it in a state.
+
+    `independent` marks one that holds several bodies without making one move with the other.
+    """
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    quantities: ClassVar[tuple[str, ...]] = ()
+    words: ClassVar[tuple[str, ...]] = ()
+    later: ClassVar[bool] = False
+    independent: ClassVar[bool] = False
+    name: str = ""
+
+    def touches(self) -> tuple[PointRef, ...]:
+        """All points that the connection names."""
+        found: list[PointRef] = []
+        for item in fields(self):
+            value = getattr(self, item.name)
+            if isinstance(value, tuple):
+                found.extend(part for part in value if isinstance(part, PointRef))
+        return tuple(found)
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        """Points of bodies that it holds to the ground, so that the body turns about them."""
+        return ()
+
+    def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
+        """Line along which it makes a body travel, with the words for the positive sense."""
+        return None
+
+    def hangs(self, body: Body) -> bool:
+        """Whether a body hangs from it, so that it travels up and down."""
+        return False
+
+    def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
+        """Positive turn of a body that goes with its positive travel: +1 counterclockwise, −1 clockwise, 0 no matter."""
+        return 0
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        """How its forces and rules vary while bodies move: 'constant', 'time' or 'position'."""
+        return "constant"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The forces, couples, rules and requirements that it adds at a moment."""
+        return iter(())

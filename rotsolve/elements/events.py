@@ -1,0 +1,95 @@
+"""Events: what happens in no time between two states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.elements.actions import DIRECTIONS, Direction
+from rotsolve.scene.keys import key
+from rotsolve.scene.model import PointRef
+
+
+@dataclass(frozen=True)
+class Event:
+    """Base of all events: the state before and the state after."""
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    quantities: ClassVar[tuple[str, ...]] = ()
+    later: ClassVar[bool] = False
+    name: str = ""
+    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
+    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
+
+
+@dataclass(frozen=True)
+class Joins(Event):
+    word = "joins"
+    about = "two bodies meet and stay together (inelastic)"
+    quantities = ("impulse", "angular_impulse")
+    joins: tuple[PointRef, ...] = key("points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]")
+
+
+@dataclass(frozen=True)
+class Collides(Event):
+    word = "collides"
+    about = "two bodies bounce off each other"
+    quantities = ("impulse", "angular_impulse")
+    collides: tuple[PointRef, ...] = key("points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]")
+    restitution: Formula | None = key(
+        "quantity", "coefficient of restitution, 0 to 1", dimension="number", letter="e", limits="fraction", default=None
+    )
+    friction: Formula | None = key(
+        "quantity", "coefficient of friction in the collision", dimension="number", letter="mu", limits="nonnegative", default=None
+    )
+
+
+@dataclass(frozen=True)
+class Impulse(Event):
+    word = "impulse"
+    about = "a blow: an impulse on a point of a body"
+    quantities = ("impulse", "angular_impulse")
+    impulse: Formula | None = key("quantity", "size; `unknown` asks for it", dimension="impulse", letter="J", required=True)
+    on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
+    direction: Direction | None = key(
+        "direction", "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle", default=None, choices=DIRECTIONS
+    )
+
+
+@dataclass(frozen=True)
+class Cuts(Event):
+    word = "cuts"
+    about = "a string or other connection is gone from then on"
+    cuts: tuple[str, ...] = key("names", "the connection", refers=("connection",), required=True, default=(), example="cord")
+
+
+@dataclass(frozen=True)
+class Removes(Event):
+    word = "removes"
+    about = "a support, action or body is taken away"
+    removes: tuple[str, ...] = key(
+        "names", "the connection, action or body", refers=("connection", "action", "body"), required=True, default=(), example="prop"
+    )
+
+
+@dataclass(frozen=True)
+class Fixes(Event):
+    word = "fixes"
+    about = "a point of a moving body is suddenly held"
+    quantities = ("impulse",)
+    later = True
+    fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
+
+
+@dataclass(frozen=True)
+class Grips(Event):
+    word = "grips"
+    about = "a contact stops slipping at once"
+    quantities = ("impulse",)
+    later = True
+    grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
+
+
+EVENTS: tuple[type[Event], ...] = (Joins, Collides, Impulse, Cuts, Removes, Fixes, Grips)

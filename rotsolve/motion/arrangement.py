@@ -1,0 +1,193 @@
+"""Arrangement: which connections act at which state, which bodies are joined into one, and how each can move."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading
+from rotsolve.elements.actions import Action
+from rotsolve.elements.connections import Connection
+from rotsolve.elements.events import Cuts, Joins, Removes
+from rotsolve.motion.rigid import shape_of
+from rotsolve.elements.surfaces import Surface
+from rotsolve.motion.timeline import Timeline, timeline
+from rotsolve.scene.model import Body, PointRef, Problem
+
+WORDS = {"right": RIGHT, "up": UP, "left": LEFT, "down": DOWN}
+OPPOSITE = {
+    "right": "left",
+    "left": "right",
+    "up": "down",
+    "down": "up",
+    "clockwise": "counterclockwise",
+    "counterclockwise": "clockwise",
+}
+
+
+@dataclass(frozen=True)
+class Member:
+    """A body that is part of another (joined or welded): its host, and the host's point where it sits."""
+
+    name: str
+    host: str
+    at: PointRef
+    own: PointRef
+
+
+@dataclass(frozen=True)
+class Arrangement:
+    """A problem with its timeline; answers what is connected to what at each state."""
+
+    problem: Problem
+
+    @cached_property
+    def timeline(self) -> Timeline:
+        return timeline(self.problem)
+
+    @cached_property
+    def bodies(self) -> dict[str, Body]:
+        return {body.name: body for body in self.problem.bodies}
+
+    @cached_property
+    def surfaces(self) -> dict[str, Surface]:
+        return {surface.name: surface for surface in self.problem.surfaces if isinstance(surface, Surface)}
+
+    @cached_property
+    def _gone(self) -> dict[str, frozenset[str]]:
+        """Names of what has been cut or removed by each state."""
+        gone: frozenset[str] = frozenset()
+        result = {self.timeline.states[0].name: gone}
+        for interval in self.timeline.intervals:
+            event = interval.event
+            if isinstance(event, Cuts):
+                gone |= frozenset(event.cuts)
+            elif isinstance(event, Removes):
+                gone |= frozenset(event.removes)
+            result[interval.end] = gone
+        return result
+
+    def connections(self, state: str) -> tuple[Connection, ...]:
+        """Connections that act at a state."""
+        after = self.timeline.after(state)
+        absent = self._gone[state] | frozenset(after.without if after and after.event is None else ())
+        return tuple(item for item in self.problem.connections if isinstance(item, Connection) and item.name not in absent)
+
+    def actions(self, state: str) -> tuple[Action, ...]:
+        """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
+        order, now = self.timeline.order, self.timeline.order[state]
+        last = self.timeline.after(state) is None
+        result = []
+        for item in self.problem.actions:
+            if not isinstance(item, Action) or item.name in self._gone[state]:
+                continue
+            begins = order.get(item.from_ or "", 0)
+            ends = order.get(item.to or "", len(order))
+            if begins <= now < ends or (last and begins <= now <= ends):
+                result.append(item)
+        return tuple(result)
+
+    def present(self, state: str) -> tuple[Body, ...]:
+        """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
+        absent = self._gone[state] | {member.name for member in self.members(state)}
+        return tuple(body for body in self.problem.bodies if body.name not in absent)
+
+    def members(self, state: str) -> tuple[Member, ...]:
+        """Bodies joined to others by a weld, or by an event up to this state."""
+        now = self.timeline.order[state]
+        pairs = [item.weld for item in self.connections(state) if item.word == "weld"]  # type: ignore[attr-defined]
+        for interval in self.timeline.intervals[:now]:
+            if isinstance(interval.event, Joins):
+                pairs.append(interval.event.joins)
+        return tuple(self._member(*pair, state) for pair in pairs)
+
+    def _member(self, first: PointRef, second: PointRef, state: str) -> Member:
+        """The joined pair as host and member: a body on an axis, else the extended one, else the last-named is the host."""
+        held = {ref.owner for item in self.connections(state) for ref in item.fixed_points()}
+        weight = [(ref.owner in held, shape_of(self.bodies[ref.owner]).word != "particle") for ref in (first, second)]
+        member, host = (first, second) if weight[1] >= weight[0] else (second, first)
+        return Member(member.owner, host.owner, host, member)
+
+    def host(self, name: str, state: str) -> str:
+        """The body that carries `name` at a state: itself, unless joined."""
+        hosts = {member.name: member.host for member in self.members(state)}
+        while name in hosts:
+            name = hosts[name]
+        return name
+
+    def cluster(self, host: str, state: str) -> tuple[Member, ...]:
+        """All members that a host carries, nearest first."""
+        members = self.members(state)
+        direct = [member for member in members if member.host == host]
+        return tuple(item for member in direct for item in (member, *self.cluster(member.name, state)))
+
+    def pivot(self, name: str, state: str) -> PointRef | None:
+        """The point of a body that a hinge or axle holds to the ground."""
+        for item in self.connections(state):
+            for ref in item.fixed_points():
+                if ref.owner == name:
+                    return ref
+        return None
+
+    def line(self, name: str, state: str) -> tuple[Heading, str] | None:
+        """Direction of travel of a body that moves along a line, and the words for its positive sense."""
+        body = self.bodies[name]
+        for item in self.connections(state):
+            track = item.track(body, self, state)
+            if track is not None:
+                return track
+        if body.moves:
+            return WORDS[body.moves], body.moves
+        hangs = any(item.hangs(body) for item in self.connections(state))
+        return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
+
+    def component(self, name: str, state: str) -> frozenset[str]:
+        """All bodies connected to a body, over any number of connections, at a state."""
+        found, pending = set(), [self.host(name, state)]
+        while pending:
+            current = pending.pop()
+            if current in found:
+                continue
+            found.add(current)
+            pending.extend(self._neighbours(current, state))
+        return frozenset(found)
+
+    def _neighbours(self, name: str, state: str) -> Iterator[str]:
+        for item in self.connections(state):
+            owners = [self.host(ref.owner, state) for ref in item.touches() if ref.owner in self.bodies]
+            if name in owners and not item.independent:
+                yield from owners
+
+    def pace(self, name: str, state: str) -> str:
+        """How the acceleration of a body's component varies in the phase of a state: 'constant', 'time' or 'position'."""
+        component = self.component(name, state)
+        paces = [self._own_pace(member, state) for member in component]
+        for item in (*self.connections(state), *self.actions(state)):
+            if any(self.host(ref.owner, state) in component for ref in item.touches() if ref.owner in self.bodies):
+                paces.append(item.pace(self, state))
+        return max(paces, key=("constant", "time", "position").index)
+
+    def _own_pace(self, name: str, state: str) -> str:
+        if self.pivot(name, state) is not None:
+            return "constant" if self.balanced(name, state) or not self.heavy else "position"
+        return "constant"
+
+    @property
+    def heavy(self) -> bool:
+        """Whether weight acts in the plane of motion."""
+        return self.problem.gravity not in (None, ZERO) and self.problem.plane == "vertical"
+
+    def balanced(self, name: str, state: str) -> bool:
+        """Whether a body on an axis carries its centre of mass on that axis."""
+        from rotsolve.motion.instant import frame
+
+        return not frame(self, name, state).cm.parts
+
+    def span(self, name: str, state: str) -> str:
+        """Where forces and accelerations of a body at a state belong: its phase while they are constant, else the state."""
+        phase = self.timeline.phase_of(state)
+        if phase is None or self.pace(name, state) != "constant":
+            return state
+        return phase.name

@@ -1,0 +1,252 @@
+"""Instant: bodies at one moment, as elements see them: points, velocities, accelerations and the letters for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate
+from rotsolve.core.facts import Motion, signed
+from rotsolve.core.heading import LEFT, NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import Quantity, Registry
+from rotsolve.motion.arrangement import OPPOSITE, Arrangement
+from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, shape_of, tidy
+from rotsolve.scene.model import Body, PointRef
+
+GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
+TURNS = ("counterclockwise", "clockwise")
+
+
+@dataclass(frozen=True)
+class Frame:
+    """A rigid body (with all that is joined to it) in its own axes: pieces, centre of mass and reference point."""
+
+    pieces: tuple[Piece, ...]
+    reference: Vector
+    cm: Vector  # from the reference
+
+
+def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
+    """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
+    items = list(pieces(arrangement.bodies[name]))
+    for member in arrangement.cluster(name, state):
+        if member.host == name:
+            base = locate(arrangement.bodies[name], member.at)
+            offset = locate(arrangement.bodies[member.name], member.own)
+            own = frame(arrangement, member.name, state).pieces
+            items.extend(Piece(item.name, item.mass, item.moment, tidy(base + item.at - offset)) for item in own)
+    pivot = arrangement.pivot(name, state)
+    centre = centre_of_mass(tuple(items))
+    reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
+    return Frame(tuple(items), reference, tidy(centre - reference))
+
+
+def locate(body: Body, ref: PointRef | None) -> Vector:
+    """Place of a point in a body's own axes; directions in space (rim, top) are not placed here."""
+    if ref is None or ref.point in (None, "center"):
+        return NOWHERE
+    if ref.point == "cm":
+        return centre_of_mass(pieces(body))
+    for name, at in body.points:
+        if name == ref.point:
+            return place(at)
+    for part in body.parts:
+        if part.body.name == ref.point:
+            return part_frame(part)[1]
+    return place(shape_of(body).locate(ref.point or "", ref.argument))
+
+
+def rim_radius(body: Body, point: str | None) -> Formula | None:
+    """Radius of the rim that a point names: a name of `radii`, else the outer rim."""
+    for name, radius in body.radii:
+        if name == point:
+            return radius
+    shape = shape_of(body)
+    for name, radius in getattr(shape, "radii", ()):
+        if name == point:
+            return radius  # type: ignore[no-any-return]
+    if shape.outer is not None:
+        return shape.outer
+    if body.radius is not None:
+        return body.radius
+    return body.radii[0][1] if len(body.radii) == 1 else None
+
+
+@dataclass(frozen=True)
+class Instant:
+    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`."""
+
+    arrangement: Arrangement
+    registry: Registry
+    state: str
+    generic: bool = False
+    _frames: dict[str, Frame] = field(default_factory=dict)
+    _motions: dict[str, Motion] = field(default_factory=dict)
+
+    @cached_property
+    def when(self) -> str:
+        return GENERIC + self.state if self.generic else self.state
+
+    def span(self, name: str) -> str:
+        return self.when if self.generic else self.arrangement.span(name, self.state)
+
+    def body(self, name: str) -> Body:
+        return self.arrangement.bodies[name]
+
+    def host(self, name: str) -> str:
+        return self.arrangement.host(name, self.state)
+
+    def frame(self, name: str) -> Frame:
+        if name not in self._frames:
+            self._frames[name] = frame(self.arrangement, name, self.state)
+        return self._frames[name]
+
+    def ask(
+        self, word: str, owner: str, *, when: str | None = None, component: str = "", words: tuple[str, str] = ("", ""), letter: str = ""
+    ) -> Formula:
+        """The letter of a quantity at this moment, or its value where the scene fixes it."""
+        kind = BY_WORD[word]
+        moment = self.when if when is None else when
+        quantity = Quantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
+        return self.registry.ask(quantity)
+
+    def sense(self, name: str) -> int:
+        """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
+        turns = self.body(name).turns
+        if turns:
+            return 1 if turns == "counterclockwise" else -1
+        for item in self.arrangement.connections(self.state):
+            natural = item.natural_turn(self.body(name), self.arrangement, self.state)
+            if natural:
+                return natural
+        return 1
+
+    def turn_words(self, name: str) -> tuple[str, str]:
+        return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
+
+    def rate(self, word: str, name: str) -> Formula:
+        """Angular velocity or acceleration of a body, counted along its positive sense."""
+        when = self.span(name) if word == "angular_acceleration" else self.when
+        return self.ask(word, name, when=when, words=self.turn_words(name))
+
+    def orientation(self, name: str) -> Heading:
+        """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
+        angle = self.angle(name)
+        return RIGHT if angle is None else heading(angle) - self.offset(name)
+
+    def offset(self, name: str) -> Heading:
+        """Direction, in the body's own axes, that its `angle` measures: a rod's start to end, else from hinge to centre of mass."""
+        body, own = self.body(name), self.frame(name)
+        return RIGHT if shape_of(body).word == "rod" or not own.cm.parts else direction_of(own.cm)
+
+    def angle(self, name: str) -> Formula | None:
+        """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
+        body = self.body(name)
+        rod = shape_of(body).word == "rod"
+        if not rod and not self._speaks_of_angle(name):
+            return None
+        if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
+            return None
+        return self.ask("angle", name, words=TURNS)
+
+    def _speaks_of_angle(self, name: str) -> bool:
+        problem = self.arrangement.problem
+        said = (line.path for state in problem.states for line in state.conditions if line.path)
+        asked = (term.path for find in problem.finds for term in find.terms)
+        return any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked))
+
+    def point(self, ref: PointRef) -> Vector:
+        """A point of a body from its host's reference point, in space."""
+        host = self.host(ref.owner)
+        if host != ref.owner:
+            member = next(item for item in self.arrangement.cluster(host, self.state) if item.name == ref.owner)
+            base = self.point(member.at)
+            own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
+            return base + own.rotated(self.orientation(host)) if own.parts else base
+        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}
+        radius = rim_radius(self.body(host), ref.point)
+        if ref.point in fixed and radius is not None:
+            return self._from_reference(host, NOWHERE) + vector(radius, fixed[ref.point])
+        return self._from_reference(host, locate(self.body(host), ref))
+
+    def _from_reference(self, name: str, place_in_body: Vector) -> Vector:
+        return tidy(place_in_body - self.frame(name).reference).rotated(self.orientation(name))
+
+    def motion(self, name: str) -> Motion:
+        """How a body moves at this moment."""
+        name = self.host(name)
+        if name not in self._motions:
+            self._motions[name] = self._motion(name)
+        return self._motions[name]
+
+    def _motion(self, name: str) -> Motion:
+        arrangement, sense = self.arrangement, self.sense(name)
+        if arrangement.pivot(name, self.state) is not None:
+            spin, rate = (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
+            return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name))
+        line = arrangement.line(name, self.state)
+        turns = self.can_turn(name, line is not None)
+        spin, rate = (
+            (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration")) if turns else (ZERO, ZERO)
+        )
+        if line is not None:
+            direction, words = line
+            velocity = vector(self.travel("velocity", name, words), direction)
+            acceleration = vector(self.travel("acceleration", name, words), direction)
+            return Motion("line", velocity, acceleration, spin, rate, sense, turns, direction, self.orientation(name))
+        velocity = cartesian(*(self.component("velocity", name, axis) for axis in "xy"))
+        acceleration = cartesian(*(self.component("acceleration", name, axis) for axis in "xy"))
+        return Motion("plane", velocity, acceleration, spin, rate, sense, turns, None, self.orientation(name))
+
+    def travel(self, word: str, name: str, words: str) -> Formula:
+        """Velocity or acceleration along a body's line, counted along its positive sense."""
+        when = self.span(name) if word == "acceleration" else self.when
+        return self.ask(word, name, when=when, words=(words, opposite(words)))
+
+    def component(self, word: str, name: str, axis: str) -> Formula:
+        when = self.span(name) if word == "acceleration" else self.when
+        return self.ask(word, name, when=when, component=axis, words=("right", "left") if axis == "x" else ("up", "down"))
+
+    def can_turn(self, name: str, on_line: bool) -> bool:
+        """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
+        body = self.body(name)
+        own = self.frame(name)
+        if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
+            return body.turns is not None and rim_radius(body, None) is not None
+        return not on_line or body.turns is not None or rim_radius(body, None) is not None
+
+    def velocity(self, ref: PointRef) -> Vector:
+        """Velocity of a point; at rest for the ground."""
+        if ref.owner not in self.arrangement.bodies:
+            return NOWHERE
+        return self.motion(ref.owner).velocity_of(self.point(ref))
+
+    def acceleration(self, ref: PointRef) -> Vector:
+        if ref.owner not in self.arrangement.bodies:
+            return NOWHERE
+        return self.motion(ref.owner).acceleration_of(self.point(ref))
+
+    def is_round(self, name: str) -> bool:
+        return name in self.arrangement.bodies and rim_radius(self.body(name), None) is not None
+
+    def time(self) -> Formula:
+        """The running time at this moment: the letter `time` in the midst of a phase."""
+        return Symbol("time") if self.generic else self.ask("time", "")
+
+
+def opposite(words: str) -> str:
+    """The words for the other way along a line: "down the slope" -> "up the slope"."""
+    first, _, rest = words.partition(" ")
+    return " ".join(part for part in (OPPOSITE.get(first, first), rest) if part)
+
+
+def along_text(direction: Heading) -> str:
+    """A heading in words: right, up, left, down, or at its angle."""
+    names = {0: "right", 90: "up", 180: "left", 270: "down"}
+    if not direction.terms and direction.degrees % 360 in names:
+        return names[int(direction.degrees % 360)]
+    return ""
+
+
+__all__ = ["LEFT", "Frame", "Instant", "along_text", "frame", "locate", "negate", "opposite", "rim_radius"]

@@ -1,0 +1,72 @@
+"""Timeline: the named instants of a scene in order, and the phases and events between neighbours."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+from rotsolve.scene.model import Problem, State
+
+
+@dataclass(frozen=True)
+class Interval:
+    """What lies between two neighbouring states: a phase of motion, or an event that takes no time."""
+
+    name: str
+    start: str
+    end: str
+    event: object | None = None
+    without: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Timeline:
+    """States and intervals in order; a scene without states has one nameless instant."""
+
+    states: tuple[State, ...]
+    intervals: tuple[Interval, ...]
+
+    @cached_property
+    def order(self) -> dict[str, int]:
+        return {state.name: index for index, state in enumerate(self.states)}
+
+    def state(self, name: str) -> State:
+        return self.states[self.order[name]]
+
+    def between(self, start: str, end: str) -> tuple[Interval, ...]:
+        """The intervals from one state to a later one."""
+        return self.intervals[self.order[start] : self.order[end]]
+
+    def after(self, state: str) -> Interval | None:
+        index = self.order[state]
+        return self.intervals[index] if index < len(self.intervals) else None
+
+    def before(self, state: str) -> Interval | None:
+        index = self.order[state]
+        return self.intervals[index - 1] if index else None
+
+    def interval(self, name: str) -> Interval | None:
+        return next((interval for interval in self.intervals if interval.name == name), None)
+
+    def phase_of(self, state: str) -> Interval | None:
+        """The phase whose motion a state belongs to: the one that it starts, else the one that it ends."""
+        for interval in (self.after(state), self.before(state)):
+            if interval is not None and interval.event is None:
+                return interval
+        return None
+
+
+def timeline(problem: Problem) -> Timeline:
+    """The timeline of a problem: neighbouring states are joined by a phase unless an event joins them."""
+    states = problem.states or (State(""),)
+    intervals = []
+    for before, after in zip(states, states[1:], strict=False):
+        event = next((event for event in problem.events if _joins(event, before.name, after.name)), None)
+        phase = next((phase for phase in problem.phases if (phase.start, phase.end) == (before.name, after.name)), None)
+        name = getattr(event, "name", "") or (phase.name if phase else f"{before.name} to {after.name}")
+        intervals.append(Interval(name, before.name, after.name, event, phase.without if phase else ()))
+    return Timeline(tuple(states), tuple(intervals))
+
+
+def _joins(event: object, before: str, after: str) -> bool:
+    return (getattr(event, "from_", None), getattr(event, "to", None)) == (before, after)

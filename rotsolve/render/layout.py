@@ -1,0 +1,127 @@
+"""Lines and columns of a plain-text page: what stands where, and which parts a terminal may colour."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from textwrap import wrap as wrap_words
+
+WIDTH = 120  # columns of a page, where nothing narrower is asked for
+GAP = 4  # blanks between two columns of a table
+LEFT = 56  # the widest first column of a table
+HELD = "\N{NO-BREAK SPACE}"  # a blank at which no line may be broken
+LONG = 40  # a formula longer than this may be broken before its outer signs
+SIGNS = ("=", "+", "−", "≈", "≤", "≥", "<", ">")
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """One line of text; `role` says what it is, and the first `heading` characters are a heading."""
+
+    text: str
+    role: str = ""
+    heading: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One row of a table: what it is, the formula, and a remark or number behind it."""
+
+    left: str
+    middle: str = ""
+    right: str = ""
+
+
+def hold(text: str) -> str:
+    """The text with its blanks made unbreakable; a long one may still be broken before a sign."""
+    held = text.replace(" ", HELD)
+    if len(text) > LONG:
+        for sign in SIGNS:
+            held = held.replace(f"{HELD}{sign}{HELD}", f" {sign}{HELD}")
+    return held
+
+
+def release(text: str) -> str:
+    """The text with ordinary blanks again, and none at its end."""
+    return text.replace(HELD, " ").rstrip()
+
+
+def wrap(text: str, width: int, hanging: int = 0) -> list[str]:
+    """The text in lines of at most `width` columns where it has a place to break; later lines are indented by `hanging`."""
+    if len(text) <= width:
+        return [text]
+    return wrap_words(
+        text,
+        max(width, 20),
+        subsequent_indent=" " * hanging,
+        break_long_words=False,
+        break_on_hyphens=False,
+        drop_whitespace=True,
+    )
+
+
+def paragraph(text: str, indent: int, width: int, role: str = "") -> Iterator[Line]:
+    """A paragraph, wrapped, every line of it indented."""
+    for line in wrap(text, width - indent):
+        yield Line(release(" " * indent + line), role)
+
+
+def labelled(label: str, items: Sequence[str], separator: str, width: int, indent: int = 0) -> Iterator[Line]:
+    """A heading with what belongs to it on the same line, wrapped between (and, where it must be, within) the items."""
+    column = indent + max(8, len(label) + 2)
+    text = separator.join(items)
+    if len(separator) > 2 and len(text) > width - column:  # wide gaps between items: one item a line
+        lines = [line for item in items for line in wrap(item, width - column, 2)]
+    else:
+        lines = wrap(text.replace("     ", HELD * 5), width - column)
+    for number, line in enumerate(lines):
+        head = (" " * indent + label).ljust(column) if number == 0 else " " * column
+        yield Line(release(head + line), "", len(label) + indent if number == 0 else 0)
+
+
+def table(rows: Sequence[Row], indent: int, width: int, role: str = "") -> Iterator[Line]:
+    """The rows with their columns aligned; a cell that is too long goes on below, in its own column."""
+    lefts = [len(row.left) for row in rows if row.middle]
+    left = max((length for length in lefts if length <= LEFT), default=min(LEFT, max(lefts, default=0)))
+    column = indent + left + GAP if left else indent
+    room = max(width - column, 20)
+    middles = [len(row.middle) for row in rows if row.right and len(row.middle) <= room]
+    ends = column + max(middles, default=0) + GAP
+    for row in rows:
+        yield from (Line(release(line), role) for line in row_lines(row, indent, column, ends, width))
+
+
+def row_lines(row: Row, indent: int, column: int, ends: int, width: int) -> Iterator[str]:
+    """The lines of one row: `column` is where the formula starts, `ends` where the remark does."""
+    first = " " * indent + row.left
+    middles = wrap(row.middle, max(width - column, 20), 2) if row.middle else []
+    if middles and len(first) > column - GAP:
+        yield from (" " * indent + line for line in wrap(row.left, width - indent, 4))
+        first = ""
+    elif not middles:
+        *before, first = (" " * indent + line for line in wrap(row.left, width - indent, 4))
+        yield from before
+    for number, middle in enumerate(middles):
+        if number:
+            yield first
+            first = ""
+        first = first.ljust(column) + middle
+    yield from with_remark(first, row.right, column, ends, width)
+
+
+def with_remark(line: str, remark: str, column: int, ends: int, width: int) -> Iterator[str]:
+    """The last line of a row with its remark at the right, or below it where there is no room."""
+    if not remark:
+        yield line
+    elif len(line) + GAP <= ends and ends + len(remark) <= width:
+        yield line.ljust(ends) + remark
+    elif len(line) + GAP + len(remark) <= width:
+        yield line + " " * GAP + remark
+    else:
+        yield line
+        yield from (" " * (column + 2) + part for part in wrap(remark, width - column - 2))
+
+
+def page(lines: Iterable[Line]) -> str:
+    """The lines as one text that ends with a line break."""
+    return "\n".join(line.text for line in lines) + "\n"

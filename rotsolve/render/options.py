@@ -1,0 +1,16 @@
+"""Options: what a reader may choose about the printing of a derivation."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.render.layout import WIDTH
+
+
+@dataclass(frozen=True, slots=True)
+class Options:
+    """Significant digits of the numbers, columns of a text page, and the file that the scene came from."""
+
+    digits: int = 4
+    width: int = WIDTH
+    file: str = ""

@@ -1,0 +1,48 @@
+"""Terminal: the same lines as plain text, in the colours that the terminal has. Nothing else imports rich."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import TextIO
+
+from rich.console import Console
+from rich.markup import escape
+from rich.progress import Progress
+from rich.text import Text
+
+from rotsolve.render.layout import Line
+
+STYLES = {
+    "title": "bold underline",
+    "heading": "bold",
+    "answer": "bold green",
+    "check": "dim",
+    "fault": "bold red",
+    "rule": "dim",
+}
+
+
+def show(lines: Iterable[Line], stream: TextIO) -> None:
+    """Write lines to a terminal in colour; the characters are those of the plain text."""
+    console = Console(file=stream, highlight=False, markup=False, emoji=False, soft_wrap=True)
+    for line in lines:
+        styled = Text(line.text, style=STYLES.get(line.role, ""))
+        if line.heading:
+            styled.stylize("bold", 0, line.heading)
+        console.print(styled)
+
+
+@contextmanager
+def progress(files: Sequence[str], done: int, stream: TextIO) -> Iterator[Iterator[str]]:
+    """A progress bar over the files that are left, `done` of them being behind; it goes away at the end."""
+    with Progress(console=Console(file=stream), transient=True) as bar:
+        task = bar.add_task("solving", total=len(files), completed=done)
+
+        def rest() -> Iterator[str]:
+            for file in files[done:]:
+                bar.update(task, description=escape(file))
+                yield file
+                bar.advance(task)
+
+        yield rest()

@@ -1,0 +1,132 @@
+"""Voice: how one format says words, formulas and quantities. What is said is decided here once, for all formats."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from rotsolve.algebra.formula import Formula, Number, Symbol
+from rotsolve.algebra.text import to_latex, to_text
+from rotsolve.algebra.units import Unit
+from rotsolve.core.derivation import Answer, Equality, Words
+from rotsolve.render.layout import hold
+from rotsolve.render.prose import latex_prose, markdown_prose
+from rotsolve.scene.model import Given
+
+WRITTEN = re.compile(r"([-+−]?\d+(?:\.\d*)?|[-+−]?\.\d+)(?:[eE]([-+]?\d+))?(?=\s|[^\W\d]|°|%|$)")
+POWER = re.compile(r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$")
+RAISED = str.maketrans("+-−0123456789", "⁺⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+LOWERED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
+RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
+CLOSE = ("°", "′", "″", "%")  # units that stand next to their number
+
+
+@dataclass(frozen=True, slots=True)
+class Voice:
+    """One format's way of setting a formula, a unit, a number, prose, and mathematics within prose."""
+
+    formula: Callable[[Formula], str]
+    unit: Callable[[Unit], str]
+    number: Callable[[str, str], str]
+    prose: Callable[[str], str]
+    math: Callable[[str], str]
+    blank: str
+    relations: dict[str, str]
+
+    def words(self, words: Words) -> str:
+        """Prose with formulas in it."""
+        return "".join(self.prose(word) if isinstance(word, str) else self.math(self.formula(word)) for word in words)
+
+    def sides(self, equality: Equality) -> tuple[str, str]:
+        """The left side; and the sign with the right side."""
+        relation = self.relations.get(equality.relation, equality.relation)
+        return self.formula(equality.left), f"{relation} {self.formula(equality.right)}"
+
+    def equality(self, equality: Equality) -> str:
+        return " ".join(self.sides(equality))
+
+    def quantity(self, number: str, unit: Unit | None) -> str:
+        """A number and its unit; `number` is plain decimal text, as `2`, `−0.5` or `1e-3`."""
+        match = POWER.fullmatch(number.strip())
+        mantissa, exponent = match.groups() if match else (number.strip(), "")
+        exponent = exponent.translate(LOWERED).replace("−", "-").lstrip("+")
+        said = self.number(mantissa, exponent)
+        if unit is None or unit.text in ("", "1"):
+            return said
+        return said + ("" if unit.text in CLOSE else self.blank) + self.unit(unit)
+
+    def given(self, given: Given) -> str:
+        """A given as mathematics: `m = 2 kg`, `L = 2 R`, or its letter alone where it has no value."""
+        name = self.formula(Symbol(given.name))
+        if given.value is None:
+            return name
+        return f"{name} = {self._given_value(given.value, given)}"
+
+    def _given_value(self, value: Formula, given: Given) -> str:
+        written = WRITTEN.match(given.text.strip())
+        if written and not value.symbols() and (given.unit is not None or written.end() == len(given.text.strip())):
+            mantissa, exponent = written.groups()
+            return self.quantity(mantissa + (f"e{exponent}" if exponent else ""), given.unit)
+        if value.symbols() or given.unit is None:
+            return self.formula(value)
+        return self.quantity(self.formula(in_unit(value, given.unit)), given.unit)
+
+    def amount(self, answer: Answer, digits: int) -> str:
+        """The certified value of an answer with its unit, its size alone where words tell its direction; '' without one."""
+        if answer.value is None:
+            return ""
+        return self.quantity(digits_text(answer, digits), answer.unit)
+
+    def aside(self, answer: Answer) -> str:
+        """What is said behind an answer: its direction, its word and its remark."""
+        said = "".join(f", {self.prose(text)}" for text in (answer.direction, answer.word) if text)
+        return said + (f" ({self.words(answer.remark)})" if answer.remark else "")
+
+
+def in_unit(value: Formula, unit: Unit) -> Formula:
+    """The pure number that `value`, in SI units, is in `unit`."""
+    factor = unit.factor
+    if isinstance(value, Number) and isinstance(factor, Number):
+        return Number(value.value / factor.value)
+    return value / factor if isinstance(factor, Formula) else value / Number(factor)
+
+
+def digits_text(answer: Answer, digits: int) -> str:
+    """The digits of an answer, without a sign where words tell the direction."""
+    text = answer.value.text(digits) if answer.value is not None else ""
+    text = text.replace("-", "−", 1) if text.startswith("-") else text
+    return text if answer.signed else text.removeprefix("−")
+
+
+def exact(answer: Answer) -> Formula | None:
+    """The exact form where it says more than the number: not for a mere number that has a unit."""
+    unit = "" if answer.unit is None else answer.unit.text
+    return None if isinstance(answer.formula, Number) and unit not in ("", "1") else answer.formula
+
+
+def shown(givens: tuple[Given, ...]) -> Iterator[Given]:
+    """The givens that a reader should see: not those asked for, nor letters that the scene never mentions."""
+    for given in givens:
+        if not given.asked and not (given.automatic and given.value is None):
+            yield given
+
+
+def lettered(words: tuple[Words, ...]) -> bool:
+    """Whether every item is a mere formula, so that commas separate them well enough."""
+    return all(len(item) == 1 and isinstance(item[0], Formula) for item in words)
+
+
+def _text_number(mantissa: str, exponent: str) -> str:
+    mantissa = mantissa.replace("-", "−")
+    return f"{mantissa}·10{exponent.translate(RAISED)}" if exponent else mantissa
+
+
+def _latex_number(mantissa: str, exponent: str) -> str:
+    mantissa = mantissa.replace("−", "-")
+    return rf"{mantissa} \cdot 10^{{{exponent}}}" if exponent else mantissa
+
+
+TEXT = Voice(to_text, lambda unit: unit.text, _text_number, str, hold, " ", {})
+MARKDOWN = Voice(to_latex, lambda unit: unit.latex, _latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
+LATEX = Voice(to_latex, lambda unit: unit.latex, _latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)

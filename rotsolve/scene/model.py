@@ -1,0 +1,202 @@
+"""Problem: what a scene file says, checked and with every value as an exact formula in SI units. No physics."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.faults import Span as Span
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.units import Unit
+
+
+@dataclass(frozen=True, slots=True)
+class Given:
+    """A letter of the scene. `value` is None for a letter without a number; `asked` for `unknown`.
+
+    `value` may hold other givens (`L: 2*R`). `automatic` marks a letter that the reader made for a number written in place
+    (`radius: 20 cm`) or for a quantity that the scene leaves out. `text` is the value as written.
+    """
+
+    name: str
+    value: Formula | None
+    dimension: Dimension | None
+    unit: Unit | None = None
+    text: str = ""
+    asked: bool = False
+    automatic: bool = False
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class PointRef:
+    """A point by name: `rod.end` (owner `rod`, point `end`), `rod.at(x)` (argument x), a body or surface alone (point None).
+
+    `owner` is a body, a surface, `ground` or `ceiling`; or empty with `place` = (x, y), a fixed place in space.
+    """
+
+    owner: str
+    point: str | None = None
+    argument: Formula | None = None
+    place: tuple[Formula, Formula] | None = None
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Path:
+    """A quantity: owner (body, connection, action or empty for the whole system), point, quantity, component.
+
+    `rod.end.acceleration.x` -> owner rod, point end, quantity acceleration, component x;
+    `string.block.tension` -> owner string, point block; `kinetic_energy` -> owner ''; `beam.at(x).bending_moment` -> argument x.
+    """
+
+    owner: str
+    quantity: str
+    point: str | None = None
+    argument: Formula | None = None
+    component: str | None = None
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """One line of a state, event or `where`: path = value; a word (`grip: rolls`, `string: slack`, `… : largest`) is in `word`.
+
+    `rest` = True for `at rest` (owner 'all' or one body), path None.
+    """
+
+    path: Path | None
+    value: Formula | None = None
+    word: str | None = None
+    rest: bool = False
+    owner: str = ""
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Body:
+    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later)."""
+
+    name: str
+    shape: object | None = None
+    mass: Formula | None = None
+    density: Formula | None = None
+    inertia: Formula | None = None
+    inertia_about: str | None = None
+    gyration: Formula | None = None
+    radius: Formula | None = None
+    radii: tuple[tuple[str, Formula], ...] = ()
+    parts: tuple[Part, ...] = ()
+    holes: tuple[Part, ...] = ()
+    points: tuple[tuple[str, tuple[Formula, Formula]], ...] = ()
+    count: int = 1
+    moves: str | None = None
+    turns: str | None = None
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Part:
+    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it."""
+
+    body: Body
+    at: tuple[Formula, Formula] | None = None
+    start: tuple[Formula, Formula] | None = None
+    end: tuple[Formula, Formula] | None = None
+    angle: Formula | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class State:
+    """A named instant with the lines that hold at it."""
+
+    name: str
+    conditions: tuple[Condition, ...] = ()
+    balance: bool = False
+    steady: bool = False
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Phase:
+    """The motion from one state to the next; `without` names connections that do not act in it."""
+
+    name: str
+    start: str
+    end: str
+    without: tuple[str, ...] = ()
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Term:
+    """One operand of a `find`: a path with its modifier and its own time.
+
+    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of', 'which of'.
+    A `time from A to B` has path.quantity 'time'. `at` names one state, `during` a phase or event, `start`/`end` two states.
+    """
+
+    path: Path
+    modifier: str = ""
+    at: str | None = None
+    during: str | None = None
+    start: str | None = None
+    end: str | None = None
+    on: str | None = None
+    about: PointRef | None = None
+    along: Formula | str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Find:
+    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`."""
+
+    name: str
+    formula: Formula
+    terms: tuple[Term, ...]
+    modifier: str = ""
+    where: Condition | None = None
+    unit: Unit | None = None
+    text: str = ""
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Published:
+    """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one."""
+
+    name: str
+    text: str
+    formula: Formula | None = None
+    value: Formula | None = None
+    unit: Unit | None = None
+    span: Span | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """A whole scene. `connections`, `actions`, `surfaces`, `events` hold the element dataclasses of rotsolve.elements."""
+
+    title: str
+    file: str
+    source: str = ""
+    text: str = ""
+    lines: tuple[str, ...] = ()
+    givens: tuple[Given, ...] = ()
+    gravity: Formula | None = None
+    plane: str = "vertical"
+    surfaces: tuple[object, ...] = ()
+    bodies: tuple[Body, ...] = ()
+    connections: tuple[object, ...] = ()
+    actions: tuple[object, ...] = ()
+    states: tuple[State, ...] = ()
+    phases: tuple[Phase, ...] = ()
+    events: tuple[object, ...] = ()
+    assume: tuple[str, ...] = ()
+    finds: tuple[Find, ...] = ()
+    answers: tuple[Published, ...] = ()
+    marking: object | None = None
+    vary: object | None = None

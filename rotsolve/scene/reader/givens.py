@@ -1,0 +1,151 @@
+"""Givens: the letters of the scene with their values, dimensions and dependencies; `--set` overrides."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+
+from rotsolve.algebra.dimension import DimensionError, dimension_of
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units import UnitError, parse_quantity, parse_unit
+from rotsolve.core.faults import Span
+from rotsolve.core.quantity import NUMBER
+from rotsolve.scene.model import Given
+from rotsolve.scene.reader.dims import fits, named
+from rotsolve.scene.reader.nodes import Node, Text
+from rotsolve.scene.reader.rough import remember
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.values import LITERAL, Want, expression
+from rotsolve.scene.words import hint, quoted
+
+FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"
+
+
+def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) -> None:
+    """Read the `given` section into the scope; `settings` replace values."""
+    entries = scope.entries(node, "`given`") if node is not None else {}
+    texts: dict[str, Text] = {}
+    for name, (key, written) in entries.items():
+        if scope.kinds.get(name) != "given" or scope.places.get(name) != key.span:
+            continue
+        if isinstance(written, Text):
+            texts[name] = written
+        else:
+            scope.fault(written, f"given `{name}` wants one value", FORMS, "form")
+    for name, text in settings.items():
+        if scope.kinds.get(name) == "given":
+            texts[name] = Text(text, Span(0, 0), exact=False)
+        else:
+            scope.fault(None, f"--set {quoted(name)}: no such given", hint(name, scope.names("given"), "givens"), "unknown")
+    for name in texts:
+        scope.givens[name] = Given(name, None, None, span=texts[name].span)
+    made: dict[str, Formula] = {}
+    for name, written in texts.items():
+        read_given(scope, name, written, made)
+    settle(scope, made, texts)
+
+
+def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula]) -> None:
+    """One given: unknown, a number with its unit, a unit alone, or a formula of others (kept in `made`)."""
+    text = written.value.strip()
+    given = Given(name, None, None, text=text, span=written.span if written.span.line else None)
+    scope.givens[name] = given
+    if text == "unknown":
+        scope.givens[name] = replace(given, asked=True)
+        scope.dimensions[name] = None
+    elif text == "number":
+        scope.givens[name] = replace(given, dimension=NUMBER)
+        scope.dimensions[name] = NUMBER
+    elif LITERAL.fullmatch(text) and literal(scope, given, written):
+        pass
+    elif letter(scope, given):
+        pass
+    elif LITERAL.fullmatch(text) and not re.search(r"[-+*/^(]", text[1:]):
+        scope.dimensions[name] = None
+        try:
+            parse_quantity(text)
+        except UnitError as error:
+            scope.fault(place(written), str(error), FORMS, "unit")
+    else:
+        formula = expression(scope, written, Want(name, None, "q", name), None)
+        scope.dimensions[name] = None
+        if formula is not None:
+            made[name] = formula
+
+
+def place(written: Text) -> Span | None:
+    """The place of a value; a setting of the command line has none."""
+    return written.span if written.span.line else None
+
+
+def literal(scope: Scope, given: Given, written: Text) -> bool:
+    """`2 kg`, also where `kg` is a given too: in this section a number and a unit is a quantity."""
+    try:
+        quantity = parse_quantity(given.text)
+    except UnitError:
+        return False
+    scope.givens[given.name] = replace(given, value=quantity.value, dimension=quantity.dimension, unit=quantity.unit)
+    scope.dimensions[given.name] = quantity.dimension
+    remember(scope.numbers, given.name, quantity.value)
+    return True
+
+
+def letter(scope: Scope, given: Given) -> bool:
+    """`m: kg`, a letter with a dimension and no number."""
+    if re.search(r"\d", given.text.replace("^", "")) and not re.fullmatch(r"[^\d]*(\^?-?\d[^\d]*)*", given.text):
+        return False
+    try:
+        unit = parse_unit(given.text)
+    except UnitError:
+        return False
+    scope.givens[given.name] = replace(given, dimension=unit.dimension, unit=unit)
+    scope.dimensions[given.name] = unit.dimension
+    return True
+
+
+def settle(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:
+    """Dimensions and rough numbers of givens made of others, in the order of dependence; cycles are faults."""
+    pending = dict(made)
+    while pending:
+        ready = [name for name, formula in pending.items() if not formula.symbols() & pending.keys()]
+        if not ready:
+            cycle(scope, pending, texts)
+            return
+        for name in ready:
+            settle_one(scope, name, pending.pop(name), texts[name])
+
+
+def settle_one(scope: Scope, name: str, formula: Formula, written: Text) -> None:
+    known = {symbol: scope.dimensions.get(symbol) for symbol in formula.symbols()}
+    dimension = None
+    if None not in known.values():
+        try:
+            dimension = dimension_of(formula, known)  # type: ignore[arg-type]
+        except DimensionError as error:
+            scope.fault(place(written), f"the dimensions in {quoted(written.value)} don't agree: {error}", kind="dimension")
+    scope.givens[name] = replace(scope.givens[name], value=formula, dimension=dimension)
+    scope.dimensions[name] = dimension
+    remember(scope.numbers, name, formula)
+
+
+def cycle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text]) -> None:
+    """Name one circle of givens."""
+    name = next(iter(pending))
+    way = [name]
+    while True:
+        name = min(pending[name].symbols() & pending.keys())
+        if name in way:
+            break
+        way.append(name)
+    circle = [*way[way.index(name) :], name]
+    shown = " → ".join(circle)
+    scope.fault(place(texts[circle[0]]), f"givens in a circle: {shown}", "give one of them a value or a unit", "circle")
+
+
+def check_setting(scope: Scope, before: Mapping[str, Given], settings: Mapping[str, str]) -> None:
+    """A setting must keep the dimension that the file declares."""
+    for name in settings:
+        old, new = before.get(name), scope.givens.get(name)
+        if old and new and old.dimension and new.dimension and not fits(new.dimension, old.dimension):
+            scope.fault(None, f"--set {name}: {named(old.dimension)} wanted, {named(new.dimension)} found", kind="dimension")

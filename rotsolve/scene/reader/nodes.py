@@ -1,0 +1,163 @@
+"""The YAML text as a tree of texts, lists and maps with their places; nothing of YAML's own types is ever built.
+
+The tree is made from parse events, so that limits hold before anything grows: aliases are refused where they stand.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import Any
+
+import yaml
+
+from rotsolve.core.faults import Fault, SceneError, Span
+from rotsolve.scene.reader import traps
+from rotsolve.scene.words import quoted
+
+BYTES = 1_000_000
+DEPTH = 40
+NODES = 20_000
+LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+@dataclass(frozen=True, slots=True)
+class Text:
+    """A scalar as written. `exact` when column and characters of `value` correspond one to one in the source."""
+
+    value: str
+    span: Span
+    plain: bool = True
+    exact: bool = True
+
+    @property
+    def empty(self) -> bool:
+        """Nothing at all: YAML's null."""
+        return self.plain and not self.value
+
+    def part(self, start: int, end: int) -> Span:
+        """The place of value[start:end]."""
+        if not self.exact:
+            return self.span
+        shift = 0 if self.plain else 1
+        return Span(self.span.line, self.span.column + shift + start, max(1, end - start))
+
+
+@dataclass(frozen=True, slots=True)
+class List:
+    """A sequence."""
+
+    items: tuple[Node, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Map:
+    """A mapping, its entries in the order of the file (a duplicate key is still there)."""
+
+    entries: tuple[tuple[Text, Node], ...]
+    span: Span
+
+    def get(self, name: str) -> Node | None:
+        for key, value in self.entries:
+            if key.value == name:
+                return value
+        return None
+
+    def key(self, name: str) -> Text | None:
+        for key, _ in self.entries:
+            if key.value == name:
+                return key
+        return None
+
+
+Node = Text | List | Map
+
+
+def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
+    """The tree of the one document in `source`, and its lines."""
+    lines = tuple(source.split("\n"))
+    try:
+        return Composer(source, lines).document(), lines
+    except SceneError as error:
+        raise SceneError(error.faults, lines, file) from None
+    except yaml.MarkedYAMLError as error:
+        raise SceneError([traps.yaml_fault(error, lines)], lines, file) from None
+    except (yaml.YAMLError, ValueError, RecursionError) as error:
+        message = f"this is not YAML: {quoted(str(error))}"
+        raise SceneError([Fault(message, None, "see docs/language.md for a scene to start from", "yaml")], lines, file) from None
+
+
+class Composer:
+    """Builds the tree from the parser's events, counting nodes and levels on the way."""
+
+    def __init__(self, source: str, lines: tuple[str, ...]) -> None:
+        self.lines = lines
+        self.events: Iterator[Any] = yaml.parse(source, Loader=LOADER)
+        self.count = 0
+
+    def document(self) -> Node:
+        result: Node | None = None
+        for event in self.events:
+            if isinstance(event, yaml.DocumentStartEvent):
+                if result is not None:
+                    stop("a second document starts here", self.span(event), "one file holds one scene: remove the line `---`")
+                result = self.node(next(self.events), 0)
+        if result is None or (isinstance(result, Text) and result.empty):
+            stop("the file is empty", None, "a scene needs at least `bodies` and `find`")
+        assert result is not None
+        return result
+
+    def node(self, event: Any, depth: int) -> Node:
+        self.check(event, depth)
+        if isinstance(event, yaml.ScalarEvent):
+            return self.text(event)
+        if isinstance(event, yaml.SequenceStartEvent):
+            items: list[Node] = []
+            while not isinstance(following := next(self.events), yaml.SequenceEndEvent):
+                items.append(self.node(following, depth + 1))
+            return List(tuple(items), self.span(event, following))
+        entries: list[tuple[Text, Node]] = []
+        while not isinstance(following := next(self.events), yaml.MappingEndEvent):
+            key = self.node(following, depth + 1)
+            if not isinstance(key, Text):
+                stop("a name must be a single word", key.span, "write `name: value`", "yaml")
+            else:
+                entries.append((key, self.node(next(self.events), depth + 1)))
+        return Map(tuple(entries), self.span(event, following))
+
+    def check(self, event: Any, depth: int) -> None:
+        """Refuse what no scene needs: aliases, anchors, tags, and too much of anything."""
+        self.count += 1
+        start = Span(event.start_mark.line + 1, event.start_mark.column + 1)
+        if isinstance(event, yaml.AliasEvent):
+            raise SceneError([traps.alias(event.anchor, self.span(event))])
+        if event.anchor:
+            raise SceneError([traps.anchor(event.anchor, replace(start, length=len(event.anchor) + 1))])
+        if event.tag:
+            raise SceneError([traps.tag(event.tag, start)])
+        if depth > DEPTH:
+            stop(f"more than {DEPTH} levels inside one another", self.span(event), "a scene needs no more than ten", "limit")
+        if self.count > NODES:
+            stop(f"more than {NODES} values in one file", self.span(event), "split the scene", "limit")
+
+    def text(self, event: Any) -> Text:
+        """A scalar; block texts and texts over several lines have one place only."""
+        start, end = event.start_mark, event.end_mark
+        plain = event.style is None or event.style == ""
+        line = self.lines[start.line] if start.line < len(self.lines) else ""
+        shift = 0 if plain else 1
+        exact = line[start.column + shift : start.column + shift + len(event.value)] == event.value
+        length = end.column - start.column if end.line == start.line else max(1, len(line.rstrip()) - start.column)
+        return Text(event.value, Span(start.line + 1, start.column + 1, max(1, length)), plain, exact)
+
+    def span(self, event: Any, last: Any = None) -> Span:
+        start, end = event.start_mark, (last or event).end_mark
+        line = self.lines[start.line] if start.line < len(self.lines) else ""
+        length = end.column - start.column if end.line == start.line else len(line.rstrip()) - start.column
+        return Span(start.line + 1, start.column + 1, max(1, length))
+
+
+def stop(message: str, span: Span | None, help: str, kind: str = "yaml") -> None:
+    """Raise one fault at once: what follows in the file can't be trusted."""
+    raise SceneError([Fault(message, span, help, kind)])

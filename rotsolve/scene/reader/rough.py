@@ -1,0 +1,53 @@
+"""Rough numbers: floats that only decide whether a value lies within its limits. No answer is ever made from them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
+
+CALLS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos}
+CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": abs}
+
+
+def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:
+    """The value of a formula as a float; None where a letter has no value or the float range is left."""
+    try:
+        value = evaluate(formula, numbers)
+    except (ArithmeticError, ValueError, KeyError, TypeError):
+        return None
+    return value if math.isfinite(value) else None
+
+
+def remember(numbers: dict[str, float], name: str, formula: Formula | None) -> None:
+    value = None if formula is None else rough(formula, numbers)
+    if value is not None:
+        numbers[name] = value
+
+
+def evaluate(formula: Formula, numbers: Mapping[str, float]) -> float:
+    match formula:
+        case Number(value):
+            return float(value)
+        case Symbol(name):
+            return numbers[name]
+        case Constant():
+            return math.pi
+        case Call("atan2", (y, x)):
+            return math.atan2(evaluate(y, numbers), evaluate(x, numbers))
+        case Call(function, (argument,)):
+            return CALLS[function](evaluate(argument, numbers))
+    values = [evaluate(child, numbers) for child in formula.children()]
+    match formula:
+        case Sum():
+            return math.fsum(values)
+        case Product():
+            return math.prod(values)
+        case Quotient():
+            return values[0] / values[1]
+        case Negative():
+            return -values[0]
+        case Power():
+            return float(values[0] ** values[1])
+    raise ValueError("no number")

@@ -1,0 +1,136 @@
+"""Scope: everything that is known while a file is being read, and the faults found so far."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import FUNCTIONS, Symbol
+from rotsolve.algebra.units import Quantity
+from rotsolve.core.faults import Fault, Span
+from rotsolve.core.quantity import BY_WORD, SYSTEM
+from rotsolve.scene.model import Body, Given
+from rotsolve.scene.reader.nodes import Map, Node, Text
+from rotsolve.scene.reader.rough import remember
+from rotsolve.scene.words import hint, quoted
+
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+GRAMMAR = ("at", "from", "to", "during", "where", "on", "about", "along", "across", "relative", "in", "is", "of", "unknown", "number")
+RESERVED = {
+    **dict.fromkeys(GRAMMAR, "a word of the language"),
+    **dict.fromkeys(("all", "none", "any", "true", "false", "null"), "a word of the language"),
+    **dict.fromkeys(("ground", "ceiling"), "a surface that always exists"),
+    **dict.fromkeys(FUNCTIONS, "a function"),
+    **{word: "a quantity of the whole scene" for word, entry in BY_WORD.items() if SYSTEM in entry.owners and len(word) > 6},
+    "ln": "a function",
+    "pi": "the number π",
+    "time": "running time",
+}
+ALWAYS = ("ground", "ceiling")
+LATER_HELP = "the scene reads well, but the physics of this word comes in a later version"
+MOST_FAULTS = 100
+
+
+class Scope:
+    """Names, dimensions and bodies read so far; the one mutable thing of a run."""
+
+    def __init__(self) -> None:
+        self.faults: list[Fault] = []
+        self.kinds: dict[str, str] = dict.fromkeys(ALWAYS, "surface")
+        self.places: dict[str, Span] = {}
+        self.givens: dict[str, Given] = {}
+        self.dimensions: dict[str, Dimension | None] = {}
+        self.numbers: dict[str, float] = {}  # rough values, for limits only
+        self.bodies: dict[str, Body] = {}
+        self.points: dict[str, tuple[str, ...]] = {}
+        self.elements: dict[str, type] = {}  # connections, actions and events by name
+        self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
+        self.later_seen: set[str] = set()
+
+    def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> None:
+        if len(self.faults) < MOST_FAULTS:
+            span = place if isinstance(place, Span) or place is None else place.span
+            self.faults.append(Fault(message, span, help, kind))
+
+    def later(self, place: Node | Span | None, word: str) -> None:
+        """A word that is read but whose physics is not there yet."""
+        self.fault(place, f"`{word}` is not solved yet", LATER_HELP, "not yet")
+
+    def names(self, *kinds: str) -> list[str]:
+        """The names of these kinds of things, in the order of the file."""
+        return [name for name, kind in self.kinds.items() if kind in kinds]
+
+    def declare(self, name: Text, kind: str) -> bool:
+        """Enter a name; it must be new in the whole file."""
+        word = name.value
+        if not NAME.fullmatch(word):
+            help = "a name is letters, digits and `_`, begins with a letter and has at most 40 characters"
+            self.fault(name, f"{quoted(word)} can't be a name", help, "name")
+            return False
+        if word in RESERVED:
+            self.fault(name, f"`{word}` can't be a name: it is {RESERVED[word]}", "choose another name", "name")
+            return False
+        if word in self.kinds:
+            before = self.places.get(word)
+            place = f" in line {before.line}" if before else ""
+            message = f"`{word}` already names a {self.kinds[word]}{place}"
+            self.fault(name, message, "a name is used once in the whole file", "name")
+            return False
+        self.kinds[word] = kind
+        self.places[word] = name.span
+        return True
+
+    def unknown(self, place: Node | Span, word: str, what: str, names: Iterable[str], plural: str) -> None:
+        """An unknown name, with what was probably meant."""
+        self.fault(place, f"unknown {what} {quoted(word)}", hint(word, names, plural), "unknown")
+
+    def entries(self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = "") -> dict[str, tuple[Text, Node]]:
+        """The entries of a map by name; duplicates, unknown keys and missing values are faults and left out."""
+        if not isinstance(node, Map):
+            found = "nothing" if isinstance(node, Text) and node.empty else "a list" if not isinstance(node, Text) else quoted(node.value)
+            self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "", "form")
+            return {}
+        names = None if allowed is None else list(allowed)
+        result: dict[str, tuple[Text, Node]] = {}
+        for key, value in node.entries:
+            word = key.value
+            if word in result:
+                help = f"the first is in line {result[word][0].span.line}; YAML would keep only one of them"
+                self.fault(key, f"{quoted(word)} stands twice in {what}", help, "duplicate")
+            elif isinstance(value, Text) and value.empty:
+                self.missing_value(key, value, node, what, names)
+            elif names is not None and word not in names:
+                self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key")
+            else:
+                result[word] = (key, value)
+        return result
+
+    def missing_value(self, key: Text, value: Text, node: Map, what: str, names: list[str] | None) -> None:
+        from rotsolve.scene.reader.traps import null_fault
+
+        position = [entry[0] for entry in node.entries].index(key)
+        before = node.entries[position - 1][1] if position else None
+        self.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
+
+    def automatic(self, letter: str, owner: str, quantity: Quantity, span: Span, hint: str = "") -> Symbol:
+        """The letter of a quantity that was written in place, so that derivations print letters."""
+        name = self.free(letter, owner, hint)
+        self.givens[name] = Given(
+            name, quantity.value, quantity.dimension, quantity.unit, quantity.text, automatic=True, span=span
+        )
+        self.dimensions[name] = quantity.dimension
+        remember(self.numbers, name, quantity.value)
+        return Symbol(name)
+
+    def free(self, letter: str, owner: str, hint: str = "") -> str:
+        """A name that nothing else has: letter_owner, letter_owner_hint, letter_owner2, …"""
+        base = f"{letter}_{owner}" if owner else letter
+        taken = {*self.kinds, *self.givens, *RESERVED}
+        for name in (base, f"{base}_{hint}" if hint else base):
+            if name not in taken:
+                return name
+        number = 2
+        while f"{base}{number}" in taken:
+            number += 1
+        return f"{base}{number}"

@@ -1,0 +1,45 @@
+"""Words of messages: quoting what the user wrote, listing what is allowed, and guessing what was meant."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rotsolve.core.faults import printable
+
+LONGEST = 60
+
+
+def quoted(text: str) -> str:
+    """`text` between backquotes, on one line and not too long."""
+    line = printable(" ".join(text.split()) if text.strip() else text)
+    return f"`{line[: LONGEST - 1]}…`" if len(line) > LONGEST else f"`{line}`"
+
+
+def listed(names: Iterable[str], last: str = ", ") -> str:
+    """The names separated by commas."""
+    words = list(names)
+    return last.join((", ".join(words[:-1]), words[-1])) if len(words) > 1 and last != ", " else ", ".join(words)
+
+
+def nearest(word: str, names: Iterable[str]) -> str | None:
+    """The name that `word` was most likely meant to be."""
+    if not word or len(word) > LONGEST:
+        return None
+    from difflib import get_close_matches  # only a faulty scene pays for it
+
+    choices = list(names)
+    lower = {name.lower(): name for name in reversed(choices)}
+    if word.lower() in lower:
+        return lower[word.lower()]
+    found = get_close_matches(word, choices, n=1, cutoff=0.6)
+    return found[0] if found else None
+
+
+def hint(word: str, names: Iterable[str], what: str) -> str:
+    """The help line for an unknown word: `did you mean …? what: a, b, c`."""
+    choices = list(dict.fromkeys(names))
+    guess = nearest(word, choices)
+    meant = f"did you mean `{guess}`? " if guess else ""
+    if not choices:
+        return f"{meant}there are no {what}".strip()
+    return f"{meant}{what}: {', '.join(choices)}"

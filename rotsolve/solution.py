@@ -1,0 +1,153 @@
+"""Solution: what `rotsolve.solve` returns, with its answers, steps and checks, and its printing in every format."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from types import MappingProxyType
+from typing import TYPE_CHECKING, Any
+
+from rotsolve.core.derivation import Answer, Check, Derivation, Section
+from rotsolve.render import Options, format_named
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.scene.model import Problem
+
+
+@dataclass(frozen=True)
+class Trace:
+    """The stages before the derivation as text; each is made only when someone asks for it."""
+
+    facts: Callable[[], str]
+    equations: Callable[[], str]
+    plan: Callable[[], str]
+
+
+@dataclass(frozen=True)
+class AnswerView:
+    """One answer, ready for use in Python. Numbers are in `unit`, signed in the declared sense."""
+
+    answer: Answer = field(repr=False)
+    digits: int = 4
+
+    @property
+    def name(self) -> str:
+        """The name under `find`."""
+        return self.answer.name
+
+    @property
+    def formula(self) -> Formula | None:
+        """The exact form as a formula; None where there is no closed form."""
+        return self.answer.formula
+
+    @property
+    def exact(self) -> str | None:
+        """The exact form as a textbook prints it."""
+        from rotsolve.algebra.text import to_text
+
+        return None if self.answer.formula is None else to_text(self.answer.formula)
+
+    @property
+    def value(self) -> str | None:
+        """The number as text, every digit of it certified; None where a given has no number."""
+        return None if self.answer.value is None else self.answer.value.text(self.digits).replace("−", "-")
+
+    @property
+    def float(self) -> float | None:
+        """The number as a float, from 17 certified digits."""
+        return None if self.answer.value is None else float(self.answer.value.text(17).replace("−", "-"))
+
+    @property
+    def unit(self) -> str:
+        """The unit of `value`, '' for a pure number."""
+        return "" if self.answer.unit is None else self.answer.unit.text
+
+    @property
+    def direction(self) -> str:
+        """The direction in words, '' where there is none."""
+        return self.answer.direction
+
+    @property
+    def word(self) -> str:
+        """The answer to a question that asks for a word: "slips"."""
+        return self.answer.word
+
+    @property
+    def components(self) -> Mapping[str, AnswerView]:
+        """The parts of a vector answer by name."""
+        return MappingProxyType({part.name: AnswerView(part, self.digits) for part in self.answer.components})
+
+    @property
+    def sympy(self) -> Any:
+        """The exact form as a SymPy expression; SymPy is imported here."""
+        from rotsolve.algebra.sympy_bridge import to_sympy
+
+        return None if self.answer.formula is None else to_sympy(self.answer.formula)
+
+    def __str__(self) -> str:
+        from rotsolve.render.layout import release
+        from rotsolve.render.text import answer_rows
+
+        rows = answer_rows(self.answer, self.digits)
+        return "\n".join(release(f"{row.left} {row.middle}") for row in rows)
+
+
+@dataclass(frozen=True)
+class Solution:
+    """A solved scene: `print` it for the derivation, or take its parts."""
+
+    problem: Problem = field(repr=False)
+    derivation: Derivation = field(repr=False)
+    trace: Trace = field(repr=False)
+    digits: int = 4
+
+    @cached_property
+    def answers(self) -> Mapping[str, AnswerView]:
+        """The answers by their names under `find`."""
+        return MappingProxyType({answer.name: AnswerView(answer, self.digits) for answer in self.derivation.answers})
+
+    @property
+    def steps(self) -> tuple[Section, ...]:
+        """Forces, laws and algebra, one section for each instant, phase or event."""
+        return self.derivation.sections
+
+    @property
+    def checks(self) -> tuple[Check, ...]:
+        """What confirms the answers, or objects to them."""
+        return self.derivation.checks
+
+    def facts_text(self) -> str:
+        """The facts that the elements of the scene state."""
+        return self.trace.facts()
+
+    def equations_text(self) -> str:
+        """All equations that the laws give."""
+        return self.trace.equations()
+
+    def plan_text(self) -> str:
+        """The equations that were chosen, and for which unknowns."""
+        return self.trace.plan()
+
+    def options(self, width: int | None = None) -> Options:
+        """How this solution is printed."""
+        standard = Options(digits=self.digits, file=getattr(self.problem, "file", ""))
+        return standard if width is None else Options(standard.digits, width, standard.file)
+
+    def body(self, format: str = "text", *, width: int | None = None) -> str:
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex' or 'json'."""
+        return format_named(format).body(self.derivation, self.options(width))
+
+    def to(self, format: str = "text", *, width: int | None = None) -> str:
+        """The derivation as a complete document: 'text', 'markdown', 'latex' or 'json'."""
+        return format_named(format).document([self.body(format, width=width)])
+
+    def __str__(self) -> str:
+        return self.to("text").rstrip("\n")
+
+    def _repr_markdown_(self) -> str:
+        return self.to("markdown")
+
+    def _repr_latex_(self) -> str:
+        return self.body("latex")

@@ -1,0 +1,151 @@
+"""The architecture: imports run one way, heavy packages come late, nothing runs text, and files stay small."""
+
+from __future__ import annotations
+
+import ast
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).resolve().parent.parent / "rotsolve"
+FILES = sorted(PACKAGE.rglob("*.py"))
+LAYERS = (  # each may import those before it, and itself; names on one line do not import each other
+    ("algebra",),
+    ("core",),
+    ("scene.words", "scene.keys", "scene.model"),
+    ("elements", "principles"),
+    ("plan", "solve", "verify"),
+    ("grading", "keys", "render"),
+    ("solution",),
+    ("scene",),
+    ("pipeline",),
+    ("run",),
+    ("cli",),
+    ("__main__",),
+)
+HEAVY = {"sympy", "numpy", "scipy", "mpmath", "pint"}
+RUNS_TEXT = {"eval", "exec", "parse_expr", "sympify", "__import__", "compile"}
+FUNCTION_LINES, FILE_LINES, FOLDER_FILES = 40, 300, 12
+
+
+def name(path: Path) -> str:
+    """`render.text` for rotsolve/render/text.py."""
+    parts = path.relative_to(PACKAGE).with_suffix("").parts
+    return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
+
+
+def layer(module: str) -> tuple[int, str]:
+    """The layer's height, and its name: the longest that the module's name starts with."""
+    fitting = [
+        (height, label)
+        for height, labels in enumerate(LAYERS)
+        for label in labels
+        if module == label or module.startswith(label + ".")
+    ]
+    return max(fitting, key=lambda item: len(item[1]))
+
+
+def typing_only(node: ast.AST) -> bool:
+    return isinstance(node, ast.If) and "TYPE_CHECKING" in ast.unparse(node.test)
+
+
+def imports(nodes: list[ast.stmt], *, late: bool) -> Iterator[tuple[str, int]]:
+    """Imported modules with their lines: at module level, with `late` within functions too; never those for types only."""
+    for node in nodes:
+        if typing_only(node) or (not late and isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef))):
+            continue
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"line {node.lineno}: imports are absolute"
+            yield node.module or "", node.lineno
+            if node.module == "rotsolve" or (node.module or "").startswith("rotsolve."):
+                yield from (
+                    (f"{node.module}.{alias.name}", node.lineno) for alias in node.names if is_module(node, alias)
+                )
+        else:
+            yield from imports([child for child in ast.walk(node) if child is not node and is_import(child)], late=late)
+
+
+def is_import(node: ast.AST) -> bool:
+    return isinstance(node, (ast.Import, ast.ImportFrom))
+
+
+def is_module(node: ast.ImportFrom, alias: ast.alias) -> bool:
+    """Whether `from package import name` means a module of the package."""
+    path = PACKAGE.parent.joinpath(*(node.module or "").split("."), alias.name)
+    return path.is_dir() or path.with_suffix(".py").is_file()
+
+
+def tree(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"), str(path))
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_imports_run_one_way(path: Path) -> None:
+    own = name(path)
+    if not own:
+        return  # the package itself hands out what all layers define
+    height, label = layer(own)
+    for module, line in imports(tree(path).body, late=True):
+        if module in ("rotsolve", "rotsolve.scene") or not module.startswith("rotsolve."):
+            continue
+        other_height, other_label = layer(module.removeprefix("rotsolve."))
+        assert other_height < height or other_label == label, f"{path.name}:{line}: {own} imports {module}"
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> None:
+    at_start = {module.partition(".")[0]: line for module, line in imports(tree(path).body, late=False)}
+    assert not HEAVY & at_start.keys(), at_start
+    if name(path) != "render.terminal":
+        ever = {module.partition(".")[0] for module, _ in imports(tree(path).body, late=True)}
+        assert "rich" not in ever
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_only_known_packages_are_imported(path: Path) -> None:
+    known = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint"} | set(sys.stdlib_module_names)
+    assert {module.partition(".")[0] for module, _ in imports(tree(path).body, late=True)} <= known
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_nothing_runs_text(path: Path) -> None:
+    for node in ast.walk(tree(path)):
+        if isinstance(node, ast.Call):
+            called = ast.unparse(node.func)
+            assert called not in RUNS_TEXT, f"{path.name}:{node.lineno}: {called}"
+            assert called.rpartition(".")[2] not in ("parse_expr", "sympify"), f"{path.name}:{node.lineno}: {called}"
+            if called.rpartition(".")[0] == "yaml":
+                assert called.rpartition(".")[2] not in ("load", "full_load", "unsafe_load"), (
+                    f"{path.name}:{node.lineno}"
+                )
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_modules_say_what_they_are(path: Path) -> None:
+    text = path.read_text(encoding="utf-8")
+    assert not text.strip() or ast.get_docstring(tree(path)), "no docstring"
+
+
+def test_budgets(capsys: pytest.CaptureFixture[str]) -> None:
+    """What is over a budget is reported; only what is far over it fails."""
+    over, far = [], []
+    for path in FILES:
+        length = len(path.read_text(encoding="utf-8").splitlines())
+        sizes = [(name(path), length, FILE_LINES)]
+        for node in ast.walk(tree(path)):
+            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+                size = (node.end_lineno or node.lineno) - node.lineno + 1
+                sizes.append((f"{name(path)}.{node.name}", size, FUNCTION_LINES))
+        over += [item for item in sizes if item[1] > item[2]]
+        far += [item for item in sizes if item[1] > 2 * item[2]]
+    for folder in {path.parent for path in FILES}:
+        count = len(list(folder.glob("*.py")))
+        over += [(name(folder / "__init__.py") or "rotsolve", count, FOLDER_FILES)] if count > FOLDER_FILES else []
+    with capsys.disabled():
+        for what, size, budget in over:
+            print(f"\n  over budget: {what} has {size} (of {budget})", end="")
+    assert not far
