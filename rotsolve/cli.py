@@ -63,6 +63,40 @@ def read_settings(pairs: list[str]) -> dict[str, str]:
     return settings
 
 
+Files = Annotated[list[str], typer.Argument(metavar="FILES...", help="Scene files; - reads one from standard input.")]
+Law = Annotated[
+    str | None,
+    typer.Option(metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"),
+]
+Layout = Annotated[
+    str | None,
+    typer.Option(
+        "--format",
+        "-f",
+        metavar="|".join(NAMES),
+        callback=format_checked,
+        help="Output format. [default: by the name of -o, or text]",
+    ),
+]
+Output = Annotated[
+    str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file: all of it, or nothing.")
+]
+Digits = Annotated[int, typer.Option(metavar="N", min=1, max=50, help="Significant digits, each one certified.")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
+]
+Show = Annotated[
+    str | None,
+    typer.Option(metavar="|".join(STAGES), callback=stage_checked, help="Print this stage instead of the derivation."),
+]
+Width = Annotated[
+    int | None,
+    typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+]
+Element = Annotated[str | None, typer.Argument(metavar="NAME", help="An element, such as disc, string or hinge.")]
+
+
 @app.callback()
 def rotsolve(
     version: Annotated[
@@ -87,45 +121,14 @@ def rotsolve(
 
 @app.command()
 def solve(
-    files: Annotated[
-        list[str], typer.Argument(metavar="FILES...", help="Scene files; - reads one from standard input.")
-    ],
-    law: Annotated[
-        str | None,
-        typer.Option(
-            metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"
-        ),
-    ] = None,
-    format: Annotated[
-        str | None,
-        typer.Option(
-            "--format",
-            "-f",
-            metavar="|".join(NAMES),
-            callback=format_checked,
-            help="Output format. [default: by -o's name, or text]",
-        ),
-    ] = None,
-    output: Annotated[
-        str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file, all of it or nothing.")
-    ] = None,
-    digits: Annotated[
-        int, typer.Option(metavar="N", min=1, max=50, help="Significant digits, each one certified.")
-    ] = 4,
-    settings: Annotated[
-        list[str] | None,
-        typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
-    ] = None,
-    show: Annotated[
-        str | None,
-        typer.Option(
-            metavar="|".join(STAGES), callback=stage_checked, help="Print this stage instead of the derivation."
-        ),
-    ] = None,
-    width: Annotated[
-        int | None,
-        typer.Option(metavar="N", min=40, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
-    ] = None,
+    files: Files,
+    law: Law = None,
+    format: Layout = None,
+    output: Output = None,
+    digits: Digits = 4,
+    settings: Settings = None,
+    show: Show = None,
+    width: Width = None,
 ) -> None:
     """Solve scenes, and print the derivation of each.
 
@@ -156,16 +159,14 @@ def page_width(output: str | None) -> int:
     """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
     if output or not sys.stdout.isatty():
         return 120
-    return max(40, min(120, os.get_terminal_size(sys.stdout.fileno()).columns or 120))
+    return max(50, min(120, os.get_terminal_size(sys.stdout.fileno()).columns or 120))
 
 
 @app.command()
-def elements(
-    name: Annotated[
-        str | None, typer.Argument(metavar="NAME", help="An element, such as disc, string or hinge.")
-    ] = None,
-) -> None:
-    """Describe the scene language: all its elements, or one of them in full.
+def elements(name: Element = None) -> None:
+    """Describe the elements of the scene language.
+
+    All of them in a line each, or the one that is named in full.
 
     \b
     Examples:
@@ -179,7 +180,9 @@ def elements(
 
 @app.command()
 def schema() -> None:
-    """Print the JSON Schema of a scene file, for editors and other programs.
+    """Print the JSON Schema of a scene file.
+
+    Editors complete and check a scene with it as it is written.
 
     \b
     Example:

@@ -11,7 +11,8 @@ from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
 
-from rotsolve.render import Options, format_named
+from rotsolve.render import format_named
+from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.solution import Solution

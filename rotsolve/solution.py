@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import builtins
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -9,7 +10,8 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
-from rotsolve.render import Options, format_named
+from rotsolve.render import format_named
+from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -51,13 +53,15 @@ class AnswerView:
 
     @property
     def value(self) -> str | None:
-        """The number as text, every digit of it certified; None where a given has no number."""
-        return None if self.answer.value is None else self.answer.value.text(self.digits).replace("−", "-")
+        """The number as text, every digit of it certified, as `-4.5e-05` where it is small; None without one."""
+        from rotsolve.render.voice import certified, machine_number
+
+        return machine_number(certified(self.answer, self.digits)[0]) or None
 
     @property
-    def float(self) -> float | None:
-        """The number as a float, from 17 certified digits."""
-        return None if self.answer.value is None else float(self.answer.value.text(17).replace("−", "-"))
+    def float(self) -> builtins.float | None:
+        """The number as a float."""
+        return None if self.answer.value is None else self.answer.value.float
 
     @property
     def unit(self) -> str:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from fractions import Fraction
 
-from rotsolve.algebra.exact import Problem
-from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.exact import Problem, simplify
+from rotsolve.algebra.field import Field, Poly, Ratio
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -121,50 +121,78 @@ def integrate_polynomial(f: Formula, name: str) -> Formula | None:
     ring = problem.field
     num, den = ring.cancel(problem.ratio())
     i = ring.index[Symbol(name)]
-    if any(den.degrees()[k] and ring.mentions(k, name) for k in range(len(ring.atoms))):
+    inside = [ring.mentions(k, name) for k in range(len(ring.atoms))]
+    below, atoms = _bottom(ring, den, inside)
+    powers = ring.coefficients(below, i)
+    if any(below.degrees()[k] for k, hit in enumerate(inside) if hit):
         return None
-    below = ring.coefficients(den, i)
-    if sum(1 for part in below if len(part)) != 1:
-        return None
-    shift = len(below) - 1
+    if sum(1 for part in powers if len(part)) != 1:
+        return _logarithm(problem, num, powers, name) if not any(atoms) else None
     terms: list[Formula] = []
-    for piece, atom in _pieces(ring, num, name):
+    for piece, key in _pieces(ring, num, inside):
+        atom = _atom_product(ring, key, atoms)
         for n, part in enumerate(ring.coefficients(piece, i)):
             if len(part):
-                term = _antiderivative(atom, n - shift, name)
+                term = _antiderivative(problem, (part, powers[-1]), atom, n - len(powers) + 1, name)
                 if term is None:
                     return None
-                terms.append(multiply(problem.shaper.ratio(ring.cancel((part, below[-1]))), term))
+                terms.append(term)
     return total(terms)
 
 
-def _pieces(ring: Field, num: Poly, name: str) -> list[tuple[Poly, Formula]]:
-    """The numerator split by the product of atoms that hold the name (ONE where there is none)."""
+def _bottom(ring: Field, den: Poly, inside: list[bool]) -> tuple[Poly, tuple[int, ...]]:
+    """The denominator without its monomial of atoms that hold the name, and the exponents of that monomial."""
+    exponents = den.term_content().monomial(0)
+    atoms = tuple(int(e) if hit else 0 for e, hit in zip(exponents, inside, strict=True))
+    return den / ring.context.term(1, atoms), atoms
+
+
+def _pieces(ring: Field, num: Poly, inside: list[bool]) -> list[tuple[Poly, tuple[int, ...]]]:
+    """The numerator split by the exponents of the atoms that hold the name."""
     parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
-    inside = [ring.mentions(k, name) for k in range(len(ring.atoms))]
     for coefficient, exponents in ring.terms(num):
         key = tuple(e if hit else 0 for e, hit in zip(exponents, inside, strict=True))
         rest = tuple(0 if hit else e for e, hit in zip(exponents, inside, strict=True))
         parts.setdefault(key, {})[rest] = coefficient
-    found = []
-    for key, terms in parts.items():
-        atom: Formula = ONE
-        for k, e in enumerate(key):
-            if e:
-                atom = multiply(atom, _power(ring.atoms[k], e))
-        found.append((ring.context.from_dict(terms), atom))
-    return found
+    return [(ring.context.from_dict(terms), key) for key, terms in parts.items()]
 
 
-def _antiderivative(atom: Formula, n: int, name: str) -> Formula | None:
-    """∫ atom · nameⁿ d(name)."""
+def _atom_product(ring: Field, above: tuple[int, ...], below: tuple[int, ...]) -> Formula:
+    """The product of atoms with exponents above − below, all exponentials in one; ONE where there is none."""
+    result: Formula = ONE
+    exponent: Formula = ZERO
+    for atom, up, down in zip(ring.atoms, above, below, strict=True):
+        n = up - down
+        if n and isinstance(atom, Call) and atom.function == "exp":
+            exponent = add(exponent, multiply(Number(Fraction(n)), atom.arguments[0]))
+        elif n:
+            result = multiply(result, _power(atom, n))
+    return result if exponent == ZERO else multiply(result, call("exp", exponent))
+
+
+def _logarithm(problem: Problem, num: Poly, powers: list[Poly], name: str) -> Formula | None:
+    """∫ k/(a + b x) dx = (k/b) log(a + b x)."""
+    ring = problem.field
+    if len(powers) != 2 or num.degrees()[ring.index[Symbol(name)]]:
+        return None
+    if any(num.degrees()[k] and ring.mentions(k, name) for k in range(len(ring.atoms))):
+        return None
+    line = powers[0] + powers[1] * ring.gens[ring.index[Symbol(name)]]
+    return multiply(problem.shaper.ratio(ring.cancel((num, powers[1]))), call("log", problem.shaper.poly(line)))
+
+
+def _antiderivative(problem: Problem, factor: Ratio, atom: Formula, n: int, name: str) -> Formula | None:
+    """∫ factor · atom · nameⁿ d(name)."""
+    ring = problem.field
     x = Symbol(name)
+    if atom == ONE and n != -1:
+        power = ring.gens[ring.index[x]] ** abs(n + 1)
+        top, bottom = factor
+        pair = (top * power, bottom * (n + 1)) if n >= 0 else (top, bottom * power * (n + 1))
+        return problem.shaper.ratio(ring.cancel(pair))
+    constant = problem.shaper.ratio(ring.cancel(factor))
     if atom == ONE:
-        if n == -1:
-            return call("log", x)
-        return divide(_power(x, n + 1), Number(Fraction(n + 1))) if n >= 0 else negate(
-            divide(ONE, multiply(Number(Fraction(-n - 1)), _power(x, -n - 1)))
-        )
+        return multiply(constant, call("log", x))
     if n or not isinstance(atom, (Call, Power, Product)):
         return None
     if isinstance(atom, Call) and atom.function in ("sin", "cos", "exp"):
@@ -172,8 +200,9 @@ def _antiderivative(atom: Formula, n: int, name: str) -> Formula | None:
         if slope is None:
             return None
         other = {"sin": negate(call("cos", *atom.arguments)), "cos": call("sin", *atom.arguments), "exp": atom}
-        return divide(other[atom.function], slope)
-    return _antiderivative_of_squares(atom, name)
+        return simplify(multiply(constant, divide(other[atom.function], slope)))
+    found = _antiderivative_of_squares(atom, name)
+    return None if found is None else multiply(constant, found)
 
 
 def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
@@ -216,7 +245,7 @@ def integrate(
     primitive = integrate_polynomial(f, name)
     if primitive is not None and _continuous(primitive, name, lower, upper, positive):
         high = primitive.substitute({name: upper})
-        return add(high, negate(primitive.substitute({name: lower})))
+        return simplify(add(high, negate(primitive.substitute({name: lower}))), positive=positive)
     from rotsolve.algebra.sympy_bridge import definite_integral
 
     return definite_integral(f, name, lower, upper, positive)

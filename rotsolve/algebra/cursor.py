@@ -78,10 +78,18 @@ class Cursor:
             raise self.unexpected()
         self.next()
 
+    def at_path(self) -> bool:
+        """Whether a dotted path begins here: names joined by dots, without spaces."""
+        if not self.paths:
+            return False
+        first, dot, second = (*self.tokens[self.index : self.index + 3], self.token, self.token)[:3]
+        adjacent = first.end == dot.start and dot.end == second.start
+        return first.kind == second.kind == "name" and dot.kind == "." and adjacent
+
     def expand(self) -> int:
         """Replace the name ahead by what it means, several tokens if a run of letters splits; their number."""
         token = self.token
-        if token.kind != "name":
+        if token.kind != "name" or self.at_path():
             return 1
         meanings = resolve(token, self.names, self.bound, split=not self.paths)
         self.tokens[self.index : self.index + 1] = meanings

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import (
+    ZERO,
     Call,
     Constant,
     Formula,
@@ -279,13 +280,13 @@ def _call(function: str, arguments: tuple[Formula, ...], symbols: Mapping[str, D
 def _integral(formula: Integral, symbols: Mapping[str, Dimension]) -> Dimension | None:
     """The integrand's dimension times the variable's, which the bounds must have too."""
     bounds = _common((formula.lower, formula.upper), symbols)
-    of_bounds = {} if bounds is None else {formula.variable: bounds}
-    known = {"time": TIME, **of_bounds, **symbols}
+    known = {**({} if bounds is None else {formula.variable: bounds}), "time": TIME, **symbols}
     variable = known.get(formula.variable)
     if variable is None:
         raise DimensionError(f"the dimension of {to_text(Symbol(formula.variable))} is not known")
     if bounds is not None and not bounds.matches(variable):
         what = f"{describe(bounds, article=True)}, but {to_text(Symbol(formula.variable))} is"
-        raise DimensionError(f"the bound {_say(formula.upper)} is {what} {describe(variable, article=True)}")
+        bound = formula.lower if formula.upper == ZERO else formula.upper
+        raise DimensionError(f"the bound {_say(bound)} is {what} {describe(variable, article=True)}")
     integrand = _dimension(formula.integrand, known)
     return None if integrand is None else integrand * variable

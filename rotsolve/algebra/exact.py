@@ -1,6 +1,6 @@
 """Exact: equality, textbook form and linear solving of formulas as rational functions in symbols and atoms.
 
-Symbols are real; only the names in `positive` are taken to be positive. Every answer is equal to its input by construction.
+Symbols are real; only the names in `positive` are taken to be positive. Answers are equal to the input by construction.
 """
 
 from __future__ import annotations

@@ -261,7 +261,5 @@ class Field:
                     return [(first, 1), *self._split(common)]
         elif poly.total_degree() == 1:
             return [(poly, 1)]
-        unit, parts = poly.factor()
+        _, parts = poly.factor()
         return [(-p if p.leading_coefficient() < 0 else p, int(e)) for p, e in parts]
-
-

@@ -1,7 +1,7 @@
 """The few flint types that the algebra needs, loaded without the thirty others that `import flint` brings along.
 
-`import flint` takes about 33 ms, these types 20 ms. The package's own `__init__` is skipped by standing in an empty package
-while the submodules load; it is taken away again, so that a later `import flint` (SymPy's, say) is an ordinary one.
+`import flint` takes about 33 ms, these types 20 ms. The package's own `__init__` is skipped by an empty package that stands
+in while the submodules load, and is taken away again, so that a later `import flint` (SymPy's, say) is an ordinary one.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Linear: exact systems of linear equations, by fraction-free elimination that leaves the asked unknown for the last."""
+"""Linear: exact systems of linear equations, by fraction-free elimination that leaves the asked unknown to the end."""
 
 from __future__ import annotations
 
@@ -131,12 +131,12 @@ def _primitive(row: Row) -> Row:
 def _read_off(problem: Problem, rows: dict[int, Row], used: set[int], target: int, asked: str) -> Formula:
     """The asked unknown from the rows that are left; Singular when they contradict or say nothing."""
     ring = problem.field
-    answer: Row | None = None
+    answer: Row = {}
     redundant: int | None = None
     for k, row in rows.items():
         if k in used:
             continue
-        if answer is not None and target in row:
+        if answer and target in row:
             row = _combine(ring, row, answer, target)
         elif target in row:
             answer = row
@@ -144,7 +144,7 @@ def _read_off(problem: Problem, rows: dict[int, Row], used: set[int], target: in
         if set(row) == {CONSTANT}:
             raise Singular(f"equation {k + 1} contradicts the others", contradiction=k)
         redundant = k if redundant is None and not row else redundant
-    if answer is None:
+    if not answer:
         words = f"equation {redundant + 1} says nothing new" if redundant is not None else "too few equations"
         raise Singular(f"{asked} is not settled: {words}", redundant=redundant)
-    return problem.shortest((-answer.get(CONSTANT, ring.zero), answer[target]))
+    return problem.shortest((ring.zero - answer.get(CONSTANT, ring.zero), answer[target]))

@@ -142,7 +142,7 @@ class _Parser(Cursor):
 
     def primary(self) -> Formula:
         """A number, a name, a bracket, a function of something, a root, or an integral."""
-        if self.paths and self.at_path():
+        if self.at_path():
             return self.path()
         self.expand()
         token = self.token
@@ -200,7 +200,7 @@ class _Parser(Cursor):
         if first.kind not in STARTS and first.kind != "|":
             raise FormulaError(f"`{token.text}` needs an argument", token.start, token.end)
         self.enter()
-        pieces = 1 if self.paths and self.at_path() else self.expand()
+        pieces = self.expand()
         argument = self.primary()
         self.depth -= 1
         after = self.token
@@ -276,12 +276,6 @@ class _Parser(Cursor):
         upper = self.sum()
         self.close_bracket()
         return Integral(integrand, variable, lower, upper)
-
-    def at_path(self) -> bool:
-        """Whether a dotted path begins here: names joined by dots, without spaces."""
-        first, dot, second = (*self.tokens[self.index : self.index + 3], self.token, self.token)[:3]
-        adjacent = first.end == dot.start and dot.end == second.start
-        return first.kind == second.kind == "name" and dot.kind == "." and adjacent
 
     def path(self) -> Formula:
         """A dotted path, `rod.end.speed` or `rod.at(3*L/4)`, as a symbol of that name."""

@@ -22,7 +22,8 @@ from rotsolve.algebra.formula import (
     call,
     multiply,
 )
-from rotsolve.algebra.shape import Shaper, square_part
+from rotsolve.algebra.products import square_part
+from rotsolve.algebra.shape import Shaper
 
 Factor = tuple[Poly, int]
 
@@ -89,9 +90,9 @@ class Radicals:
             return ring, Fraction(top, bottom), above + [(p, -e) for p, e in below], Signs(ring, self.positive)
         return ring, parts.number, [(p, int(e)) for p, e in factors if e], Signs(ring, self.positive)
 
-    def _settled(self, ring: Field, signs: Signs, number: Fraction, factors: list[Factor]) -> tuple[
-        Fraction, list[Factor], list[Factor]
-    ]:
+    def _settled(
+        self, ring: Field, signs: Signs, number: Fraction, factors: list[Factor]
+    ) -> tuple[Fraction, list[Factor], list[Factor]]:
         """Number, factors that are never negative, factors of unknown sign."""
         known: list[Factor] = []
         unknown: list[Factor] = []

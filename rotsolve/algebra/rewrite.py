@@ -63,20 +63,21 @@ class Rewriter:
     # which angles to expand
 
     def _plan(self, calls: Iterable[Call]) -> None:
-        vectors: list[Vector] = []
+        vectors: list[tuple[Vector, Fraction]] = []  # with the multiple of π that goes with each
         turns: set[Fraction] = set()
         for node in calls:
             if node.function in TRIG and not _holds(node.arguments[0], TRIG):
                 vector, rest, _ = angles.split_pi(self._linear(node.arguments[0]))
                 if vector:
-                    if _signed(vector)[1] not in vectors:
-                        vectors.append(_signed(vector)[1])
+                    sign, vector = _signed(vector, self.order)
+                    if (vector, sign * rest) not in vectors:
+                        vectors.append((vector, sign * rest))
                 elif angles.exact_angle(rest) is None:
                     turns.add(abs(rest))
             elif node.function == "exp" and not _holds(node.arguments[0], TRIG):
                 for term, value in self._linear(node.arguments[0]).items():
                     self.exp_shares[term] = lcm(self.exp_shares.get(term, 1), value.denominator)
-        for group in _groups(vectors):
+        for group in _groups([vector for vector, _ in vectors]):
             if angles.rank(group) < len(group) or any(_is_inverse(term) for vector in group for term in vector):
                 for vector in group:
                     for term, value in vector.items():
@@ -86,7 +87,7 @@ class Rewriter:
             self.shares[PI] = share
 
     def _linear(self, argument: Formula) -> Vector:
-        return angles.linear(argument if not _holds(argument, ("sqrt", "abs", *INVERSE)) else self(argument), self.order)
+        return angles.linear(self(argument) if _holds(argument, ("sqrt", "abs", *INVERSE)) else argument, self.order)
 
     # rewriting
 
@@ -161,7 +162,7 @@ class Rewriter:
                 share = lcm(self.shares.get(term, 1), value.denominator)
                 pair = angles.add_angles(pair, angles.multiple(self._base(term, share), int(value * share)))
             return angles.turn(pair, quarters)
-        sign, vector = _signed(vector)
+        sign, vector = _signed(vector, self.order)
         if turns:
             vector = {**vector, PI: sign * turns}
         shown = angles.combination(vector)
@@ -243,12 +244,16 @@ def _is_inverse(term: Formula) -> bool:
     return isinstance(term, Call) and term.function in INVERSE
 
 
-def _signed(vector: Vector) -> tuple[int, Vector]:
-    """Sign and vector with its first term (alphabetically, shortest first) positive."""
-    lead = min(vector, key=lambda term: (len(repr(term)), repr(term)))
-    if vector[lead] > 0:
-        return 1, vector
-    return -1, {term: -value for term, value in vector.items()}
+def _signed(vector: Vector, order: Sequence[str]) -> tuple[int, Vector]:
+    """Sign and vector with its terms in order and the first of them positive."""
+
+    def place(term: Formula) -> tuple[int, int, str]:
+        places = [order.index(name) for name in term.symbols() if name in order]
+        return (min(places, default=len(order)), len(repr(term)), repr(term))
+
+    terms = sorted(vector, key=place) if len(vector) > 1 else list(vector)
+    sign = 1 if vector[terms[0]] > 0 else -1
+    return sign, {term: sign * vector[term] for term in terms}
 
 
 def _groups(vectors: list[Vector]) -> list[list[Vector]]:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
+from math import isqrt
 
+from rotsolve.algebra.ball import evaluate
 from rotsolve.algebra.exact import Problem, polynomial, simplify
 from rotsolve.algebra.field import Poly
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Number, Symbol, add, call, divide, multiply, negate, sqrt
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, call, divide, multiply, negate, sqrt
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,6 +49,9 @@ def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positi
     inside = ring.reduce(b * b - 4 * a * c)
     if not len(inside):
         return [problem.shortest((-b, 2 * a))]
+    exact = _square_root(problem, inside)
+    if exact is not None:
+        return [problem.shortest((-b + exact, 2 * a)), problem.shortest((-b - exact, 2 * a))]
     root = sqrt(plain.ratio((inside, ring.one)))
     top, bottom = plain.poly(-b), plain.poly(2 * a)
     found = []
@@ -54,6 +59,17 @@ def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positi
         value = divide(add(top, root if sign > 0 else negate(root)), bottom)
         found.append(simplify(value, order=order, positive=positive))
     return found
+
+
+def _square_root(problem: Problem, poly: Poly) -> Poly | None:
+    """The root of a polynomial that is a perfect square, None of any other."""
+    content, factors = problem.field.factor(poly)
+    if content < 0 or isqrt(content) ** 2 != content or any(e % 2 for _, e in factors):
+        return None
+    result = problem.field.one * isqrt(content)
+    for factor, e in factors:
+        result = result * factor ** (e // 2)
+    return result
 
 
 def solve_trig(
@@ -125,7 +141,7 @@ def _angle_roots(
 
 def _inverse(name: str, value: Formula) -> list[tuple[Formula, str]]:
     """Both angles of one turn with this sine or cosine; none where a plain number is beyond 1."""
-    if isinstance(value, Number) and abs(value.value) > 1:
+    if not value.symbols() and abs(evaluate(value, {}).ball) > 1:
         return []
     root = call(name, value)
     if name == "asin":

@@ -5,62 +5,26 @@ Factors go: number, symbols in the given order, brackets, functions, roots. Root
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
-from dataclasses import dataclass, field
 from fractions import Fraction
-from math import isqrt
 
 from rotsolve.algebra.field import Field, Poly, Ratio
 from rotsolve.algebra.formula import (
     ONE,
+    PI,
     ZERO,
     Call,
     Constant,
     Formula,
     Number,
-    Power,
-    Product,
     Symbol,
     call,
-    divide,
     multiply,
     negate,
     total,
 )
-
-HALF = Fraction(1, 2)
-Rank = tuple[int, int, str, str]
-
-
-@dataclass
-class Parts:
-    """A product being gathered: number · √root · gens^powers · sums^powers (half powers are roots)."""
-
-    number: Fraction = Fraction(1)
-    root: int = 1
-    gens: dict[int, Fraction] = field(default_factory=dict)
-    sums: list[tuple[Poly, Fraction]] = field(default_factory=list)
-
-    def add_sum(self, poly: Poly, power: Fraction) -> None:
-        for k, (other, old) in enumerate(self.sums):
-            if other == poly or other == -poly:
-                if other != poly and power % 2 == 1:
-                    self.number = -self.number
-                if other == poly or power.denominator == 1:
-                    self.sums[k] = (other, old + power)
-                    return
-        self.sums.append((poly, power))
-
-
-def square_part(n: int) -> tuple[int, int]:
-    """(s, r) with n = s² r; r is free of small squares."""
-    outside, p = 1, 2
-    while p * p <= n and p < 2000:
-        while n % (p * p) == 0:
-            n, outside = n // (p * p), outside * p
-        p += 1 if p == 2 else 2
-    whole = isqrt(n)
-    return (outside * whole, 1) if whole * whole == n else (outside, n)
+from rotsolve.algebra.products import Parts, Rank, share_number, written_fraction
 
 
 class Shaper:
@@ -82,7 +46,8 @@ class Shaper:
         if isinstance(atom, Constant):
             return (0, 0, "", "")
         if isinstance(atom, Symbol):
-            return (1, places.get(atom.name, len(places)), atom.name.lower(), atom.name.swapcase())
+            name = re.sub(r"\d+", lambda found: found[0].zfill(4), atom.name)  # m10 after m9
+            return (1, places.get(atom.name, len(places)), name.lower(), name.swapcase())
         if isinstance(atom, Call):
             kind = {"sqrt": 5, "exp": 4}.get(atom.function, 3)
             names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
@@ -92,14 +57,17 @@ class Shaper:
 
     # polynomials
 
-    def poly(self, poly: Poly) -> Formula:
-        """An expanded polynomial, its terms in textbook order, a positive one first."""
+    def poly(self, poly: Poly, below: int = 1) -> Formula:
+        """An expanded polynomial (over a number), its terms in textbook order, a positive one first, roots last."""
         terms = sorted(self.field.terms(poly), key=lambda term: self._term_key(term[1]))
         if not terms:
             return ZERO
-        first = next((k for k, (coefficient, _) in enumerate(terms) if coefficient > 0), 0)
+        first = next((k for k, (coefficient, e) in enumerate(terms) if coefficient > 0 and not self._has_root(e)), 0)
         terms.insert(0, terms.pop(first))
-        return total([self._monomial(*term) for term in terms])
+        return total([self._monomial(*term, below) for term in terms])
+
+    def _has_root(self, exponents: tuple[int, ...]) -> bool:
+        return any(exponents[i] for i, radicand in self.radicands.items() if not radicand.is_constant())
 
     def _term_key(self, exponents: tuple[int, ...]) -> tuple[object, ...]:
         symbols = calls = 0
@@ -112,14 +80,14 @@ class Shaper:
                     symbols += e
                 elif rank[0] > 1:
                     calls += e
-        return (symbols, calls, sorted(ranks))
+        return (self._has_root(exponents), symbols, calls, sorted(ranks))
 
     def leads_negative(self, poly: Poly) -> bool:
         """Whether the term that stands first by order has a minus."""
         return bool(min(self.field.terms(poly), key=lambda term: self._term_key(term[1]))[0] < 0)
 
-    def _monomial(self, coefficient: int, exponents: tuple[int, ...]) -> Formula:
-        parts = Parts(Fraction(coefficient))
+    def _monomial(self, coefficient: int, exponents: tuple[int, ...], below: int = 1) -> Formula:
+        parts = Parts(Fraction(coefficient, below))
         for i, e in enumerate(exponents):
             if e:
                 self._put_gen(parts, i, Fraction(e))
@@ -127,7 +95,20 @@ class Shaper:
 
     def ratio(self, ratio: Ratio) -> Formula:
         """A fraction in factors; common factors are cancelled first."""
-        return self._build(self.parts(ratio))
+        parts = self.parts(ratio)
+        if len(parts.sums) == 1 and not parts.gens and parts.root == 1 and self._spreads(parts):
+            return self.poly(parts.sums[0][0] * parts.number.numerator, parts.number.denominator)
+        return self._build(parts)
+
+    def _spreads(self, parts: Parts) -> bool:
+        """Whether a sum over a number reads better term by term: m + ½ M, π − ½ φ, but ½ (u + v)."""
+        poly, power = parts.sums[0]
+        q = parts.number.denominator
+        if power != 1 or q == 1:
+            return False
+        pi = self.field.index.get(PI)
+        spreads = any(c % q == 0 and any(e) for c, e in self.field.terms(poly))
+        return spreads or (pi is not None and poly.degrees()[pi] == 1)
 
     def parts(self, ratio: Ratio) -> Parts:
         """The factors of a fraction, gathered."""
@@ -257,54 +238,13 @@ class Shaper:
         inner: list[tuple[Rank, Formula, int]],
     ) -> Formula:
         sign, number = (-1, -number) if number < 0 else (1, number)
-        number, under = _share_number(number, root, bool(inner))
-        inside = _fraction(under, inner) if inner or under != 1 else ONE
+        number, under = share_number(number, root, bool(inner))
+        inside = written_fraction(under, inner) if inner or under != 1 else ONE
         above = [(rank, base, e) for rank, base, e in outer if e > 0]
         below = [(rank, base, -e) for rank, base, e in outer if e < 0]
         if inner and all(e < 0 for _, _, e in inner) and under == 1:
-            below.append(((5, 0, "", ""), call("sqrt", _fraction(under, [(r, b, -e) for r, b, e in inner])), 1))
+            below.append(((5, 0, "", ""), call("sqrt", written_fraction(under, [(r, b, -e) for r, b, e in inner])), 1))
         elif inside != ONE:
             above.append(((5, 0, "", ""), call("sqrt", inside), 1))
-        result = _fraction(number, above + [(r, b, -e) for r, b, e in below])
+        result = written_fraction(number, above + [(r, b, -e) for r, b, e in below])
         return negate(result) if sign < 0 else result
-
-
-def _share_number(number: Fraction, root: int, symbols: bool) -> tuple[Fraction, Fraction]:
-    """number · √root split into what stands before the root and what stands under it."""
-    if root != 1 or symbols:
-        out, root = square_part(root)
-        number *= out
-    if not symbols:
-        return number, Fraction(root)
-    if number.denominator == 1:
-        return number, Fraction(root)
-    under = Fraction(root, number.denominator**2)
-    out, rest = square_part(under.denominator)
-    return Fraction(number.numerator, out), Fraction(under.numerator, rest)
-
-
-def _fraction(number: Fraction, items: list[tuple[Rank, Formula, int]]) -> Formula:
-    """number · base^power · …, negative powers below the line; ½ goes in front where nothing else is below."""
-    above = _product([item for item in items if item[2] > 0])
-    below = _product([(rank, base, -e) for rank, base, e in items if e < 0])
-    p, q = number.numerator, number.denominator
-    if below == ONE and above != ONE and p == 1:
-        return _times(Number(number), above)
-    return divide(_times(Number(Fraction(p)), above), _times(Number(Fraction(q)), below))
-
-
-def _times(number: Number, rest: Formula) -> Formula:
-    """number · rest, a bracket kept as a bracket."""
-    if number == ONE or rest == ONE:
-        return multiply(number, rest)
-    return Product((number, *(rest.factors if isinstance(rest, Product) else (rest,))))
-
-
-def _product(items: list[tuple[Rank, Formula, int]]) -> Formula:
-    factors = tuple(
-        base if e == 1 else Power(base, Number(Fraction(e)))
-        for _, base, e in sorted(items, key=lambda item: item[0])
-    )
-    if not factors:
-        return ONE
-    return factors[0] if len(factors) == 1 else Product(factors)

@@ -34,6 +34,7 @@ BARE = frozenset(("sin", "cos", "tan", "log", "asin", "acos", "atan"))
 
 LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7
 MOST_DECIMALS = 6
+LONG = 40  # digits from which on a number is written with its power of ten
 
 Piece = tuple[str, int]
 
@@ -45,8 +46,9 @@ def to_text(formula: Formula, *, unicode: bool = True) -> str:
 
 def number_to_text(value: Fraction) -> str:
     """A non-negative rational as `2`, `3/4` or, where the fraction would look odd, the exact decimal `9.8`."""
-    if value.denominator == 1:
-        return str(value.numerator)
+    text = str(value)
+    if len(text) > LONG:
+        return _power_of_ten(value) or text
     top, bottom = LARGEST_FRACTION_PART
     if value.denominator % 5 == 0 and (value.numerator > top or value.denominator > bottom):
         for decimals in range(1, MOST_DECIMALS + 1):
@@ -54,7 +56,17 @@ def number_to_text(value: Fraction) -> str:
             if scaled.denominator == 1:
                 digits = str(scaled.numerator).rjust(decimals + 1, "0")
                 return f"{digits[:-decimals]}.{digits[-decimals:]}"
-    return f"{value.numerator}/{value.denominator}"
+    return text
+
+
+def _power_of_ten(value: Fraction) -> str | None:
+    """`5e199` for a long number that is short so; None if it is not."""
+    decimals = len(str(value.denominator))  # 10^(4 · digits) is a multiple of any 2^i 5^j of so many digits
+    scaled = value * 10 ** (4 * decimals)
+    digits = str(scaled.numerator).rstrip("0")
+    if scaled.denominator > 1 or len(digits) > LONG:
+        return None
+    return f"{digits}e{len(str(scaled.numerator)) - len(digits) - 4 * decimals}"
 
 
 def _number(value: Fraction, glyphs: bool) -> Piece:
@@ -115,7 +127,7 @@ def _ascii(formula: Formula) -> Piece:
             return join_terms(terms, _ascii, "-", "(", ")") if terms else ("0", ATOM)
         case Product(factors):
             pieces = [_ascii(factor) for factor in factors]
-            leading = [_wrap(pieces[0], QUOTIENT)] if pieces else ["1"]
+            leading = [_wrap(pieces[0], QUOTIENT if _is_fraction(factors[0]) else CALL)] if pieces else ["1"]
             return "*".join([*leading, *(_wrap(piece, CALL) for piece in pieces[1:])]), PRODUCT
         case Quotient(numerator, denominator):
             top = _ascii(numerator)

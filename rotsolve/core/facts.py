@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, negate
+from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, Heading, Vector
 
@@ -181,4 +181,3 @@ def signed(value: Formula, sense: int) -> Formula:
     return value if sense > 0 else negate(value)
 
 
-UNIT = ONE

@@ -21,7 +21,6 @@ from rotsolve.algebra.formula import (
     Product,
     Quotient,
     Sum,
-    Symbol,
     add,
     negate,
     sqrt,
@@ -150,7 +149,7 @@ class Vector:
         return self + (-other)
 
     def times(self, factor: Formula) -> Vector:
-        return Vector(tuple((product(factor, size), direction) for size, direction in self.parts)) if factor != ZERO else NOWHERE
+        return Vector(tuple((product(size, factor), direction) for size, direction in self.parts)) if factor != ZERO else NOWHERE
 
     def rotated(self, by: Heading) -> Vector:
         return Vector(tuple((size, direction + by) for size, direction in self.parts))
@@ -195,8 +194,8 @@ def cartesian(x: Formula, y: Formula) -> Vector:
     return vector(x, RIGHT) + vector(y, UP)
 
 
-def is_symbol(item: Formula) -> bool:
-    return isinstance(item, Symbol)
+def unit(direction: Heading) -> Vector:
+    return vector(ONE, direction)
 
 
 NOWHERE = Vector()

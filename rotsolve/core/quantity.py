@@ -8,42 +8,29 @@ from rotsolve.algebra import dimension as base
 from rotsolve.algebra.dimension import Dimension
 
 NUMBER = base.NONE
-MASS, LENGTH, TIME, ANGLE = base.MASS, base.LENGTH, base.TIME, base.ANGLE
-VELOCITY = LENGTH / TIME
-ACCELERATION = VELOCITY / TIME
-FORCE = MASS * ACCELERATION
-TORQUE = FORCE * LENGTH
-ENERGY = FORCE * LENGTH
-ROTATION_RATE = ANGLE / TIME
-INERTIA = MASS * LENGTH**2
-ANGULAR_MOMENTUM = INERTIA / TIME
 
 DIMENSIONS: dict[str, Dimension] = {  # the words in which element keys and messages name a dimension
-    "number": NUMBER,
-    "angle": ANGLE,
-    "length": LENGTH,
-    "mass": MASS,
-    "time": TIME,
-    "velocity": VELOCITY,
-    "acceleration": ACCELERATION,
-    "angular velocity": ROTATION_RATE,
-    "angular acceleration": ROTATION_RATE / TIME,
-    "force": FORCE,
-    "torque": TORQUE,
-    "moment of inertia": INERTIA,
-    "stiffness": FORCE / LENGTH,
-    "torsional stiffness": TORQUE / ANGLE,
-    "power": ENERGY / TIME,
-    "energy": ENERGY,
-    "impulse": FORCE * TIME,
-    "angular impulse": TORQUE * TIME,
-    "momentum": MASS * VELOCITY,
-    "angular momentum": ANGULAR_MOMENTUM,
-    "area": LENGTH**2,
-    "frequency": NUMBER / TIME,
-    "linear density": MASS / LENGTH,
-    "surface density": MASS / LENGTH**2,
-    "density": MASS / LENGTH**3,
+    "number": base.NONE,
+    "angle": base.ANGLE,
+    "length": base.LENGTH,
+    "mass": base.MASS,
+    "time": base.TIME,
+    "velocity": base.VELOCITY,
+    "acceleration": base.ACCELERATION,
+    "angular velocity": base.ANGULAR_VELOCITY,
+    "angular acceleration": base.ANGULAR_ACCELERATION,
+    "force": base.FORCE,
+    "torque": base.TORQUE,
+    "moment of inertia": base.INERTIA,
+    "stiffness": base.STIFFNESS,
+    "torsional stiffness": base.TORSION_STIFFNESS,
+    "power": base.POWER,
+    "energy": base.ENERGY,
+    "impulse": base.MOMENTUM,
+    "angular impulse": base.ANGULAR_MOMENTUM,
+    "momentum": base.MOMENTUM,
+    "angular momentum": base.ANGULAR_MOMENTUM,
+    "frequency": base.FREQUENCY,
 }
 
 PLANE = ("x", "y")

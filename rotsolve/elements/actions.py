@@ -2,12 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
-from typing import ClassVar
+from fractions import Fraction
+from typing import TYPE_CHECKING, ClassVar
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt
+from rotsolve.core import facts
+from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.instant import Instant
+
+Fact = facts.Force | facts.Couple
+WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
@@ -22,6 +33,27 @@ class Action:
     quantities: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     name: str = ""
+
+    def touches(self) -> tuple[PointRef, ...]:
+        """The point on which it acts."""
+        on = getattr(self, "on", None)
+        return (on,) if on is not None else ()
+
+    def strength(self) -> Formula | None:
+        """The force, torque or power, as a formula of `time` where it varies."""
+        return getattr(self, self.word, None)
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        """How it varies while bodies move: 'constant', 'time' or 'position'."""
+        strength = self.strength()
+        return "time" if strength is not None and "time" in strength.symbols() else "constant"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The force or couple at a moment."""
+        return iter(())
+
+    def now(self, instant: Instant) -> Formula:
+        return (self.strength() or ZERO).substitute({"time": instant.time()})
     from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
     to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
 
@@ -39,6 +71,54 @@ class Force(Action):
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
 
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        if self.on is None:
+            return
+        size = self.now(instant)
+        push, arm = self.aim(instant, self.on)
+        words = ("force ", size, self.told(push, arm, instant))
+        yield facts.Force(self.name, "applied", instant.host(self.on.owner), size, push, arm, words)
+
+    def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
+        """Unit vector of the force, and where it acts from the body's reference."""
+        from rotsolve.motion.instant import rim_radius
+
+        name, motion = instant.host(on.owner), instant.motion(on.owner)
+        radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
+        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), motion.sense)
+        if self.direction in (None, "tangential", "clockwise", "counterclockwise") and (motion.kind == "axis" or self.direction is not None):
+            if on.point in ("rim", None) or on.point in dict(instant.body(on.owner).radii):
+                return unit(UP if turn > 0 else DOWN), vector(radius or ZERO, RIGHT)
+            arm = instant.point(on)
+            return self.across(arm, turn), arm
+        if self.direction is None:
+            return unit(motion.heading or RIGHT), instant.point(on)
+        direction = pointing(self.direction)
+        if radius is not None and (self.over or self.under):
+            side = direction.turned(90)
+            up = _rough_sign(side, instant)
+            outward = side if up == self.over else direction.turned(-90)
+            return direction, instant.point(PointRef(name, "center")) + outward.times(radius)
+        return direction, instant.point(on)
+
+    def across(self, arm: Vector, turn: int) -> Vector:
+        """Unit vector square to an arm, in the sense in which it turns the body."""
+        if len(arm.parts) == 1:
+            return unit(arm.parts[0][1]).turned(90 * turn)
+        length = sqrt(arm.dot(arm))
+        return arm.turned(90 * turn).times(Number(Fraction(1)) / length)
+
+    def told(self, push: Vector, arm: Vector, instant: Instant) -> str:
+        """Direction in words."""
+        from rotsolve.motion.instant import along_text
+
+        if isinstance(self.direction, str):
+            return f", {self.direction}"
+        if instant.motion(self.on.owner).kind == "axis" and self.direction is None:  # type: ignore[union-attr]
+            return ", along the positive turn"
+        text = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
+        return f", {text}" if text else ", at its angle"
+
 
 @dataclass(frozen=True)
 class Couple(Action):
@@ -50,6 +130,14 @@ class Couple(Action):
     direction: Direction | None = key(
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")
     )
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        if self.on is None:
+            return
+        name, size = instant.host(self.on.owner), self.now(instant)
+        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), instant.sense(name))
+        words = ("torque ", size, ", clockwise" if turn < 0 else ", counterclockwise")
+        yield facts.Couple(self.name, "applied", name, facts.signed(size, turn), words)
 
 
 @dataclass(frozen=True)
@@ -70,6 +158,37 @@ class Power(Action):
     quantities = ("power", "torque", "work")
     power: Formula | None = key("quantity", "power; `unknown` asks for it", dimension="power", letter="P", varies=True, required=True)
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"  # the couple P/ω depends on the speed
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        if self.on is None:
+            return
+        name, power = instant.host(self.on.owner), self.now(instant)
+        torque = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
+        yield facts.Couple(self.name, "applied", name, facts.signed(torque, instant.sense(name)), ("torque ", torque))
+        spin = facts.signed(instant.motion(name).spin, instant.sense(name))
+        yield facts.Rule(self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False)
+
+
+def pointing(direction: Direction) -> Vector:
+    """Unit vector of a direction: a word, an angle, or components."""
+    if isinstance(direction, str):
+        return unit(WORDS.get(direction, RIGHT))
+    if isinstance(direction, tuple):
+        x, y = direction
+        length = sqrt(x**2 + y**2)
+        return vector(x / length, RIGHT) + vector(y / length, UP)
+    return unit(heading(direction))
+
+
+def _rough_sign(side: Vector, instant: Instant) -> bool:
+    """Whether a vector points up rather than down (a rightward one counts as up)."""
+    from rotsolve.elements.connections.strings import rough
+
+    height = rough(side.along(UP))
+    return height > 1e-9 or (abs(height) <= 1e-9 and rough(side.along(RIGHT)) > 0)
 
 
 ACTIONS: tuple[type[Action], ...] = (Force, Couple, Press, Power)

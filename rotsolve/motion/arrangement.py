@@ -191,3 +191,15 @@ class Arrangement:
         if phase is None or self.pace(name, state) != "constant":
             return state
         return phase.name
+
+    def asks(self, owner: str, word: str) -> bool:
+        """Whether the scene asks for, or states, a quantity of an element."""
+        said = (line.path for state in self.problem.states for line in state.conditions if line.path)
+        asked = (term.path for find in self.problem.finds for term in find.terms)
+        return any(path.owner == owner and path.quantity == word for path in (*said, *asked))
+
+    def driven(self, name: str, state: str) -> bool:
+        """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
+        turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
+        axles = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
+        return turned or any(item.word in ("belt", "gear") or getattr(item, "friction_torque", None) for item in axles)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -14,6 +15,7 @@ from rotsolve.motion.arrangement import OPPOSITE, Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, shape_of, tidy
 from rotsolve.scene.model import Body, PointRef
 
+VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 TURNS = ("counterclockwise", "clockwise")
 
@@ -75,18 +77,32 @@ def rim_radius(body: Body, point: str | None) -> Formula | None:
 
 @dataclass(frozen=True)
 class Instant:
-    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`."""
+    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`.
+
+    `modes` says which contacts slip ("slips", "slips back": against or along the positive travel) rather than stick. A `virtual`
+    moment has the positions and accelerations of its state, but velocities of its own: any small motion that the rules allow.
+    """
 
     arrangement: Arrangement
     registry: Registry
     state: str
     generic: bool = False
+    modes: Mapping[str, str] = field(default_factory=dict)
+    virtual: bool = False
     _frames: dict[str, Frame] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
     def when(self) -> str:
         return GENERIC + self.state if self.generic else self.state
+
+    @property
+    def moving(self) -> str:
+        """When the velocities are."""
+        return VIRTUAL + self.when if self.virtual else self.when
+
+    def mode(self, contact: str) -> str:
+        return self.modes.get(contact, "sticks")
 
     def span(self, name: str) -> str:
         return self.when if self.generic else self.arrangement.span(name, self.state)
@@ -127,7 +143,7 @@ class Instant:
 
     def rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body, counted along its positive sense."""
-        when = self.span(name) if word == "angular_acceleration" else self.when
+        when = self.span(name) if word == "angular_acceleration" else self.moving
         return self.ask(word, name, when=when, words=self.turn_words(name))
 
     def orientation(self, name: str) -> Heading:
@@ -201,11 +217,11 @@ class Instant:
 
     def travel(self, word: str, name: str, words: str) -> Formula:
         """Velocity or acceleration along a body's line, counted along its positive sense."""
-        when = self.span(name) if word == "acceleration" else self.when
+        when = self.span(name) if word == "acceleration" else self.moving
         return self.ask(word, name, when=when, words=(words, opposite(words)))
 
     def component(self, word: str, name: str, axis: str) -> Formula:
-        when = self.span(name) if word == "acceleration" else self.when
+        when = self.span(name) if word == "acceleration" else self.moving
         return self.ask(word, name, when=when, component=axis, words=("right", "left") if axis == "x" else ("up", "down"))
 
     def can_turn(self, name: str, on_line: bool) -> bool:

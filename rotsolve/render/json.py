@@ -7,15 +7,17 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.text import to_text
 from rotsolve.core.derivation import Answer, Derivation, Equality, LawLine, Move, Section, Words
 from rotsolve.render.layout import release
 from rotsolve.render.options import Options
-from rotsolve.render.voice import TEXT, shown
-from rotsolve.scene.model import Given
+from rotsolve.render.voice import TEXT, certified, machine_number, shown
+
+if TYPE_CHECKING:
+    from rotsolve.scene.model import Given
 
 
 def body(derivation: Derivation, options: Options) -> str:
@@ -63,17 +65,22 @@ def words(said: Words) -> str:
     return release(TEXT.words(said))
 
 
+def ascii_text(formula: Formula) -> str:
+    """The formula as Python and SymPy read it."""
+    return to_text(formula, unicode=False).replace("^", "**")
+
+
 def formula_data(formula: Formula | None) -> dict[str, str] | None:
     """A formula in textbook notation and in that of a computer algebra system."""
-    return None if formula is None else {"text": to_text(formula), "ascii": to_text(formula, unicode=False)}
+    return None if formula is None else {"text": to_text(formula), "ascii": ascii_text(formula)}
 
 
 def equality_data(equality: Equality) -> dict[str, Any]:
     return {
-        "text": TEXT.equality(equality),
-        "left": to_text(equality.left, unicode=False),
+        "text": release(TEXT.equality(equality)),
+        "left": ascii_text(equality.left),
         "relation": equality.relation,
-        "right": to_text(equality.right, unicode=False),
+        "right": ascii_text(equality.right),
     }
 
 
@@ -120,12 +127,13 @@ def move_data(move: Move) -> dict[str, Any]:
 
 def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
     """An answer; `value` keeps its sign in the declared sense even where words tell the direction."""
-    value = answer.value.text(digits) if answer.value is not None else None
+    value, note = certified(answer, digits)
     return {
         "name": answer.name,
         "symbol": to_text(answer.symbol),
         "exact": formula_data(answer.formula),
-        "value": value.replace("−", "-") if value is not None else None,
+        "value": machine_number(value) or None,
+        "note": note,
         "unit": answer.unit.text if answer.unit is not None else "",
         "direction": answer.direction,
         "word": answer.word,

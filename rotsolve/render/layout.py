@@ -8,7 +8,8 @@ from textwrap import wrap as wrap_words
 
 WIDTH = 120  # columns of a page, where nothing narrower is asked for
 GAP = 4  # blanks between two columns of a table
-LEFT = 56  # the widest first column of a table
+ARROW = "→"
+SHORT = 6  # a remark that is no longer than this is a number, as (12)
 HELD = "\N{NO-BREAK SPACE}"  # a blank at which no line may be broken
 LONG = 40  # a formula longer than this may be broken before its outer signs
 SIGNS = ("=", "+", "−", "≈", "≤", "≥", "<", ">")
@@ -33,12 +34,39 @@ class Row:
 
 
 def hold(text: str) -> str:
-    """The text with its blanks made unbreakable; a long one may still be broken before a sign."""
+    """The text with its blanks made unbreakable; a long one may still be broken before a sign outside all brackets."""
     held = text.replace(" ", HELD)
-    if len(text) > LONG:
-        for sign in SIGNS:
-            held = held.replace(f"{HELD}{sign}{HELD}", f" {sign}{HELD}")
-    return held
+    return held if len(text) <= LONG else loosened(held, outer=True)
+
+
+def loosened(held: str, *, outer: bool) -> str:
+    """Held text that may be broken before its signs: before all of them, or before those outside all brackets."""
+    depth, result = 0, list(held)
+    for index, letter in enumerate(held[:-1]):
+        depth += (letter in "([") - (letter in ")]")
+        if (
+            letter == HELD
+            and held[index + 1] in SIGNS
+            and held[index + 2 : index + 3] == HELD
+            and not (outer and depth)
+        ):
+            result[index] = " "
+    return "".join(result)
+
+
+def fold(text: str, width: int) -> list[str]:
+    """A formula in lines of at most `width`: broken before the arrows, then before the equals sign, then before + and −."""
+    if len(text) <= width:
+        return [text]
+    first, *steps = text.split(f" {ARROW}")
+    if steps:
+        parts = [first.rstrip(HELD), *(f"{ARROW}{step.rstrip(HELD)}" for step in steps)]
+        return [line for part in parts for line in fold(part, width)]
+    left, equals, right = text.replace(" =", f"{HELD}=").partition(f"{HELD}={HELD}")
+    if equals and len(left) > 12:
+        sides = (left, f"{HELD * 2}={HELD}{right}")
+        return [line for side in sides for line in wrap(hold(release(side)) if side is left else side, width, 4)]
+    return wrap(text, width, 4)
 
 
 def release(text: str) -> str:
@@ -50,14 +78,14 @@ def wrap(text: str, width: int, hanging: int = 0) -> list[str]:
     """The text in lines of at most `width` columns where it has a place to break; later lines are indented by `hanging`."""
     if len(text) <= width:
         return [text]
-    return wrap_words(
-        text,
-        max(width, 20),
-        subsequent_indent=" " * hanging,
-        break_long_words=False,
-        break_on_hyphens=False,
-        drop_whitespace=True,
-    )
+
+    def folded(text: str) -> list[str]:
+        return wrap_words(
+            text, max(width, 20), subsequent_indent=" " * hanging, break_long_words=False, break_on_hyphens=False
+        )
+
+    lines = folded(text)
+    return lines if all(len(line) <= width for line in lines) else folded(loosened(text, outer=False))
 
 
 def paragraph(text: str, indent: int, width: int, role: str = "") -> Iterator[Line]:
@@ -82,10 +110,13 @@ def labelled(label: str, items: Sequence[str], separator: str, width: int, inden
 def table(rows: Sequence[Row], indent: int, width: int, role: str = "") -> Iterator[Line]:
     """The rows with their columns aligned; a cell that is too long goes on below, in its own column."""
     lefts = [len(row.left) for row in rows if row.middle]
-    left = max((length for length in lefts if length <= LEFT), default=min(LEFT, max(lefts, default=0)))
+    room = width - indent - GAP - max((len(row.middle) for row in rows), default=0)
+    widest = max(width * 9 // 20, room)  # a longer first cell has its formula on the next line
+    left = max((length for length in lefts if length <= widest), default=min(widest, max(lefts, default=0)))
     column = indent + left + GAP if left else indent
     room = max(width - column, 20)
-    middles = [len(row.middle) for row in rows if row.right and len(row.middle) <= room]
+    numbered = all(len(row.right) <= SHORT for row in rows)  # numbers stand behind the longest formula
+    middles = [len(row.middle) for row in rows if (numbered or row.right) and len(row.middle) <= room]
     ends = column + max(middles, default=0) + GAP
     for row in rows:
         yield from (Line(release(line), role) for line in row_lines(row, indent, column, ends, width))
@@ -94,7 +125,7 @@ def table(rows: Sequence[Row], indent: int, width: int, role: str = "") -> Itera
 def row_lines(row: Row, indent: int, column: int, ends: int, width: int) -> Iterator[str]:
     """The lines of one row: `column` is where the formula starts, `ends` where the remark does."""
     first = " " * indent + row.left
-    middles = wrap(row.middle, max(width - column, 20), 2) if row.middle else []
+    middles = fold(row.middle, max(width - column, 20)) if row.middle else []
     if middles and len(first) > column - GAP:
         yield from (" " * indent + line for line in wrap(row.left, width - indent, 4))
         first = ""

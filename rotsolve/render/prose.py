@@ -28,7 +28,10 @@ LATEX_SPECIAL = {
     "“": "``",
     "”": "''",
 }
-GREEK = ["alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi", "omicron", "pi", "rho", "varsigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega"]
+GREEK = (
+    *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu"),
+    *("nu", "xi", "omicron", "pi", "rho", "varsigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega"),
+)
 MATHEMATICS = {
     **{chr(0x3B1 + number): rf"\{name}" for number, name in enumerate(GREEK)},
     **{chr(0x391 + number): rf"\{name.capitalize()}" for number, name in enumerate(GREEK) if name in {

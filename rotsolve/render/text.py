@@ -5,11 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
-from rotsolve.render.layout import GAP, HELD, Line, Row, hold, labelled, page, paragraph, release, table, wrap
+from rotsolve.render.layout import ARROW, GAP, HELD, Line, Row, hold, labelled, page, paragraph, release, table, wrap
 from rotsolve.render.options import Options
 from rotsolve.render.voice import TEXT, exact, lettered, shown
 
-ARROW = "→"
 SEPARATOR = "─" * 72
 
 
@@ -155,7 +154,8 @@ def answer_rows(answer: Answer, digits: int, inset: str = "") -> Iterator[Row]:
 
 def check_lines(derivation: Derivation, width: int) -> Iterator[Line]:
     """What holds, in one paragraph; then what fails and what could not be decided, one a line."""
-    good = " · ".join(TEXT.words(check.words) for check in derivation.checks if check.holds)
+    items = [TEXT.words(check.words) for check in derivation.checks if check.holds]
+    good = " · ".join(item.replace(" ", HELD) if len(item) <= width // 2 else item for item in items)
     if good:
         yield from paragraph(good, 2, width, "check")
     for check in derivation.checks:

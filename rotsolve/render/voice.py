@@ -5,16 +5,21 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.text import to_latex, to_text
-from rotsolve.algebra.units import Unit
+from rotsolve.algebra.units import in_unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.render.layout import hold
 from rotsolve.render.prose import latex_prose, markdown_prose
-from rotsolve.scene.model import Given
 
-WRITTEN = re.compile(r"([-+−]?\d+(?:\.\d*)?|[-+−]?\.\d+)(?:[eE]([-+]?\d+))?(?=\s|[^\W\d]|°|%|$)")
+if TYPE_CHECKING:
+    from rotsolve.algebra.units import Unit
+    from rotsolve.scene.model import Given
+
+WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 POWER = re.compile(r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$")
 RAISED = str.maketrans("+-−0123456789", "⁺⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LOWERED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
@@ -54,7 +59,7 @@ class Voice:
         said = self.number(mantissa, exponent)
         if unit is None or unit.text in ("", "1"):
             return said
-        return said + ("" if unit.text in CLOSE else self.blank) + self.unit(unit)
+        return said + ("" if unit.text.startswith(CLOSE) else self.blank) + self.unit(unit)
 
     def given(self, given: Given) -> str:
         """A given as mathematics: `m = 2 kg`, `L = 2 R`, or its letter alone where it has no value."""
@@ -64,19 +69,23 @@ class Voice:
         return f"{name} = {self._given_value(given.value, given)}"
 
     def _given_value(self, value: Formula, given: Given) -> str:
-        written = WRITTEN.match(given.text.strip())
-        if written and not value.symbols() and (given.unit is not None or written.end() == len(given.text.strip())):
-            mantissa, exponent = written.groups()
-            return self.quantity(mantissa + (f"e{exponent}" if exponent else ""), given.unit)
-        if value.symbols() or given.unit is None:
+        """The number as the scene writes it, in its unit; a formula of other givens as it stands."""
+        if value.symbols():
             return self.formula(value)
-        return self.quantity(self.formula(in_unit(value, given.unit)), given.unit)
+        number = value if given.unit is None else in_unit(value, given.unit)
+        written = WRITTEN.match(given.text.strip())
+        if written and number == Number(Fraction(written[0].replace("−", "-"))):
+            return self.quantity(written[0], given.unit)
+        return self.quantity(self.formula(number), given.unit)
 
     def amount(self, answer: Answer, digits: int) -> str:
         """The certified value of an answer with its unit, its size alone where words tell its direction; '' without one."""
-        if answer.value is None:
-            return ""
-        return self.quantity(digits_text(answer, digits), answer.unit)
+        text, note = certified(answer, digits)
+        if not text:
+            return f"({self.prose(note)})" if note else ""
+        return self.quantity(text if answer.signed else text.removeprefix("−"), answer.unit) + (
+            f" ({self.prose(note)})" if note else ""
+        )
 
     def aside(self, answer: Answer) -> str:
         """What is said behind an answer: its direction, its word and its remark."""
@@ -84,19 +93,19 @@ class Voice:
         return said + (f" ({self.words(answer.remark)})" if answer.remark else "")
 
 
-def in_unit(value: Formula, unit: Unit) -> Formula:
-    """The pure number that `value`, in SI units, is in `unit`."""
-    factor = unit.factor
-    if isinstance(value, Number) and isinstance(factor, Number):
-        return Number(value.value / factor.value)
-    return value / factor if isinstance(factor, Formula) else value / Number(factor)
+def certified(answer: Answer, digits: int) -> tuple[str, str]:
+    """The digits of an answer, and a note where fewer of them can be certified than were asked for."""
+    from rotsolve.algebra.balls import Undefined
 
-
-def digits_text(answer: Answer, digits: int) -> str:
-    """The digits of an answer, without a sign where words tell the direction."""
-    text = answer.value.text(digits) if answer.value is not None else ""
-    text = text.replace("-", "−", 1) if text.startswith("-") else text
-    return text if answer.signed else text.removeprefix("−")
+    if answer.value is None:
+        return "", ""
+    for fewer in range(digits, 0, -1):
+        try:
+            text = answer.value.text(fewer)
+        except Undefined:
+            continue
+        return text, "" if fewer == digits else f"only {fewer} {'digit' if fewer == 1 else 'digits'} can be certified"
+    return "", "no digit can be certified"
 
 
 def exact(answer: Answer) -> Formula | None:
@@ -119,14 +128,22 @@ def lettered(words: tuple[Words, ...]) -> bool:
 
 def _text_number(mantissa: str, exponent: str) -> str:
     mantissa = mantissa.replace("-", "−")
-    return f"{mantissa}·10{exponent.translate(RAISED)}" if exponent else mantissa
+    return f"{mantissa}×10{exponent.translate(RAISED)}" if exponent else mantissa
 
 
 def _latex_number(mantissa: str, exponent: str) -> str:
     mantissa = mantissa.replace("−", "-")
-    return rf"{mantissa} \cdot 10^{{{exponent}}}" if exponent else mantissa
+    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
 
 
 TEXT = Voice(to_text, lambda unit: unit.text, _text_number, str, hold, " ", {})
 MARKDOWN = Voice(to_latex, lambda unit: unit.latex, _latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
 LATEX = Voice(to_latex, lambda unit: unit.latex, _latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)
+
+
+def machine_number(text: str) -> str:
+    """A printed number as programs read it: `-4.5e-05` for `−4.5×10⁻⁵`."""
+    match = POWER.fullmatch(text)
+    if match is None:
+        return text.replace("−", "-")
+    return f"{match[1]}e{match[2].translate(LOWERED)}".replace("−", "-")

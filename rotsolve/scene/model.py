@@ -166,7 +166,10 @@ class Find:
 
 @dataclass(frozen=True, slots=True)
 class Published:
-    """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one."""
+    """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
+
+    `values` are the numbers of a vector or of several roots.
+    """
 
     name: str
     text: str
@@ -174,6 +177,8 @@ class Published:
     value: Formula | None = None
     unit: Unit | None = None
     span: Span | None = None
+    values: tuple[Formula, ...] = ()
+    tolerance: Formula | None = None
 
 
 @dataclass(frozen=True, slots=True)

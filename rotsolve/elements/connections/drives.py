@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Couple, Force, Requirement, Rule
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.facts import Couple, Rule
+from rotsolve.elements.connections.strings import balance
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
@@ -25,6 +26,13 @@ class Belt(Connection):
     belt: tuple[PointRef, ...] = key("points", "the wheels or rims", count=(2, 10), required=True, example="[motor, drum.big]")
     crossed: bool = key("flag", "the belt crosses between the wheels", default=False)
 
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast."""
+        sense = -1 if self.crossed else 1
+        for number, (first, second) in enumerate(zip(self.belt, self.belt[1:], strict=False)):
+            component = "" if len(self.belt) == 2 else str(number + 1)
+            yield from coupling(self, first, second, sense, component, ("the belt does not slip", "belt's pull"), instant)
+
 
 @dataclass(frozen=True)
 class Gear(Connection):
@@ -33,3 +41,28 @@ class Gear(Connection):
     quantities = ("force", "torque", "power", "work", "impulse")
     gear: tuple[PointRef, ...] = key("points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]")
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        sense = 1 if self.inside else -1
+        yield from coupling(self, self.gear[0], self.gear[1], sense, "", ("the wheels do not slip on each other", "tooth force"), instant)
+
+
+def coupling(
+    element: Connection, first: PointRef, second: PointRef, sense: int, component: str, words: tuple[str, str], instant: Instant
+) -> Iterator[Fact]:
+    """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
+    from rotsolve.motion.instant import rim_radius
+
+    names = [instant.host(ref.owner) for ref in (first, second)]
+    radii = [rim_radius(instant.body(ref.owner), ref.point) or ZERO for ref in (first, second)]
+    force = instant.ask("force", element.name, when=instant.span(names[1]), component=component)
+    label, noun = words
+    turn = instant.sense(names[1])
+    for name, radius, way in ((names[1], radii[1], turn), (names[0], radii[0], -turn * sense)):
+        torque = force * radius
+        yield Couple(element.name, "coupling", name, torque if way > 0 else negate(torque), (f"{noun} ", force, " at the rim"), internal=True)
+    sides = []
+    for rate in ("spin", "spin_rate"):
+        values = [radius * getattr(instant.motion(name), rate) for name, radius in zip(names, radii, strict=True)]
+        sides.append(balance([(values[0], 1), (values[1], -sense)]))
+    yield Rule(element.name, label, tuple(names), sides[0], sides[1])

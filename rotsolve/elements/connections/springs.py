@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Couple, Force, Requirement, Rule
+from rotsolve.algebra.formula import ZERO, Formula, Number, negate
+from rotsolve.core.facts import Couple, Force, Potential, square
+from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
-from rotsolve.scene.model import PointRef
+from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
 
@@ -26,6 +29,42 @@ class Spring(Connection):
     stiffness: Formula | None = key("quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None)
     rest_length: Formula | None = key("quantity", "length without force", dimension="length", letter="L", limits="nonnegative", default=None)
 
+    def hangs(self, body: Body) -> bool:
+        return any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        first, second = self.spring
+        along = self.along(instant)
+        elongation = instant.ask("elongation", self.name)
+        size = self.stiffness * elongation if self.stiffness is not None else instant.ask("force", self.name, when=instant.when)
+        for ref, push in ((first, along), (second, -along)):
+            if ref.owner in instant.arrangement.bodies:
+                name = instant.host(ref.owner)
+                words = ("spring force ", size, f", {along_words(push)}")
+                yield Force(self.name, "spring", name, size, push, instant.point(ref), words)
+        if self.stiffness is not None:
+            rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
+            energy = Number(Fraction(1, 2)) * self.stiffness * square(elongation)
+            bodies = tuple(ref.owner for ref in self.spring if ref.owner in instant.arrangement.bodies)
+            yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy))
+
+    def along(self, instant: Instant) -> Vector:
+        """Unit vector from the first end to the second: along the line of travel, or up and down at a hinged body."""
+        arrangement = instant.arrangement
+        anchor_first = self.spring[0].owner not in arrangement.bodies
+        anchor, body = self.spring if anchor_first else self.spring[::-1]
+        line = arrangement.line(body.owner, instant.state) if body.owner in arrangement.bodies else None
+        if line is not None and line[0].sin() == ZERO:
+            outward = RIGHT if anchor_first else LEFT
+        elif line is not None and line[1].endswith("slope"):
+            outward = line[0].turned(180) if line[1].startswith("up") else line[0]
+        else:
+            outward = UP if anchor.owner == "ground" else DOWN
+        return unit(outward if anchor_first else outward.turned(180))
+
 
 @dataclass(frozen=True)
 class Torsion(Connection):
@@ -37,3 +76,31 @@ class Torsion(Connection):
         "quantity", "torque per angle", dimension="torsional stiffness", letter="kappa", limits="positive", default=None
     )
     rest_angle: Formula | None = key("quantity", "angle without torque", dimension="angle", letter="theta", default=None)
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
+        names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.arrangement.bodies]
+        last = names[-1]
+        twist = instant.ask("angle", last, words=("counterclockwise", "clockwise"))
+        if len(names) == 2:
+            twist = twist - instant.ask("angle", names[0], words=("counterclockwise", "clockwise"))
+        if self.rest_angle is not None:
+            twist = twist - self.rest_angle
+        stiffness = self.stiffness if self.stiffness is not None else ZERO
+        torque = stiffness * twist
+        yield Couple(self.name, "torsion", last, negate(torque), ("torsion torque ", torque, ", turning it back"))
+        if len(names) == 2:
+            yield Couple(self.name, "torsion", names[0], torque, ("torsion torque ", torque))
+        rate = instant.motion(last).spin - (instant.motion(names[0]).spin if len(names) == 2 else ZERO)
+        energy = Number(Fraction(1, 2)) * stiffness * square(twist)
+        yield Potential(self.name, energy, twist, rate, tuple(names), ("torsion spring ", energy))
+
+
+def along_words(push: Vector) -> str:
+    """Direction of a spring's pull in words."""
+    from rotsolve.motion.instant import along_text
+
+    return (along_text(push.parts[0][1]) if len(push.parts) == 1 else "") or "along the spring"

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Couple, Force, Requirement, Rule
+from rotsolve.algebra.formula import Formula, negate
+from rotsolve.core.facts import Couple, Force, Rule, signed
+from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
@@ -32,6 +33,31 @@ class Driven(Connection):
         "quantity", "driven angular acceleration", dimension="angular acceleration", letter="alpha", varies=True, default=None
     )
 
+    def held(self) -> tuple[PointRef, ...]:
+        """The bodies that turn about it."""
+        return ()
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        driven = (self.angle, self.angular_velocity, self.angular_acceleration, self.friction_torque)
+        return "time" if any(value is not None and "time" in value.symbols() for value in driven) else "constant"
+
+    def couples(self, instant: Instant) -> Iterator[Fact]:
+        """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
+        for ref in self.held():
+            name = instant.host(ref.owner)
+            sense = instant.sense(name)
+            if self.friction_torque is not None:
+                size = self.friction_torque.substitute({"time": instant.time()})
+                words = ("friction torque ", size, f", {instant.turn_words(name)[1]}")
+                yield Couple(self.name, "friction", name, signed(negate(size), sense), words)
+            elif self.driven or instant.arrangement.asks(self.name, "torque"):
+                size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
+                yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
+
+    @property
+    def driven(self) -> bool:
+        return any(value is not None for value in (self.angle, self.angular_velocity, self.angular_acceleration))
+
 
 @dataclass(frozen=True)
 class Hinge(Driven):
@@ -43,6 +69,23 @@ class Hinge(Driven):
     hinge: tuple[PointRef, ...] = key("points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start")
     along: tuple[Formula, ...] = key("vector", "direction of the axis, in space", default=(), later=True)
 
+    def held(self) -> tuple[PointRef, ...]:
+        return self.hinge[-1:]
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        return self.hinge if len(self.hinge) == 1 else self.hinge[1:] if self.hinge[0].owner in ("ground", "ceiling") else ()
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return super().pace(arrangement, state) if self.fixed_points() else "position"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        yield from self.couples(instant)
+        yield from reaction(self.name, "hinge", self.hinge[-1], instant)
+        if not self.fixed_points():
+            carrier, body = self.hinge
+            yield from reaction(self.name, "hinge", carrier, instant, opposite=body)
+            yield from joint(self.name, carrier, body, instant)
+
 
 @dataclass(frozen=True)
 class Axle(Driven):
@@ -50,6 +93,22 @@ class Axle(Driven):
     about = "a fixed axis through the centre of a wheel, or of several that turn freely on it"
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
     axle: tuple[PointRef, ...] = key("points", "the wheel, or wheels", count=(1, 20), required=True, example="disc")
+
+    independent = True
+
+    def held(self) -> tuple[PointRef, ...]:
+        return self.axle
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        return self.axle
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        yield from self.couples(instant)
+        hosts: set[str] = set()
+        for ref in self.axle:
+            if instant.host(ref.owner) not in hosts:
+                hosts.add(instant.host(ref.owner))
+                yield from reaction(self.name, "axle", ref, instant, several=len(self.axle) > 1)
 
 
 @dataclass(frozen=True)
@@ -85,3 +144,32 @@ class Rides(Connection):
     quantities = ("force", "normal_force", "work", "power")
     later = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
+
+
+def reaction(
+    owner: str, noun: str, ref: PointRef, instant: Instant, *, opposite: PointRef | None = None, several: bool = False
+) -> Iterator[Force]:
+    """The two components of a support's force on a body, right and up; reversed on the carrier of a joint (`opposite` is the other body)."""
+    name = instant.host(ref.owner)
+    span = instant.span(instant.host((opposite or ref).owner))
+    for axis, direction in (("x", RIGHT), ("y", UP)):
+        component = f"{axis}_{name}" if several else axis
+        words = ("right", "left") if axis == "x" else ("up", "down")
+        size = instant.ask("force", owner, when=span, component=component, words=words)
+        arm = instant.point(ref)
+        text = (f"{noun} force ", size, f", {words[0] if opposite is None else words[1]}")
+        push = unit(direction if opposite is None else direction.turned(180))
+        yield Force(owner, "reaction", name, size, push, arm, text, works=bool(opposite) or instant.motion(name).kind != "axis", internal=True)
+
+
+def joint(owner: str, carrier: PointRef, body: PointRef, instant: Instant) -> Iterator[Rule]:
+    """The joined points of two bodies move together, right and up."""
+    for word, direction in (("right", RIGHT), ("up", UP)):
+        yield Rule(
+            owner,
+            f"the joint moves as one point ({word})",
+            (carrier.owner, body.owner),
+            (instant.velocity(body).along(direction), instant.velocity(carrier).along(direction)),
+            (instant.acceleration(body).along(direction), instant.acceleration(carrier).along(direction)),
+            linear=False,
+        )

@@ -16,9 +16,10 @@ from rotsolve.scene.reader.dims import fits, named
 from rotsolve.scene.reader.nodes import Node, Text
 from rotsolve.scene.reader.rough import remember
 from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import LITERAL, Want, expression
+from rotsolve.scene.reader.values import LITERAL, Want, expression, unit_fault
 from rotsolve.scene.words import hint, quoted
 
+NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
 FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"
 
 
@@ -33,9 +34,11 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
             texts[name] = written
         else:
             scope.fault(written, f"given `{name}` wants one value", FORMS, "form")
+    originals: dict[str, Text | None] = {}
     for name, text in settings.items():
         if scope.kinds.get(name) == "given":
-            texts[name] = Text(text, Span(0, 0), exact=False)
+            originals[name] = texts.get(name)
+            texts[name] = Text(text, NOWHERE, exact=False)
         else:
             scope.fault(None, f"--set {quoted(name)}: no such given", hint(name, scope.names("given"), "givens"), "unknown")
     for name in texts:
@@ -44,6 +47,8 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
     for name, written in texts.items():
         read_given(scope, name, written, made)
     settle(scope, made, texts)
+    for name, original in originals.items():
+        check_setting(scope, name, original)
 
 
 def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula]) -> None:
@@ -66,17 +71,12 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
         try:
             parse_quantity(text)
         except UnitError as error:
-            scope.fault(place(written), str(error), FORMS, "unit")
+            unit_fault(scope, written, error)
     else:
         formula = expression(scope, written, Want(name, None, "q", name), None)
         scope.dimensions[name] = None
         if formula is not None:
             made[name] = formula
-
-
-def place(written: Text) -> Span | None:
-    """The place of a value; a setting of the command line has none."""
-    return written.span if written.span.line else None
 
 
 def literal(scope: Scope, given: Given, written: Text) -> bool:
@@ -123,7 +123,7 @@ def settle_one(scope: Scope, name: str, formula: Formula, written: Text) -> None
         try:
             dimension = dimension_of(formula, known)  # type: ignore[arg-type]
         except DimensionError as error:
-            scope.fault(place(written), f"the dimensions in {quoted(written.value)} don't agree: {error}", kind="dimension")
+            scope.fault(written, f"the dimensions in {quoted(written.value)} don't agree: {error}", kind="dimension")
     scope.givens[name] = replace(scope.givens[name], value=formula, dimension=dimension)
     scope.dimensions[name] = dimension
     remember(scope.numbers, name, formula)
@@ -140,12 +140,16 @@ def cycle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text
         way.append(name)
     circle = [*way[way.index(name) :], name]
     shown = " → ".join(circle)
-    scope.fault(place(texts[circle[0]]), f"givens in a circle: {shown}", "give one of them a value or a unit", "circle")
+    scope.fault(texts[circle[0]], f"givens in a circle: {shown}", "give one of them a value or a unit", "circle")
 
 
-def check_setting(scope: Scope, before: Mapping[str, Given], settings: Mapping[str, str]) -> None:
+def check_setting(scope: Scope, name: str, original: Text | None) -> None:
     """A setting must keep the dimension that the file declares."""
-    for name in settings:
-        old, new = before.get(name), scope.givens.get(name)
-        if old and new and old.dimension and new.dimension and not fits(new.dimension, old.dimension):
-            scope.fault(None, f"--set {name}: {named(old.dimension)} wanted, {named(new.dimension)} found", kind="dimension")
+    text = original.value.strip() if original else ""
+    new = scope.givens[name].dimension
+    try:
+        old = parse_quantity(text).dimension if LITERAL.fullmatch(text) else parse_unit(text).dimension if text else None
+    except UnitError:
+        return
+    if old is not None and new is not None and not fits(new, old):
+        scope.fault(None, f"--set {name}: `{name}` is {named(old)} in the file, but this is {named(new)}", kind="dimension")

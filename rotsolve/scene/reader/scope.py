@@ -51,6 +51,8 @@ class Scope:
     def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> None:
         if len(self.faults) < MOST_FAULTS:
             span = place if isinstance(place, Span) or place is None else place.span
+            if span is not None and span.line == 0:  # a setting of the command line
+                span, message = None, f"--set: {message}"
             self.faults.append(Fault(message, span, help, kind))
 
     def later(self, place: Node | Span | None, word: str) -> None:
@@ -113,7 +115,7 @@ class Scope:
         before = node.entries[position - 1][1] if position else None
         self.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
 
-    def automatic(self, letter: str, owner: str, quantity: Quantity, span: Span, hint: str = "") -> Symbol:
+    def automatic(self, letter: str, owner: str, quantity: Quantity, span: Span | None, hint: str = "") -> Symbol:
         """The letter of a quantity that was written in place, so that derivations print letters."""
         name = self.free(letter, owner, hint)
         self.givens[name] = Given(

@@ -16,7 +16,7 @@ from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Numb
 from rotsolve.algebra.parse import FormulaError, parse
 from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import DIMENSIONS, NUMBER
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS, NUMBER, SYSTEM
 from rotsolve.scene.model import Given
 from rotsolve.scene.reader import pieces
 from rotsolve.scene.reader.dims import an, fits, infer, named
@@ -25,9 +25,10 @@ from rotsolve.scene.reader.rough import rough
 from rotsolve.scene.reader.scope import Scope
 from rotsolve.scene.words import hint, quoted
 
-LITERAL = re.compile(rf"\s*[-+−]?\s*{pieces.NUMBER}(?P<unit>.*)", re.DOTALL)
+LITERAL = re.compile(rf"\s*[-+−]?\s*{pieces.NUMBER}(?:\s*/\s*\d+)?\s*(?P<unit>(?:[^\W\d_]|[°%½]).*)?", re.DOTALL)
 EXAMPLES = {"length": "20 cm", "mass": "3 kg", "time": "2 s", "angle": "30 deg", "force": "12 N", "velocity": "4 m/s"}
 STEP = Fraction(1, 12)  # 15° in units of π
+EXPRESSION = Symbol("an expression after all")
 PathReader = Callable[[Text, pieces.Piece], Formula | None]
 
 
@@ -57,10 +58,8 @@ def value(scope: Scope, node: Node, want: Want, paths: PathReader | None = None)
     if node.value.strip() == "unknown":
         return unknown(scope, node, want)
     literal = LITERAL.fullmatch(node.value)
-    if literal and node.value.strip().isascii() or literal:
-        result = whole_literal(scope, node, want, (literal["unit"] if literal else "").strip())
-        if result is not NotImplemented:
-            return result
+    if literal and (result := whole_literal(scope, node, want, (literal["unit"] or "").strip())) is not EXPRESSION:
+        return result
     formula = expression(scope, node, want, paths)
     if formula is None or not check_dimension(scope, node, formula, want):
         return None
@@ -80,13 +79,13 @@ def unknown(scope: Scope, node: Text, want: Want) -> Formula | None:
 
 
 def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | None:
-    """A value that is one number with its unit; NotImplemented when the text is an expression after all."""
+    """A value that is one number with its unit; EXPRESSION when the text is an expression after all."""
     try:
         quantity = parse_quantity(node.value.strip())
     except UnitError as error:
         if re.search(r"[-+*/^()]", unit) or any(word in scope.givens for word in re.findall(r"\w+", unit)):
-            return NotImplemented
-        scope.fault(node, str(error), unit_help(unit), "unit")
+            return EXPRESSION
+        unit_fault(scope, node, error)
         return None
     if unit in scope.givens:
         ambiguous(scope, node, node.value.strip(), unit)
@@ -94,8 +93,11 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
     return settled(scope, node, want, quantity)
 
 
-def unit_help(unit: str) -> str:
-    return "write a product with `*`" if len(unit.split()) == 1 and len(unit) <= 2 else ""
+def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> None:
+    """The complaint of the unit parser at its place."""
+    shift += len(node.value) - len(node.value.lstrip())
+    help = f"did you mean `{error.suggestion}`?" if error.suggestion else "write a number and a unit, such as `3 kg m^2`"
+    scope.fault(node.part(shift + error.start, shift + max(error.end, error.start + 1)), error.message, help, "unit")
 
 
 def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> None:
@@ -196,7 +198,7 @@ def replacement(
         try:
             quantity = parse_quantity(piece.text)
         except UnitError as error:
-            scope.fault(place, str(error), kind="unit")
+            unit_fault(scope, node, error, piece.start)
             return None
         share = share_of_pi(quantity.value)
         if share is not None:
@@ -207,14 +209,13 @@ def replacement(
             return paths(node, piece)
         scope.fault(place, f"a path such as {quoted(piece.text)} can't stand here", "use givens and numbers", "formula")
         return None
-    if piece.kind == "name" and paths is not None and piece.text not in scope.givens:
-        return paths(node, piece) if (known := is_path_word(piece.text)) else piece.text if not known else None
+    if piece.kind == "name" and paths is not None and is_path_word(piece.text) and piece.text not in scope.givens:
+        return paths(node, piece)
     return piece.text
 
 
 def is_path_word(word: str) -> bool:
-    from rotsolve.core.quantity import BY_WORD, SYSTEM
-
+    """Whether the word alone is a quantity of the whole scene: `kinetic_energy`."""
     return word in BY_WORD and SYSTEM in BY_WORD[word].owners
 
 

@@ -1,0 +1,208 @@
+"""Ball: certified numbers. Precision is doubled until the digits asked for are sure; what can't be is never printed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Any
+
+from rotsolve.algebra.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.exact import is_zero
+from rotsolve.algebra.flints import arb, context
+from rotsolve.algebra.formula import Formula, Integral, Number, formula
+
+__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "resolve"]
+
+Values = Mapping[str, Formula | Fraction | int]
+BITS_PER_DIGIT = 3.3219280948873626
+INTEGRAL_LIMIT = 400  # bits: beyond this an integral costs more than it is worth
+EXACT_FROM = 256  # bits: from here on a value that may be zero is tested exactly
+
+
+class Precision:
+    """Context manager that sets flint's working precision in bits."""
+
+    __slots__ = ("bits", "old")
+
+    def __init__(self, bits: int) -> None:
+        self.bits = bits
+
+    def __enter__(self) -> None:
+        self.old = context.prec
+        context.prec = self.bits
+
+    def __exit__(self, *_: object) -> None:
+        context.prec = self.old
+
+
+@dataclass(frozen=True, slots=True)
+class Certified:
+    """A real number known to be inside a ball, with the means to know it better."""
+
+    ball: Ball
+    refine: Callable[[int], Ball]  # digits -> a ball with that relative accuracy, or the best there is
+    equals: Callable[[Fraction], bool]  # whether the number is exactly this
+
+    @property
+    def sign(self) -> int | None:
+        """−1, 0 or 1; None where the ball does not tell."""
+        if self.ball.is_zero():
+            return 0
+        return 1 if self.ball > 0 else -1 if self.ball < 0 else None
+
+    @property
+    def float(self) -> float:
+        return float(self.ball.mid())
+
+    @property
+    def digits_certified(self) -> int:
+        """The significant decimal digits that the ball settles."""
+        if self.ball.is_exact():
+            return 10**6
+        return max(0, int(self.ball.rel_accuracy_bits() / BITS_PER_DIGIT))
+
+    def text(self, digits: int = 4) -> str:
+        """The number to so many significant digits, correctly rounded; short where it is exact: `4.9`, `4.900`.
+
+        Undefined where the digits can not be certified.
+        """
+        ball, wanted = self.ball, max(digits + 6, 15)
+        for _ in range(8):
+            low, high = ends(ball)
+            if low == high == 0:
+                return "0"
+            if low * high > 0:
+                first, last = rounded(low, digits), rounded(high, digits)
+                if first == last:
+                    candidate = value_of(first, digits)
+                    exact = low <= candidate <= high and self.equals(candidate)
+                    return written(*first, digits, exact)
+                tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
+                if low <= tie <= high and self.equals(tie):
+                    return written(*rounded(tie, digits), digits, False)
+            wanted *= 2
+            ball = self.refine(wanted)
+        raise Undefined(f"{digits} digits can not be certified")
+
+
+def ends(ball: Ball) -> tuple[Fraction, Fraction]:
+    """Both ends of a ball as exact fractions."""
+    middle, radius = _exact(ball.mid()), _exact(ball.rad())
+    return middle - radius, middle + radius
+
+
+def _exact(point: Ball) -> Fraction:
+    mantissa, exponent = (int(part) for part in point.man_exp())
+    return Fraction(mantissa << exponent) if exponent >= 0 else Fraction(mantissa, 1 << -exponent)
+
+
+def rounded(value: Fraction, digits: int) -> tuple[int, int]:
+    """Signed mantissa of so many digits and the exponent of its first digit; a half is rounded away from zero."""
+    size = abs(value)
+    if not size:
+        return 0, 0
+    exponent = len(str(size.numerator)) - len(str(size.denominator))
+    if size < Fraction(10) ** exponent:
+        exponent -= 1
+    scaled = size * Fraction(10) ** (digits - 1 - exponent)
+    mantissa = (2 * scaled.numerator + scaled.denominator) // (2 * scaled.denominator)
+    if mantissa == 10**digits:
+        mantissa, exponent = mantissa // 10, exponent + 1
+    return (-mantissa if value < 0 else mantissa), exponent
+
+
+def value_of(mark: tuple[int, int], digits: int) -> Fraction:
+    """The decimal number with this mantissa and exponent."""
+    return mark[0] * Fraction(10) ** (mark[1] - digits + 1)
+
+
+def written(mantissa: int, exponent: int, digits: int, exact: bool) -> str:
+    """A decimal as text: plain between 10⁻⁴ and 10⁶, else with a power of ten; trailing zeros go where it is exact."""
+    sign = "−" if mantissa < 0 else ""
+    figures = str(abs(mantissa))
+    if exact:
+        figures = figures.rstrip("0") or "0"
+    if exponent >= 6 or exponent < -4:
+        power = str(exponent).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+        shown = figures if len(figures) == 1 else f"{figures[0]}.{figures[1:]}"
+        return f"{sign}{shown}×10{power}"
+    if exponent < 0:
+        return f"{sign}0.{'0' * (-exponent - 1)}{figures}"
+    if len(figures) <= exponent + 1:
+        return sign + figures + "0" * (exponent + 1 - len(figures))
+    return f"{sign}{figures[: exponent + 1]}.{figures[exponent + 1 :]}"
+
+
+def resolve(f: Formula, values: Values) -> Formula:
+    """The formula with all values put in, also values that are formulas of other values."""
+    known = {name: formula(value) for name, value in values.items()}
+    for _ in range(len(known) + 1):
+        names = f.symbols() & known.keys()
+        if not names:
+            return f
+        f = f.substitute({name: known[name] for name in names})
+    raise Undefined("a value refers to itself")
+
+
+def evaluate(f: Formula, values: Values, *, digits: int = 15, max_precision: int = 20000) -> Certified:
+    """The value of the formula with that many certified digits, or the best ball within the highest precision."""
+    known = {name: value if isinstance(value, Formula) else formula(value) for name, value in values.items()}
+    ball = _enclose(f, known, digits, max_precision)
+    return Certified(
+        ball,
+        lambda more: _enclose(f, known, more, max_precision),
+        lambda value: _equals(f, known, value),
+    )
+
+
+def _equals(f: Formula, values: Values, number: Fraction) -> bool:
+    return is_zero(resolve(f, values) - number)
+
+
+def _zero(f: Formula, values: Values) -> bool:
+    """Whether the value is exactly zero."""
+    try:
+        return is_zero(resolve(f, values))
+    except ZeroDivisionError as error:
+        raise Undefined("division by zero") from error
+
+
+def _enclose(f: Formula, values: Mapping[str, Formula], digits: int, max_precision: int) -> Ball:
+    needed = int(digits * BITS_PER_DIGIT) + 3
+    bits = needed + 24
+    asked = False
+    best: Ball = None
+    while True:
+        settle = (lambda node: _zero(node, values)) if bits >= EXACT_FROM else None
+        with Precision(bits):
+            ball = RealBalls(values, is_zero=settle)(f)
+        if ball.is_zero() or (ball.is_finite() and ball.rel_accuracy_bits() >= needed):
+            return ball
+        best = ball if ball.is_finite() else best
+        if not asked and bits >= EXACT_FROM and ball.contains(0):
+            asked = True
+            if _zero(f, values):
+                return arb(0)
+        bits *= 2
+        if bits > max_precision or (bits > INTEGRAL_LIMIT + 2 * needed and _has_integral(f, values)):
+            if best is None:
+                raise Undefined("no finite value was found")
+            return best
+
+
+def _has_integral(f: Formula, values: Mapping[str, Formula]) -> bool:
+    return any(isinstance(node, Integral) for g in (f, *values.values()) for node in g.walk())
+
+
+def decimal_text(value: Any, values: Values | None = None, digits: int = 4) -> str:
+    """A formula, certified number or ball in decimals: `4.356`, `0.45`, `7.272×10⁻⁵`."""
+    if isinstance(value, (int, Fraction)):
+        value = Number(Fraction(value))
+    if isinstance(value, Formula):
+        value = evaluate(value, values or {}, digits=max(digits + 6, 15))
+    if isinstance(value, Certified):
+        return value.text(digits)
+    ball = value
+    number = _exact(ball) if ball.is_exact() else None
+    return Certified(ball, lambda _: ball, lambda other: number == other).text(digits)

@@ -1,0 +1,226 @@
+"""Balls: a formula over real balls (arb) and complex balls (acb), at the precision that is set."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from rotsolve.algebra.flints import acb, arb, fmpz
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+
+Ball = Any  # flint's arb or acb
+
+
+class Undefined(ValueError):
+    """The formula has no real value there; says why in words."""
+
+
+def rational_ball(node: Number) -> Ball:
+    """A rational number as a ball."""
+    value = node.value
+    if value.denominator == 1:
+        return arb(value.numerator)
+    return arb(fmpz(value.numerator)) / fmpz(value.denominator)
+
+
+class RealBalls:
+    """Evaluates formulas over arb; `is_zero` decides borderline arguments exactly, `clip` cuts intervals to the domain."""
+
+    def __init__(
+        self,
+        values: Mapping[str, Formula],
+        *,
+        bound: Mapping[str, Ball] | None = None,
+        is_zero: Callable[[Formula], bool] | None = None,
+        clip: bool = False,
+    ) -> None:
+        self.values = values
+        self.memo: dict[str, Ball] = dict(bound or {})
+        self.open: set[str] = set()
+        self.is_zero = is_zero
+        self.clip = clip
+
+    def __call__(self, node: Formula) -> Ball:
+        return _REAL[type(node)](self, node)
+
+    def symbol(self, node: Symbol) -> Ball:
+        found = self.memo.get(node.name)
+        if found is None:
+            if node.name not in self.values:
+                raise Undefined(f"{node.name} has no value")
+            if node.name in self.open:
+                raise Undefined(f"the value of {node.name} refers to itself")
+            self.open.add(node.name)
+            found = self.memo[node.name] = self(self.values[node.name])
+        return found
+
+    def sum(self, node: Sum) -> Ball:
+        result = self(node.terms[0])
+        for term in node.terms[1:]:
+            result = result + self(term)
+        return result
+
+    def product(self, node: Product) -> Ball:
+        result = self(node.factors[0])
+        for factor in node.factors[1:]:
+            result = result * self(factor)
+        return result
+
+    def quotient(self, node: Quotient) -> Ball:
+        return self(node.numerator) / self._divisor(node.denominator)
+
+    def _divisor(self, node: Formula) -> Ball:
+        below = self(node)
+        if below.is_zero() or (self.is_zero and below.contains(0) and self.is_zero(node)):
+            raise Undefined("division by zero")
+        return below
+
+    def power(self, node: Power) -> Ball:
+        if isinstance(node.exponent, Number) and node.exponent.value.denominator == 1:
+            n = node.exponent.value.numerator
+            return self(node.base) ** n if n >= 0 else 1 / self._divisor(node.base) ** -n
+        base, exponent = self(node.base), self(node.exponent)
+        if base < 0:
+            raise Undefined("a fractional power of a negative number")
+        return base**exponent
+
+    def call(self, node: Call) -> Ball:
+        name = node.function
+        x = self(node.arguments[0])
+        if name in ("sin", "cos", "exp", "atan", "tan"):
+            return getattr(x, name)()
+        if name == "abs":
+            return abs(x)
+        if name == "sqrt":
+            return self._sqrt(node, x)
+        if name == "log":
+            if x <= 0:
+                raise Undefined("the logarithm of a number that is not positive")
+            return x.log()
+        if name == "atan2":
+            return self._atan2(node, x, self(node.arguments[1]))
+        return self._arc(node, x)
+
+    def _sqrt(self, node: Call, x: Ball) -> Ball:
+        if x < 0:
+            raise Undefined("the square root of a negative number")
+        if not x >= 0:
+            if self.clip:
+                return x.nonnegative_part().sqrt()
+            if self.is_zero and self.is_zero(node.arguments[0]):
+                return arb(0)
+        return x.sqrt()
+
+    def _arc(self, node: Call, x: Ball) -> Ball:
+        if abs(x) > 1:
+            raise Undefined(f"{node.function} of a number beyond 1")
+        if not abs(x) <= 1:
+            if self.clip:
+                x = x.min(arb(1)).max(arb(-1))
+            elif self.is_zero:
+                end = 1 if x > 0 else -1
+                if self.is_zero(node.arguments[0] - end):
+                    x = arb(end)
+        return x.asin() if node.function == "asin" else x.acos()
+
+    def _atan2(self, node: Call, y: Ball, x: Ball) -> Ball:
+        if self.is_zero:
+            y = arb(0) if y.contains(0) and self.is_zero(node.arguments[0]) else y
+            x = arb(0) if x.contains(0) and self.is_zero(node.arguments[1]) else x
+        if y.is_zero() and x.is_zero():
+            raise Undefined("atan2(0, 0)")
+        return arb.atan2(y, x)
+
+    def integral(self, node: Integral) -> Ball:
+        lower, upper = self(node.lower), self(node.upper)
+        outer = self
+
+        def integrand(z: Ball, analytic: bool) -> Ball:
+            return ComplexBalls(outer, {node.variable: z}, analytic)(node.integrand)
+
+        found = acb.integral(integrand, acb(lower), acb(upper))
+        return found.real
+
+
+_REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {
+    Number: lambda self, node: rational_ball(node),
+    Symbol: RealBalls.symbol,
+    Constant: lambda self, node: arb.pi(),
+    Sum: RealBalls.sum,
+    Product: RealBalls.product,
+    Quotient: RealBalls.quotient,
+    Negative: lambda self, node: -self(node.operand),
+    Power: RealBalls.power,
+    Call: RealBalls.call,
+    Integral: RealBalls.integral,
+}
+
+
+class ComplexBalls:
+    """Evaluates an integrand over acb; where analyticity is asked for and not certain, the result is not finite."""
+
+    def __init__(self, outer: RealBalls, bound: Mapping[str, Ball], analytic: bool) -> None:
+        self.outer = outer
+        self.bound = bound
+        self.analytic = analytic
+
+    def __call__(self, node: Formula) -> Ball:
+        if isinstance(node, Symbol) and node.name in self.bound:
+            return self.bound[node.name]
+        if not node.children() or not node.symbols() & self.bound.keys():
+            return acb(self.outer(node))
+        parts = [self(child) for child in node.children()]
+        if isinstance(node, Sum):
+            return sum(parts[1:], parts[0])
+        if isinstance(node, Product):
+            result = parts[0]
+            for part in parts[1:]:
+                result = result * part
+            return result
+        if isinstance(node, Quotient):
+            return parts[0] / parts[1]
+        if isinstance(node, Negative):
+            return -parts[0]
+        if isinstance(node, Power):
+            return self._power(node, parts)
+        if isinstance(node, Call):
+            return self._call(node.function, parts)
+        raise Undefined("an integral within an integral")
+
+    def _power(self, node: Power, parts: list[Ball]) -> Ball:
+        if isinstance(node.exponent, Number) and node.exponent.value.denominator == 1:
+            return parts[0] ** int(node.exponent.value)
+        return (parts[1] * parts[0].log(analytic=self.analytic)).exp()
+
+    def _call(self, function: str, parts: list[Ball]) -> Ball:
+        z = parts[0]
+        if function in ("sqrt", "log"):
+            return getattr(z, function)(analytic=self.analytic)
+        if function in ("sin", "cos", "tan", "exp"):
+            return getattr(z, function)()
+        if function == "abs":
+            if z.real > 0:
+                return z
+            if z.real < 0:
+                return -z
+            return acb(arb.nan()) if self.analytic else acb(abs(z.real))
+        if function in ("asin", "acos"):
+            inside = abs(z.real) < 1
+            return getattr(z, function)() if inside or not self.analytic else acb(arb.nan())
+        if function == "atan":
+            return z.atan() if abs(z.imag) < 1 or not self.analytic else acb(arb.nan())
+        if parts[1].real > 0 and (not self.analytic or abs((z / parts[1]).imag) < 1):
+            return (z / parts[1]).atan()
+        return acb(arb.nan()) if self.analytic else acb(arb.atan2(z.real, parts[1].real))

@@ -1,0 +1,196 @@
+"""Root finding: the real roots of a formula in an interval, each isolated and certified by interval Newton."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rotsolve.algebra.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
+from rotsolve.algebra.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.exact import is_zero
+from rotsolve.algebra.flints import arb, fmpq
+from rotsolve.algebra.formula import Formula, Number, formula
+
+BUDGET = 3000  # intervals looked at
+SPLIT = Fraction(489, 1000)  # not the middle, where roots of tidy problems are
+NARROW = 60  # bits of relative width below which an undecided interval is given up
+
+
+class NotCertified(ValueError):
+    """No root, or not exactly one, could be certified."""
+
+
+@dataclass(frozen=True, slots=True)
+class Roots:
+    """Certified simple roots in rising order; `complete` tells whether they are certainly all."""
+
+    roots: tuple[Certified, ...]
+    complete: bool
+
+
+@dataclass(frozen=True, slots=True)
+class _Function:
+    """A formula of one variable with its derivative, over balls."""
+
+    f: Formula
+    slope: Formula
+    name: str
+
+    def __call__(self, x: Ball) -> Ball:
+        return RealBalls({}, bound={self.name: x}, clip=True)(self.f)
+
+    def rate(self, x: Ball) -> Ball:
+        return RealBalls({}, bound={self.name: x}, clip=True)(self.slope)
+
+
+def _point(value: Fraction) -> Ball:
+    return arb(fmpq(value.numerator, value.denominator))
+
+
+def _interval(low: Fraction, high: Fraction) -> Ball:
+    return _point(low).union(_point(high))
+
+
+def real_roots(
+    f: Formula,
+    name: str,
+    values: Values,
+    low: Formula | Fraction | int,
+    high: Formula | Fraction | int,
+    digits: int = 15,
+) -> Roots:
+    """All simple roots of f = 0 for `name` from low to high, within bounded work."""
+    g = resolve(f, {key: value for key, value in values.items() if key != name})
+    function = _Function(g, differentiate(g, name), name)
+    bits = int(digits * BITS_PER_DIGIT) + 64
+    with Precision(bits):
+        first, last = _end(low, values, False), _end(high, values, True)
+        isolated, complete = _isolate(function, first, last)
+        found = [_certify(function, piece, digits) for piece in isolated]
+    return Roots(tuple(sorted(found, key=lambda root: root.float)), complete)
+
+
+def _end(value: Formula | Fraction | int, values: Values, upper: bool) -> Fraction:
+    """An end of the interval as a fraction, rounded outwards."""
+    resolved = resolve(formula(value), values)
+    if isinstance(resolved, Number):
+        return resolved.value
+    return ends(RealBalls({})(resolved))[1 if upper else 0]
+
+
+def _isolate(function: _Function, first: Fraction, last: Fraction) -> tuple[list[tuple[Fraction, Fraction]], bool]:
+    """Intervals with exactly one root each (a point where the root is exact), and whether nothing was given up."""
+    found: list[tuple[Fraction, Fraction]] = [(x, x) for x in dict.fromkeys((first, last)) if _vanishes(function, x)]
+    exact = {x for x, _ in found}
+    stack, complete, work = [(first, last)], True, 0
+    limit = max(abs(first), abs(last), last - first) / (1 << NARROW)
+    while stack:
+        low, high = stack.pop()
+        work += 1
+        if work > BUDGET:
+            return found, False
+        verdict = _look(function, low, high, exact)
+        if verdict == "one":
+            found.append((low, high))
+        elif verdict == "unsure":
+            if high - low <= limit:
+                complete = complete and (low in exact or high in exact)
+                continue
+            middle = low + (high - low) * SPLIT
+            stack += [(middle, high), (low, middle)]
+    return found, complete
+
+
+def _vanishes(function: _Function, x: Fraction) -> bool:
+    """Whether x is a root, exactly."""
+    try:
+        if not function(_point(x)).contains(0):
+            return False
+        return is_zero(function.f.substitute({function.name: Number(x)}))
+    except (Undefined, ZeroDivisionError):
+        return False
+
+
+def _look(function: _Function, low: Fraction, high: Fraction, exact: set[Fraction]) -> str:
+    """none, one (root inside) or unsure for an interval; roots at exact ends are not counted again."""
+    box = _interval(low, high)
+    try:
+        value = function(box)
+    except Undefined:
+        return "none"
+    if value.is_finite() and not value.contains(0):
+        return "none"
+    try:
+        rate = function.rate(box)
+        if not rate.is_finite() or rate.contains(0) or not value.is_finite():
+            return "unsure"
+        if low in exact or high in exact:
+            return "none"
+        left, right = function(_point(low)), function(_point(high))
+    except Undefined:
+        return "unsure"
+    if left.contains(0) or right.contains(0):
+        return "unsure"
+    return "none" if (left > 0) == (right > 0) else "one"
+
+
+def _certify(function: _Function, piece: tuple[Fraction, Fraction], digits: int) -> Certified:
+    low, high = piece
+    if low < 0 < high and _vanishes(function, Fraction(0)):
+        low = high = Fraction(0)
+    if low == high:
+        return Certified(_point(low), lambda _: _point(low), lambda value: value == low)
+
+    def refine(more: int) -> Ball:
+        return _newton(function, low, high, more)
+
+    def equals(value: Fraction) -> bool:
+        return low < value < high and _vanishes(function, value)
+
+    return Certified(refine(digits), refine, equals)
+
+
+def _newton(function: _Function, low: Fraction, high: Fraction, digits: int) -> Ball:
+    """Interval Newton on an interval where the slope keeps its sign: every step keeps the root."""
+    needed = int(digits * BITS_PER_DIGIT) + 4
+    with Precision(needed + 60):
+        box = _interval(low, high)
+        for _ in range(400):
+            if box.rel_accuracy_bits() >= needed:
+                return box
+            middle = box.mid()
+            step = middle - function(middle) / function.rate(box)
+            new = step.intersection(box) if step.is_finite() and step.overlaps(box) else box
+            if new.rad() > box.rad() * arb("0.7"):
+                new = _halve(function, box, new)
+            box = new
+    return box
+
+
+def _halve(function: _Function, box: Ball, new: Ball) -> Ball:
+    """The half of the box in which the sign changes, where Newton is too slow."""
+    low, high = (_point(end) for end in ends(box))
+    middle = box.mid()
+    at = function(middle)
+    if at.contains(0):
+        return new
+    same = (function(low) > 0) == (at > 0)
+    half = middle.union(high) if same else low.union(middle)
+    return new.intersection(half) if new.overlaps(half) else half
+
+
+def find_root(
+    f: Formula,
+    name: str,
+    values: Values,
+    low: Formula | Fraction | int,
+    high: Formula | Fraction | int,
+    digits: int = 15,
+) -> Certified:
+    """The only root of f = 0 between low and high; NotCertified where there is none, more than one, or doubt."""
+    found = real_roots(f, name, values, low, high, digits)
+    if not found.complete or len(found.roots) != 1:
+        doubt = "" if found.complete else ", and there may be more"
+        raise NotCertified(f"{len(found.roots)} roots for {name} in the interval{doubt}")
+    return found.roots[0]

@@ -1,0 +1,88 @@
+"""Passage and Encounter: what principles read about a phase of motion, and about an event that takes no time."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.facts import BodyFacts, Facts, Force
+from rotsolve.core.heading import Vector
+
+
+@dataclass(frozen=True, slots=True)
+class Travel:
+    """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
+
+    `words` name it ("block", "disc, rotation"); `pace` is 'constant', 'time' or 'position'; for varying paces `midway` is the
+    acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
+    """
+
+    body: str
+    kind: str  # 'line' or 'turn'
+    before: Formula
+    after: Formula
+    acceleration: Formula
+    change: Formula
+    pace: str
+    moving: Formula
+    start: Formula | None = None  # value of the coordinate at both ends, where the scene has one
+    end: Formula | None = None
+    coordinate: Formula | None = None  # the coordinate at any moment between
+
+
+@dataclass(frozen=True, slots=True)
+class Work:
+    """Work of one force or couple over a phase that is not stored as potential energy; counted positive when it gives energy."""
+
+    owner: str
+    amount: Formula
+    words: str
+    bodies: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Passage:
+    """A phase: facts at both ends and in its midst, the travels of all bodies, the work done, the heights, the time."""
+
+    name: str
+    start: Facts
+    end: Facts
+    midst: Facts
+    travels: tuple[Travel, ...]
+    works: tuple[Work, ...]
+    heights: Mapping[str, tuple[Formula, Formula] | None]
+    duration: Formula
+    times: tuple[Formula, Formula]
+    groups: tuple[frozenset[str], ...]
+    idle: tuple[str, ...] = ()  # connections that do no work, for the sentence that says why energy is conserved
+
+
+@dataclass(frozen=True, slots=True)
+class Meeting:
+    """One body through an event: mass, inertia about its reference, the velocities before and after, and the blows that it takes.
+
+    `place` is the centre of mass from the event's common point, `cm` from the body's own reference; vectors hold at the instant of
+    the event, when nothing has moved yet.
+    """
+
+    body: BodyFacts
+    inertia: Formula
+    before: Vector  # velocity of the centre of mass
+    after: Vector
+    spin_before: Formula
+    spin_after: Formula
+    place: Vector | None
+    blows: tuple[Force, ...]  # impulses on it, as forces with impulse for size, arms from its reference
+
+
+@dataclass(frozen=True, slots=True)
+class Encounter:
+    """An event: the bodies that take part, and the point about which no outside impulse has an arm, if there is one."""
+
+    name: str
+    words: str
+    meetings: tuple[Meeting, ...]
+    groups: tuple[frozenset[str], ...]
+    pivot: Mapping[str, str]  # body of a group -> name of the support about which it turns
+    restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed

@@ -1,0 +1,127 @@
+"""Free bodies: all facts at an instant: every body with its inertia, its motion, and the forces and couples on it."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Potential, Requirement, Rule
+from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import Quantity
+from rotsolve.motion.instant import Frame, Instant
+from rotsolve.motion.rigid import mass_of, moment_about, shape_of
+from rotsolve.scene.model import Body
+
+
+def free_bodies(instant: Instant) -> Facts:
+    """The facts of all bodies that are present at an instant."""
+    arrangement = instant.arrangement
+    stated = [fact for item in arrangement.connections(instant.state) for fact in item.facts(instant)]
+    stated += [fact for item in arrangement.actions(instant.state) for fact in item.facts(instant)]
+    forces = [fact for fact in stated if isinstance(fact, Force)]
+    couples = [fact for fact in stated if isinstance(fact, Couple)]
+    bodies = []
+    for body in arrangement.present(instant.state):
+        own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
+        own_couples = tuple(couple for couple in couples if couple.body == body.name)
+        bodies.append(free_body(body, instant, own_forces, own_couples))
+    return Facts(
+        instant.state,
+        instant.when,
+        tuple(bodies),
+        tuple(fact for fact in stated if isinstance(fact, Rule)),
+        tuple(fact for fact in stated if isinstance(fact, Requirement)),
+        tuple(fact for fact in stated if isinstance(fact, Potential)),
+    )
+
+
+def weight(name: str, instant: Instant) -> tuple[Force, ...]:
+    """The weight m g, down at the centre of mass; none where nothing weighs or the picture is seen from above."""
+    gravity, mass = instant.arrangement.problem.gravity, cluster_mass(name, instant)
+    if gravity is None or not instant.arrangement.heavy or mass == ZERO:
+        return ()
+    size = mass * gravity
+    arm = instant.frame(name).cm.rotated(instant.orientation(name))
+    place = ", at the centre of mass" if arm.parts else ""
+    return (Force("", "weight", name, size, unit(DOWN), arm, ("weight ", size, f", down{place}")),)
+
+
+def cluster_mass(name: str, instant: Instant) -> Formula:
+    """Mass of a body with all that is joined to it."""
+    mass = mass_of(instant.body(name))
+    for member in instant.arrangement.cluster(name, instant.state):
+        mass = mass + mass_of(instant.body(member.name))
+    return mass
+
+
+def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: tuple[Couple, ...]) -> BodyFacts:
+    """One body at an instant."""
+    motion, own = instant.motion(body.name), instant.frame(body.name)
+    inertia = moment_of_inertia(body, instant, own) if motion.turns else None
+    return BodyFacts(
+        body.name,
+        cluster_mass(body.name, instant),
+        inertia,
+        motion,
+        own.cm.rotated(motion.orientation),
+        axes_of(motion.heading),
+        positive_sense(body, instant),
+        forces,
+        couples,
+        instant.is_round(body.name),
+    )
+
+
+def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
+    """Directions along which Newton's second law is written: along and across a line of travel, else right and up."""
+    if direction is None:
+        return (RIGHT, UP)
+    across = direction.turned(90)
+    return (direction, across if across.degrees % 360 <= 180 else direction.turned(-90))
+
+
+def positive_sense(body: Body, instant: Instant) -> str:
+    """The positive sense in words: "down", "clockwise", "down the slope, clockwise"."""
+    motion = instant.motion(body.name)
+    line = instant.arrangement.line(body.name, instant.state) if motion.kind == "line" else None
+    travel = line[1] if line else "right, up" if motion.kind == "plane" else ""
+    return ", ".join(part for part in (travel, instant.turn_words(body.name)[0] if motion.turns else "") if part)
+
+
+def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
+    """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
+    members = instant.arrangement.cluster(body.name, instant.state)
+    formula, remark = moment_about(own.pieces, own.reference)
+    if formula == ZERO:
+        return Inertia(ZERO, ZERO, "")
+    letter = given_inertia(body, own, bool(members))
+    label, about = inertia_label(body, instant, own, [member.name for member in members])
+    if letter is None:
+        joined = "+".join([body.name, *(member.name for member in members)])
+        kind = BY_WORD["inertia"]
+        letter = instant.registry.ask(Quantity("inertia", joined, "", about, kind.letter, kind.dimension))
+    return Inertia(letter, formula, label, remark)
+
+
+def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
+    """The moment of inertia where the scene gives it for just this axis, so that nothing is left to define."""
+    simple = body.inertia is not None and not own.cm.parts and not joined and not body.parts and not body.holes
+    return body.inertia if simple else None
+
+
+def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) -> tuple[str, str]:
+    """Words for a moment of inertia, such as "rod about its end", and a short name of the point."""
+    shape = shape_of(body).word
+    noun = f"solid {shape}" if shape in ("disc", "cylinder", "sphere") else shape
+    if members or body.parts or shape == "particle":
+        noun = body.name.replace("_", " ")
+    if members:
+        noun += " with " + " and ".join(name.replace("_", " ") for name in members)
+    pivot = instant.arrangement.pivot(body.name, instant.state)
+    point = pivot.point if pivot is not None else None
+    if not own.cm.parts:
+        return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else ""), ""
+    if shape == "rod" and point in ("start", "end") and not members:
+        return f"moment of inertia, {noun} about its end", point
+    return f"moment of inertia, {noun} about the pivot", point or "pivot"
+
+

@@ -1,0 +1,33 @@
+"""Rate rules: how strings, contacts, joints and drives tie the motions of bodies together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.equation import Equation
+from rotsolve.core.facts import Facts, Rule
+
+
+def for_accelerations(facts: Facts, section: str) -> Iterator[Equation]:
+    """The rules for accelerations."""
+    for rule in facts.rules:
+        yield written(rule, rule.acceleration, section)
+
+
+def for_velocities(facts: Facts, section: str) -> Iterator[Equation]:
+    """The rules for velocities."""
+    for rule in facts.rules:
+        yield written(rule, rule.velocity, section)
+
+
+def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str) -> Iterator[Equation]:
+    """The rules for displacements and angles turned, with `changes` put in for the rates; only where their coefficients never change."""
+    for rule in facts.rules:
+        if rule.linear:
+            left, right = (side.substitute(dict(changes)) for side in rule.velocity)
+            yield written(rule, (left, right), section)
+
+
+def written(rule: Rule, sides: tuple[Formula, Formula], section: str) -> Equation:
+    return Equation(sides[0], sides[1], rule.label, section, "", 2, rule.remark, bodies=rule.bodies)

@@ -1,0 +1,65 @@
+"""Kinematics over a phase: constant acceleration, acceleration as a function of time, and of the angle or place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rotsolve.algebra.formula import Formula, Integral, Number, Symbol
+from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.facts import square
+from rotsolve.core.passage import Passage, Travel
+from rotsolve.principles.writing import spoken
+
+HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
+TIME = "time"
+
+
+def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
+    """The equations of motion of every coordinate, by how its acceleration varies."""
+    for travel in passage.travels:
+        if travel.pace == "constant":
+            yield from constant(travel, passage, section)
+        elif travel.pace == "time":
+            yield from varying(travel, passage, section)
+        else:
+            yield from by_place(travel, section)
+        if travel.start is not None and travel.end is not None:
+            change = travel.end - travel.start
+            yield equation(travel.change, change, "angle turned", travel, section, "", 1)
+    if passage.times[0] != passage.times[1]:
+        yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, "", 1)
+
+
+def equation(left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = "", cost: int = 2) -> Equation:
+    return Equation(left, right, f"{words}, {spoken(travel.body)}", section, family, cost, bodies=(travel.body,))
+
+
+def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
+    """v₂ = v₁ + a t and its three companions."""
+    before, after, rate, change, time = travel.before, travel.after, travel.acceleration, travel.change, passage.duration
+    words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
+    yield equation(after, before + rate * time, words, travel, section)
+    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, NEWTON, 3)
+    yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
+    yield equation(change, HALF * (before + after) * time, words, travel, section, cost=3)
+
+
+def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
+    """v₂ = v₁ + ∫ a dt, and the change of the coordinate as ∫ v dt."""
+    start, end = passage.times
+    words = "velocity from acceleration" if travel.kind == "line" else "angular velocity from angular acceleration"
+    yield equation(travel.after, travel.before + Integral(travel.acceleration, TIME, start, end), words, travel, section)
+    words = f"{words}, at any time"
+    yield equation(travel.moving, travel.before + Integral(travel.acceleration, TIME, start, Symbol(TIME)), words, travel, section)
+    words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
+    yield equation(travel.change, Integral(travel.moving, TIME, start, end), words, travel, section)
+
+
+def by_place(travel: Travel, section: str) -> Iterator[Equation]:
+    """½ (v₂² − v₁²) = ∫ a dx, for an acceleration that depends on the place or angle alone (ω dω = α dθ)."""
+    if travel.start is None or travel.end is None or not isinstance(travel.coordinate, Symbol):
+        return
+    gained = HALF * square(travel.after) - HALF * square(travel.before)
+    integral = Integral(travel.acceleration, travel.coordinate.name, travel.start, travel.end)
+    yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)

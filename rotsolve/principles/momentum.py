@@ -1,0 +1,167 @@
+"""Momentum and angular momentum: their rates at an instant, their change by impulses, and what an event leaves unchanged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
+from rotsolve.core.facts import BodyFacts, Facts, Force, signed
+from rotsolve.core.heading import RIGHT, UP, Heading, Vector
+from rotsolve.core.passage import Encounter, Meeting, Passage
+from rotsolve.principles.rotation import about, response, torques
+from rotsolve.principles.writing import flat, law, moved, positive_first, spoken
+
+
+def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+    """dL/dt = τ of a group: about the axis of its one wheel, or about the point where a rolling or unwinding body is held."""
+    bodies = [body for body in facts.bodies if body.name in group]
+    turning = [body for body in bodies if body.motion.kind == "axis"]
+    if len(turning) == 1:
+        yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], section)
+    elif len(bodies) == 1 and bodies[0].motion.kind == "line" and bodies[0].motion.turns:
+        yield from about_contact(bodies[0], section)
+
+
+def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Iterator[Equation]:
+    """I α + Σ R m a = τ: a body on a string that runs off the wheel has the rim's radius for its arm."""
+    sense, rates, pushes = wheel.motion.sense, [response(wheel)], outside_torques(wheel)
+    for body in others:
+        arm = arm_of_string(body, wheel)
+        if arm is None or body.motion.kind != "line" or body.motion.turns or body.motion.heading is None:
+            return
+        along = body.motion.heading
+        rates.append(signed(arm.cross(body.motion.acceleration.times(body.mass)), sense))
+        for force in body.forces:
+            if not force.internal:
+                pull = Vector(((force.vector.along(along), along),))
+                pushes.append(signed(arm.cross(pull), sense))
+    label = f"angular momentum about the {'pivot' if wheel.cm.parts else 'axle'}: its rate is the torque"
+    yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(wheel.name,))
+
+
+def outside_torques(wheel: BodyFacts) -> list[Formula]:
+    """Torques on a wheel that do not come from what moves with it."""
+    sense = wheel.motion.sense
+    forces = [signed(force.torque, sense) for force in wheel.forces if not force.internal]
+    return [*forces, *(signed(couple.torque, sense) for couple in wheel.couples if not couple.internal)]
+
+
+def arm_of_string(body: BodyFacts, wheel: BodyFacts) -> Vector | None:
+    """Where the string that pulls a body leaves the wheel: the wheel feels the same tension the other way."""
+    for force in body.forces:
+        for other in wheel.forces:
+            same = force.role == "tension" and (force.owner, force.size) == (other.owner, other.size)
+            if same and force.direction == -other.direction:
+                return other.arm
+    return None
+
+
+def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
+    """Rolling or unwinding: about the point held by the surface or string, whose forces then have no arm."""
+    held = {force.arm for force in body.forces if force.internal}
+    if len(held) != 1:
+        return
+    point, sense = held.pop(), body.motion.sense
+    pushes = [signed((force.arm - point).cross(force.vector), sense) for force in body.forces if not force.internal]
+    pushes += [signed(couple.torque, sense) for couple in body.couples]
+    orbital = signed((-point).cross(body.motion.acceleration.times(body.mass)), sense)
+    rates = [term for term in (response(body), orbital) if term != ZERO]
+    label = f"angular momentum about the point of contact of {spoken(body.name)}: its rate is the torque"
+    yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(body.name,))
+
+
+def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
+    """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant: angular impulse = change of angular momentum."""
+    for travel in passage.travels:
+        body = passage.midst.body(travel.body)
+        if body is None or travel.kind != "turn" or travel.pace != "constant" or body.motion.kind != "axis" or body.inertia is None:
+            continue
+        pushes = [torque * passage.duration for torque in flat(torques(body))]
+        change = body.inertia.letter * travel.after - body.inertia.letter * travel.before
+        left, right = law(pushes, change)
+        label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
+        yield Equation(left, right, label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+
+
+def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:
+    """All that an event keeps or changes: groups as wholes first, then each body with the blows on it."""
+    for group in encounter.groups:
+        members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
+        yield from whole(encounter, group, members, section)
+    for meeting in encounter.meetings:
+        yield from single(meeting, section)
+    if encounter.restitution is not None:
+        coefficient, approach, separation = encounter.restitution
+        yield Equation(separation, coefficient * approach, "coefficient of restitution", section, "", 2)
+
+
+def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], section: str) -> Iterator[Equation]:
+    """Angular momentum of a group about its support, or momentum and angular momentum of a free one."""
+    names = tuple(sorted(group))
+    pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
+    outside = [blow for meeting in members for blow in meeting.blows if not blow.internal]
+    if all(meeting.place is not None for meeting in members):
+        sense = next((item.body.motion.sense for item in members if item.body.motion.turns), 1)
+        before = [term for item in members for term in spin_terms(item, sense, after=False)]
+        after = [term for item in members for term in spin_terms(item, sense, after=True)]
+        torque = [signed(arm_from_point(item, blow).cross(blow.vector), sense) for item in members for blow in item.blows if not blow.internal]
+        point = f"about the {pivot}" if pivot else "about the meeting point"
+        label = f"angular momentum {point} is conserved" if not outside else f"angular impulse = change of angular momentum, {point}"
+        words: Words = ("no outside torque acts ", point, ": the blow at the support has no arm") if pivot and not outside else ()
+        if flat(before) or flat(after):
+            yield Equation(*moved([*before, *torque], after), label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+    if pivot is None:
+        yield from linear(members, outside, section, names)
+
+
+def linear(members: list[Meeting], outside: list[Force], section: str, names: tuple[str, ...]) -> Iterator[Equation]:
+    """Σ m v of a free group, along the one line of travel or right and up."""
+    headings = {item.body.motion.heading for item in members}
+    first = next(iter(headings))
+    axes: tuple[Heading, ...] = (first,) if len(headings) == 1 and first is not None else (RIGHT, UP)
+    for axis in axes:
+        before = [item.body.mass * item.before.along(axis) for item in members]
+        after = [item.body.mass * item.after.along(axis) for item in members]
+        blow = [force.vector.along(axis) for force in outside]
+        if flat(before) or flat(after) or flat(blow):
+            label = "momentum is conserved" if not flat(blow) else "impulse = change of momentum"
+            yield Equation(*moved([*before, *blow], after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
+
+
+def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
+    """r × m v + I ω of one body about the common point, along a sense; a body on the axis has I about it."""
+    velocity, spin = (item.after, item.spin_after) if after else (item.before, item.spin_before)
+    terms = [item.inertia * signed(spin, sense)]
+    if item.body.motion.kind != "axis" and item.place is not None:
+        terms.append(signed(item.place.cross(velocity.times(item.body.mass)), sense))
+    return [term for term in terms if term != ZERO]
+
+
+def arm_from_point(item: Meeting, blow: Force) -> Vector:
+    """Arm of a blow from the common point."""
+    if item.body.motion.kind == "axis" or item.place is None:
+        return blow.arm
+    return item.place + blow.arm - item.body.cm
+
+
+def single(item: Meeting, section: str) -> Iterator[Equation]:
+    """m Δv = ΣJ and I Δω = Σ r × J of one body."""
+    body = item.body
+    for axis in body.axes:
+        pushes = [blow.vector.along(axis) for blow in item.blows]
+        change = [body.mass * item.after.along(axis), negate(body.mass * item.before.along(axis))]
+        if flat(pushes) or flat(change):
+            left, right = moved([*pushes, body.mass * item.before.along(axis)], [change[0]])
+            label = f"impulse = change of momentum, {spoken(body.name)}"
+            yield Equation(left, right, label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+    if body.motion.turns:
+        sense = body.motion.sense
+        pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
+        before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
+        if flat(pushes) or flat([before, after]):
+            label = f"angular impulse = change of angular momentum, {spoken(body.name)}"
+            yield Equation(*moved([*pushes, before], [after]), label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+
+

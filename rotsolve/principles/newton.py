@@ -1,0 +1,47 @@
+"""Newton's second law, Σ F = m a, for every body along its line of travel and across, or right and up."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import ZERO, Formula, multiply
+from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.facts import BodyFacts, Facts
+from rotsolve.core.heading import Heading
+from rotsolve.principles.writing import law, spoken
+
+
+def second_law(facts: Facts, section: str) -> Iterator[Equation]:
+    """Σ F = m a of the centre of mass, component by component; equilibrium where it does not accelerate."""
+    for body in facts.bodies:
+        for axis in body.axes:
+            equation = along(body, axis, section)
+            if equation is not None:
+                yield equation
+
+
+def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
+    """The component along one axis; None where nothing acts along it."""
+    forces = [force.vector.along(axis) for force in body.forces]
+    acceleration = body.centre_acceleration.along(axis)
+    response = multiply(body.mass, acceleration) if body.mass != ZERO else ZERO
+    if all(force == ZERO for force in forces) and response == ZERO:
+        return None
+    left, right = law(forces, response)
+    return Equation(left, right, f"Newton's second law, {spoken(body.name)}{axis_words(body, axis)}", section, NEWTON, 3, bodies=(body.name,))
+
+
+def axis_words(body: BodyFacts, axis: Heading) -> str:
+    """Which component is meant, where the law has more than one."""
+    if body.motion.kind == "line":
+        if axis == body.motion.heading:
+            across = [force for force in body.forces if force.role == "normal"]
+            return ", along its path" if across else ""
+        return ", across its path"
+    names = {0: ", horizontally", 90: ", vertically"}
+    return names.get(int(axis.degrees % 360), "") if not axis.terms else ""
+
+
+def net_force(body: BodyFacts, axis: Heading) -> Formula:
+    """m a along an axis."""
+    return multiply(body.mass, body.centre_acceleration.along(axis))

@@ -1,0 +1,59 @@
+"""Writing an equation as a textbook does: what is positive first, nothing that is zero, minus signs moved across."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Quotient, Sum, negate, total
+
+
+def is_negative(term: Formula) -> bool:
+    """Whether a term is written with a minus sign in front."""
+    if isinstance(term, Negative):
+        return True
+    if isinstance(term, Number):
+        return term.value < 0
+    if isinstance(term, (Product, Quotient)):
+        return is_negative(term.children()[0])
+    return False
+
+
+def flat(terms: Iterable[Formula]) -> list[Formula]:
+    """The single terms of a sum, zeros left out."""
+    result: list[Formula] = []
+    for term in terms:
+        result.extend(flat(term.terms) if isinstance(term, Sum) else [term] if term != ZERO else [])
+    return result
+
+
+def positive_first(terms: Iterable[Formula]) -> Formula:
+    """Σ terms with the positive ones first."""
+    single = flat(terms)
+    return total([term for term in single if not is_negative(term)] + [term for term in single if is_negative(term)])
+
+
+def law(pushes: Sequence[Formula], response: Formula) -> tuple[Formula, Formula]:
+    """Σ pushes = response; in equilibrium the positive ones on the left equal the others on the right."""
+    single = flat(pushes)
+    if response != ZERO:
+        if single and all(is_negative(term) for term in single) and is_negative(response):
+            return total([negate(term) for term in single]), negate(response)
+        return positive_first(single), response
+    forward = [term for term in single if not is_negative(term)]
+    back = [negate(term) for term in single if is_negative(term)]
+    if not forward:
+        return total(back), ZERO
+    return total(forward), total(back)
+
+
+def moved(left: Sequence[Formula], right: Sequence[Formula]) -> tuple[Formula, Formula]:
+    """Σ left = Σ right with every negative term moved to the other side."""
+    here, there = flat(left), flat(right)
+    one = [term for term in here if not is_negative(term)] + [negate(term) for term in there if is_negative(term)]
+    other = [term for term in there if not is_negative(term)] + [negate(term) for term in here if is_negative(term)]
+    return total(one), total(other)
+
+
+def spoken(name: str) -> str:
+    """A name of the scene as words."""
+    return name.replace("_", " ")

@@ -1,0 +1,294 @@
+"""Read a scene: YAML text -> Problem, with all faults of the file at once."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units import parse_quantity
+from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.scene.model import Given, Problem
+from rotsolve.scene.reader.answers import read_answer
+from rotsolve.scene.reader.bodies import read_body
+from rotsolve.scene.reader.elements import read_element
+from rotsolve.scene.reader.givens import read_givens
+from rotsolve.scene.reader.nodes import BYTES, List, Map, Node, Text, compose
+from rotsolve.scene.reader.phrases import read_find
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.states import read_phase, read_state
+from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.sections import SECTIONS
+from rotsolve.scene.words import quoted
+
+STANDARD_GRAVITY = "9.8 m/s^2"
+NAMED = {
+    "given": "given",
+    "surfaces": "surface",
+    "bodies": "body",
+    "connections": "connection",
+    "actions": "action",
+    "states": "state",
+    "phases": "phase",
+    "events": "event",
+    "find": "find",
+}
+Entries = dict[str, tuple[Text, Node]]
+
+
+def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
+    """The problem in a file; its size is checked before it is read."""
+    name = os.fspath(path)
+    try:
+        size = os.path.getsize(name)
+        if size > BYTES:
+            raise too_large(size, name)
+        with open(name, "rb") as stream:
+            content = stream.read(BYTES + 1)
+    except OSError as error:
+        reason = error.strerror or "it can't be read"
+        raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
+    if len(content) > BYTES:
+        raise too_large(len(content), name)
+    if b"\0" in content:
+        raise SceneError([Fault("this is no text file: it holds a NUL byte", None, "a scene is YAML text in UTF-8", "file")], (), name)
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        message = f"line {line} is not UTF-8"
+        raise SceneError([Fault(message, None, "save the file as UTF-8", "file")], (), name) from None
+    return read_text(text, name, settings)
+
+
+def too_large(size: int, name: str) -> SceneError:
+    return SceneError([Fault(f"the file has {size} bytes, more than {BYTES}", None, "a scene is a page of text", "limit")], (), name)
+
+
+def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
+    """The problem in a text. Raises SceneError with all faults."""
+    if len(text) > BYTES:
+        raise too_large(len(text), file)
+    text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
+    control = next((index for index, character in enumerate(text) if is_control(character)), None)
+    if control is not None:
+        line = text.count("\n", 0, control) + 1
+        message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
+        raise SceneError([Fault(message, None, "a scene is YAML text in UTF-8", "file")], (), file)
+    root, lines = compose(text, file)
+    scope = Scope()
+    problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
+    if scope.faults:
+        raise SceneError(scope.faults, lines, file)
+    assert problem is not None
+    return problem
+
+
+def is_control(character: str) -> bool:
+    """What no text holds, and YAML's parser refuses."""
+    code = ord(character)
+    return (code < 32 and character not in "\n\t") or 0x7F <= code < 0xA0 and code != 0x85 or 0xD800 <= code < 0xE000 or code in (0xFFFE, 0xFFFF)
+
+
+class Sections:
+    """Reads the sections in the order in which they lean on each other."""
+
+    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
+        self.scope = scope
+        self.settings = settings
+        self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
+        if not isinstance(root, Map):
+            scope.fault(root, "a scene is a map", "begin with `title:`, `given:`, `bodies:`, `find:`", "form")
+
+    def node(self, section: str) -> Node | None:
+        return self.top[section][1] if section in self.top else None
+
+    def entries(self, section: str) -> Entries:
+        """The entries of a section whose names are new; names were entered by `declare`."""
+        node = self.node(section)
+        if not isinstance(node, Map):
+            return {}
+        kind = NAMED[section]
+        return {
+            key.value: (key, item)
+            for key, item in node.entries
+            if self.scope.kinds.get(key.value) == kind and self.scope.places.get(key.value) == key.span
+            if not (isinstance(item, Text) and item.empty)
+        }
+
+    def declare(self) -> None:
+        """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
+        unknown = self.node("unknown")
+        for item in unknown.items if isinstance(unknown, List) else (unknown,) if isinstance(unknown, Text) else ():
+            if isinstance(item, Text):
+                self.scope.declare(item, "given")
+        for section, kind in NAMED.items():
+            node = self.node(section)
+            if node is None:
+                continue
+            self.scope.entries(node, f"`{section}`")
+            for key, item in node.entries if isinstance(node, Map) else ():
+                if isinstance(item, Text) and item.empty:
+                    continue
+                if section == "find" and self.asked(key.value):
+                    continue
+                if key.value in self.scope.kinds and key.value in {entry.value for entry, _ in node.entries} and self.scope.kinds[key.value] == kind:
+                    continue  # a duplicate key, reported already
+                self.scope.declare(key, kind)
+
+    def asked(self, name: str) -> bool:
+        """Whether the name is a given that is unknown."""
+        given = self.node("given")
+        item = given.get(name) if isinstance(given, Map) else None
+        listed = self.node("unknown")
+        names = [entry.value for entry in listed.items if isinstance(entry, Text)] if isinstance(listed, List) else []
+        if isinstance(listed, Text):
+            names = [listed.value]
+        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in names
+
+    def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
+        """All sections; None when the root is no map."""
+        if not self.top and self.scope.faults:
+            return None
+        scope = self.scope
+        self.required()
+        self.declare()
+        self.givens()
+        fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
+        fields["title"] = fields["title"] or ""
+        fields["gravity"] = self.gravity()
+        fields["plane"] = self.choice("plane") or "vertical"
+        self.choice("up")
+        fields["surfaces"] = self.each("surfaces", self.element("surfaces"))
+        fields["bodies"] = self.each("bodies", lambda name, key, node: read_body(scope, name, key, node))
+        for section in ("connections", "actions", "events"):
+            fields[section] = self.each(section, self.element(section))
+        fields["states"] = self.each("states", lambda name, key, node: read_state(scope, name, key, node))
+        fields["phases"] = self.each("phases", lambda name, key, node: read_phase(scope, name, key, node))
+        fields["assume"] = self.assume()
+        asked: dict[str, Any] = {}
+        fields["finds"] = self.finds(asked)
+        fields["answers"] = self.answers(asked)
+        for name in ("marking", "vary"):
+            fields[name] = self.raw(name)
+        return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
+
+    def required(self) -> None:
+        scope = self.scope
+        for section, declared in SECTIONS.items():
+            if declared.required and section not in self.top:
+                scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
+        find = self.node("find")
+        if isinstance(find, Map) and not find.entries:
+            scope.fault(find, "`find` is empty", "ask for something: `a: block.acceleration`", "missing")
+
+    def givens(self) -> None:
+        scope = self.scope
+        read_givens(scope, self.node("given"), self.settings)
+        for name in scope.names("given"):
+            if name not in scope.givens:
+                scope.givens[name] = Given(name, None, None, asked=True, text="unknown", span=scope.places[name])
+                scope.dimensions[name] = None
+
+    def each(self, section: str, reader: Callable[[str, Text, Node], Any]) -> tuple[Any, ...]:
+        found = [reader(name, key, node) for name, (key, node) in self.entries(section).items()]
+        return tuple(item for item in found if item is not None)
+
+    def element(self, section: str) -> Callable[[str, Text, Node], Any]:
+        return lambda name, key, node: read_element(self.scope, section, name, key, node)
+
+    def finds(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        """The asked quantities in order; an earlier answer may stand in a later one."""
+        node = self.node("find")
+        if not isinstance(node, Map):
+            return ()
+        own = self.entries("find")
+        found = []
+        for key, item in node.entries:
+            if isinstance(item, Text) and item.empty:
+                continue
+            if key.value in own or self.asked(key.value):
+                find = read_find(self.scope, key.value, key, item, asked)
+                asked.setdefault(key.value, None)
+                found.append(find)
+        return tuple(find for find in found if find is not None)
+
+    def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        node = self.node("answers")
+        if node is None:
+            return ()
+        entries = self.scope.entries(node, "`answers`", asked)
+        found = [read_answer(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        return tuple(answer for answer in found if answer is not None)
+
+    def text(self, name: str) -> str:
+        node = self.node(name)
+        if node is None:
+            return ""
+        if isinstance(node, Text):
+            return node.value.strip()
+        self.scope.fault(node, f"`{name}` wants a text", "put it in quotes", "form")
+        return ""
+
+    def choice(self, name: str) -> str | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        from rotsolve.scene.reader.declared import read_value
+
+        found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
+        if SECTIONS[name].later and found == "z":
+            self.scope.later(self.top[name][0], "up: z")
+        return found
+
+    def gravity(self) -> Formula | None:
+        """`none`, a value, the given `g`, or 9.8 m/s² under an automatic letter."""
+        scope, node = self.scope, self.node("gravity")
+        if isinstance(node, Text) and node.value.strip() == "none":
+            return None
+        if node is not None:
+            return value(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
+        given = scope.givens.get("g")
+        if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
+            from rotsolve.algebra.formula import Symbol
+
+            if given.dimension is None:
+                scope.dimensions["g"] = DIMENSIONS["acceleration"]
+            return Symbol("g")
+        return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
+
+    def assume(self) -> tuple[str, ...]:
+        node = self.node("assume")
+        if node is None:
+            return ()
+        self.scope.later(self.top["assume"][0], "assume")
+        items = node.items if isinstance(node, List) else (node,)
+        return tuple(item.value for item in items if isinstance(item, Text))
+
+    def raw(self, name: str) -> object | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        if not isinstance(node, Map):
+            self.scope.fault(node, f"`{name}` wants a map", kind="form")
+        return plain(node)
+
+    def all_givens(self) -> tuple[Given, ...]:
+        """The givens with the dimensions that their use has settled."""
+        from dataclasses import replace
+
+        return tuple(
+            given if given.dimension is not None else replace(given, dimension=self.scope.dimensions.get(given.name))
+            for given in self.scope.givens.values()
+        )
+
+
+def plain(node: Node) -> object:
+    """A node as ordinary maps, lists and texts."""
+    if isinstance(node, Text):
+        return node.value
+    if isinstance(node, List):
+        return [plain(item) for item in node.items]
+    return {key.value: plain(item) for key, item in node.entries}

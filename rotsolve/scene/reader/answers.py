@@ -1,0 +1,111 @@
+"""Answers: published results beside the asked quantities: a number with its unit, a formula, a word, or several numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.parse import FormulaError, parse
+from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
+from rotsolve.core.faults import Fault
+from rotsolve.scene.model import Published
+from rotsolve.scene.reader.nodes import List, Node, Text
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.values import LITERAL, Want, expression
+from rotsolve.scene.words import quoted
+
+KEYS = ("formula", "symbolic", "value", "tolerance", "word")
+FORM = "write `4.9 N`, a formula, a word, or `{formula: …, value: …, tolerance: …}`"
+
+
+def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str, Any]) -> Published | None:
+    """One entry of `answers`."""
+    if isinstance(node, (Text, List)):
+        return plain(scope, name, key, node, asked)
+    entries = scope.entries(node, f"answer `{name}`", KEYS)
+    found: dict[str, Any] = {}
+    texts = []
+    for word, (_, written) in entries.items():
+        if word in ("formula", "symbolic") and isinstance(written, Text):
+            found["formula"] = formula_of(scope, written, asked)
+            texts.append(written.value)
+        elif word == "tolerance":
+            found["tolerance"] = number_of(scope, written)
+        else:
+            published = plain(scope, name, key, written, asked)
+            if published is not None:
+                found |= {"value": published.value, "unit": published.unit, "values": published.values}
+                texts.append(published.text)
+    if not texts:
+        scope.fault(key, f"the answer `{name}` is empty", FORM, "form")
+        return None
+    return Published(name, " = ".join(texts), span=key.span, **found)
+
+
+def plain(scope: Scope, name: str, key: Text, node: Node, asked: dict[str, Any]) -> Published | None:
+    """A list of numbers, a number with its unit, a formula, or a word."""
+    if isinstance(node, List):
+        return several(scope, name, key, node)
+    if not isinstance(node, Text):
+        scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
+        return None
+    text = node.value.strip()
+    if LITERAL.fullmatch(text):
+        quantity = quantity_of(text)
+        if quantity is not None:
+            return Published(name, text, None, quantity.value, quantity.unit, key.span)
+    if is_words(text, {*scope.givens, *asked}):
+        return Published(name, text, span=key.span)
+    formula = formula_of(scope, node, asked)
+    return None if formula is None else Published(name, text, formula, span=key.span)
+
+
+def is_words(text: str, names: set[str]) -> bool:
+    """Whether the text is prose (`up the slope`): words only, the first of them no letter of the scene."""
+    words = text.replace(",", " ").replace("-", " ").split()
+    if not words or not all(word.isalpha() for word in words) or words[0] in names:
+        return False
+    try:
+        parse(text, names)
+    except FormulaError:
+        return True
+    return False
+
+
+def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
+    quantities = []
+    for item in node.items:
+        quantity = quantity_of(item.value.strip()) if isinstance(item, Text) else None
+        if quantity is None:
+            scope.fault(item, f"an item of the answer `{name}` is no number with a unit", "write `[1.2 N, 3.4 N]`", "form")
+            return None
+        quantities.append(quantity)
+    if not quantities:
+        scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
+        return None
+    text = ", ".join(quantity.text for quantity in quantities)
+    values: tuple[Formula, ...] = tuple(quantity.value for quantity in quantities)
+    return Published(name, text, None, None, quantities[0].unit, key.span, values)
+
+
+def quantity_of(text: str) -> Quantity | None:
+    try:
+        return parse_quantity(text)
+    except UnitError:
+        return None
+
+
+def number_of(scope: Scope, node: Node) -> Formula | None:
+    quantity = quantity_of(node.value.strip()) if isinstance(node, Text) else None
+    if quantity is None:
+        scope.fault(node, "`tolerance` wants a number, such as `1 %` or `0.05 N`", kind="form")
+    return quantity.value if quantity else None
+
+
+def formula_of(scope: Scope, node: Text, asked: dict[str, Any]) -> Formula | None:
+    """The formula of a published answer, over givens and other answers."""
+    before = len(scope.faults)
+    formula = expression(scope, node, Want("answer", letter="x", extra=dict(asked), varies=True), None)
+    if formula is None and len(scope.faults) == before:
+        scope.faults.append(Fault(f"{quoted(node.value)} is no answer", node.span, FORM, "formula"))
+    return formula

@@ -1,0 +1,194 @@
+"""Bodies: shape, mass, sizes, parts, holes, points, and the declared positive senses."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.shapes import SHAPES, Particle, Shape
+from rotsolve.scene.keys import keys_of
+from rotsolve.scene.model import Body, Part
+from rotsolve.scene.reader.declared import read_keys, read_value
+from rotsolve.scene.reader.nodes import List, Map, Node, Text
+from rotsolve.scene.reader.points import points_of, read_place
+from rotsolve.scene.reader.scope import NAME, Scope
+from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.sections import BODY, PART
+from rotsolve.scene.words import hint, quoted
+
+SHAPE_WORDS = {shape.word: shape for shape in SHAPES}
+Entries = dict[str, tuple[Text, Node]]
+
+
+def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
+    """One entry of `bodies`."""
+    if isinstance(node, Text):
+        body = short_body(scope, name, key, node)
+    else:
+        shape = shape_of(scope, node)
+        entries = scope.entries(node, f"body `{name}`", allowed(shape, ()))
+        body = build(scope, name, key, entries, shape)
+    if body is not None:
+        scope.bodies[name] = body
+        scope.points[name] = points_of(body)
+    return body
+
+
+def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
+    """`ball: particle`: a shape alone."""
+    shape = SHAPE_WORDS.get(node.value.strip())
+    if shape is None:
+        scope.fault(node, f"body `{name}` wants a map, but this is {quoted(node.value)}", "write `{shape: disc, mass: M}`", "form")
+        return None
+    if shape.later:
+        scope.later(node, shape.word)
+    return Body(name, shape(), span=key.span)
+
+
+def shape_of(scope: Scope, node: Node) -> type[Shape] | None:
+    """The shape that a body or part names."""
+    written = node.get("shape") if isinstance(node, Map) else None
+    if written is None or (isinstance(written, Text) and written.empty):
+        return None
+    if not isinstance(written, Text):
+        scope.fault(written, "`shape` wants one word", hint("", SHAPE_WORDS, "shapes"), "form")
+        return None
+    word = " ".join(written.value.split())
+    shape = SHAPE_WORDS.get(word)
+    if shape is None:
+        scope.unknown(written, word, "shape", SHAPE_WORDS, "shapes")
+    elif shape.later:
+        scope.later(written, word)
+    return shape
+
+
+def allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
+    """The keys of a body with this shape."""
+    own = [word for word, _ in keys_of(shape)] if shape else ["radius"]
+    return list(dict.fromkeys((*own, *(word for word in BODY if word != "radius"), *more)))
+
+
+def build(scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape] | None, skip: tuple[str, ...] = ()) -> Body:
+    """The body from its entries."""
+    fields: dict[str, Any] = {}
+    own = {word for word, _ in keys_of(shape)} if shape else set()
+    if shape is not None:
+        fields["shape"] = shape(**read_keys(scope, shape, name, entries))
+        for word, declared in keys_of(shape):
+            if declared.required and word not in entries:
+                scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
+    for word, (place, node) in entries.items():
+        if word in own or word not in BODY or word in skip or word == "shape":
+            continue
+        declared = BODY[word]
+        if declared.later:
+            scope.later(place, word)
+        reader = READERS.get(declared.kind)
+        found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
+        if isinstance(found, dict):
+            fields.update(found)
+        elif found is not None:
+            fields[word] = found
+    check(scope, name, entries, fields)
+    known = {field: item for field, item in fields.items() if field in Body.__dataclass_fields__}
+    return Body(name, span=key.span, **known)
+
+
+def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
+    """What can't be said together."""
+    if "gyration" in entries and "inertia" in entries:
+        scope.fault(entries["gyration"][0], f"`{name}` has both `inertia` and `gyration`", "give one of them", "form")
+    if "density" in entries and "mass" in entries:
+        scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
+    if "parts" in entries and isinstance(fields.get("shape"), Particle):
+        scope.fault(entries["parts"][0], f"`{name}` is a particle and can't have parts", "leave out `shape`", "form")
+
+
+def inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
+    """A number, `{value: I, about: POINT}`, or a tensor (later)."""
+    want = Want("inertia", "moment of inertia", "I", owner, "nonnegative")
+    if isinstance(node, List):
+        scope.later(node, "inertia tensor")
+        return None
+    if not isinstance(node, Map):
+        found = value(scope, node, want)
+        return None if found is None else {"inertia": found}
+    entries = scope.entries(node, "`inertia`", ("value", "about"))
+    if "value" not in entries:
+        scope.fault(node, "`inertia` needs `value`", "write `inertia: {value: I, about: start}`", "missing")
+        return None
+    result: dict[str, Any] = {"inertia": value(scope, entries["value"][1], want)}
+    if "about" in entries:
+        about = entries["about"][1]
+        if isinstance(about, Text):
+            result["inertia_about"] = about.value.strip().removeprefix(f"{owner}.")
+        else:
+            scope.fault(about, "`about` wants the name of a point", kind="form")
+    return result
+
+
+def density(scope: Scope, node: Node, owner: str) -> Formula | None:
+    coordinates = {name: DIMENSIONS["length"] for name in "xyzr" if name not in scope.givens}
+    return value(scope, node, Want("density", None, "rho", owner, "nonnegative", extra=coordinates))
+
+
+def parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
+    """Parts or holes by name."""
+    entries = scope.entries(node, f"the parts of `{owner}`")
+    found = []
+    for name, (key, written) in entries.items():
+        if not NAME.fullmatch(name):
+            scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
+            continue
+        found.append(part(scope, name, key, written))
+    return tuple(found)
+
+
+def part(scope: Scope, name: str, key: Text, node: Node) -> Part:
+    shape = shape_of(scope, node)
+    entries = scope.entries(node, f"part `{name}`", allowed(shape, tuple(PART)))
+    fields: dict[str, Any] = {}
+    for word, declared in PART.items():
+        if word in entries:
+            fields[word] = read_value(scope, declared, entries[word][1], word, name)
+    body = build(scope, name, key, entries, shape or Particle, tuple(PART))
+    if ("start" in entries) != ("end" in entries):
+        scope.fault(key, f"part `{name}` needs both `start` and `end`", "or place its centre by `at`", "missing")
+    return Part(body, **fields)
+
+
+def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, Formula]], ...]:
+    found = []
+    for name, (key, written) in scope.entries(node, f"the points of `{owner}`").items():
+        if not NAME.fullmatch(name):
+            scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
+            continue
+        place = read_place(scope, written, name, owner)
+        if place is not None:
+            found.append((name, place))
+    return tuple(found)
+
+
+def count(scope: Scope, node: Node, owner: str) -> int | None:
+    text = node.value.strip() if isinstance(node, Text) else ""
+    if text.isascii() and text.isdigit() and 0 < int(text[:6]) <= 1000:
+        return int(text)
+    scope.fault(node, "`count` wants a whole number from 1 to 1000", kind="form")
+    return None
+
+
+def axis(scope: Scope, node: Node, owner: str) -> None:
+    if isinstance(node, Map):
+        scope.fault(node, "`axis` wants `x`, `y`, `z` or `[x, y, z]`", kind="form")
+
+
+READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
+    "inertia": inertia,
+    "density": density,
+    "parts": parts,
+    "points map": points_map,
+    "count": count,
+    "axis": axis,
+}

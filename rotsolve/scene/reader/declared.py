@@ -1,0 +1,220 @@
+"""Declared: reads an element from its table of keys; one small reader for each kind of value."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rotsolve.elements.connections import Friction
+from rotsolve.scene.keys import Key, keys_of
+from rotsolve.scene.reader.nodes import List, Map, Node, Text
+from rotsolve.scene.reader.points import read_place, read_point
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.words import hint, quoted
+
+Reader = Callable[[Scope, Key, Node, str, str], Any]
+FLAGS = {"true": True, "yes": True, "false": False, "no": False}
+
+
+def read_keys(scope: Scope, cls: type, name: str, entries: dict[str, tuple[Text, Node]]) -> dict[str, Any]:
+    """The fields of an element from the entries of its map; a key that is faulty is left out."""
+    result: dict[str, Any] = {}
+    attributes = {entry.rstrip("_"): entry for entry in cls.__dataclass_fields__}  # type: ignore[attr-defined]
+    for word, declared in keys_of(cls):
+        if word not in entries:
+            continue
+        key, node = entries[word]
+        if declared.later:
+            scope.later(key, word)
+        found = read_value(scope, declared, node, word, name)
+        if found is not None:
+            result[attributes[word]] = found
+    return result
+
+
+def missing(scope: Scope, cls: type, place: Node, name: str, entries: dict[str, tuple[Text, Node]]) -> None:
+    """A fault for each required key that is not there."""
+    for word, declared in keys_of(cls):
+        if declared.required and word not in entries:
+            example = f": `{word}: {declared.example}`" if declared.example else f": {declared.help}"
+            scope.fault(place, f"`{name}` needs `{word}`", f"add it{example}", "missing")
+
+
+def read_value(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return READERS[key.kind](scope, key, node, label, owner)
+
+
+def quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return value(scope, node, Want(label, key.dimension, key.letter, owner, key.limits, key.varies))
+
+
+def quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    items = listed(scope, key, node, label)
+    if items is None:
+        return None
+    letters = key.letter.split() or [""] * len(items)
+    found = [
+        value(scope, item, Want(label, key.dimension, letters[min(index, len(letters) - 1)], owner, key.limits))
+        for index, item in enumerate(items)
+    ]
+    return None if None in found else tuple(found)
+
+
+def listed(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ...] | None:
+    """The items of a list with as many as the key takes; a single thing stands for a list of one."""
+    low, high = key.count or (1, 50)
+    items = node.items if isinstance(node, List) else (node,)
+    if low <= len(items) <= high and (isinstance(node, List) or low == 1):
+        return items
+    wanted = str(low) if low == high else f"{low} to {high}" if high < 50 else f"at least {low}"
+    example = f"write `{label}: {key.example}`" if key.example else ""
+    scope.fault(node, f"`{label}` wants a list of {wanted}, but this has {len(items)}", example, "count")
+    return None
+
+
+def place(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return read_place(scope, node, label, owner)
+
+
+def places(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    items = listed(scope, key, node, label)
+    if items is None:
+        return None
+    found = [read_place(scope, item, label, owner) for item in items]
+    return None if None in found else tuple(found)
+
+
+def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """`{inner: r, outer: R}`; a drum's rims may have any names."""
+    entries = scope.entries(node, f"`{label}`", key.choices or None)
+    found = []
+    for word, (name, written) in entries.items():
+        if not key.choices and not word.isidentifier():
+            scope.fault(name, f"{quoted(word)} can't be the name of a rim", "use letters, digits and `_`", "name")
+            continue
+        radius = value(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
+        if radius is not None:
+            found.append((word, radius))
+    lacking = [word for word in key.choices if word not in entries]
+    if lacking and entries:
+        scope.fault(node, f"`{label}` needs `{lacking[0]}` too", "write `radii: {inner: r, outer: R}`", "missing")
+    return tuple(found)
+
+
+def choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    if isinstance(node, Text) and node.value.strip() in key.choices:
+        return node.value.strip()
+    shown = node.value if isinstance(node, Text) else "a list" if isinstance(node, List) else "a map"
+    scope.fault(node, f"`{label}` can't be {quoted(shown)}", hint(shown, key.choices, "choices"), "choice")
+    return None
+
+
+def flag(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    word = node.value.strip().lower() if isinstance(node, Text) else ""
+    if word in FLAGS:
+        return FLAGS[word]
+    scope.fault(node, f"`{label}` wants `true` or `false`", kind="choice")
+    return None
+
+
+def name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """The name of a thing of one of the kinds that the key refers to."""
+    what = " or ".join(key.refers)
+    if not isinstance(node, Text):
+        scope.fault(node, f"`{label}` wants the name of a {what}", kind="form")
+        return None
+    word = node.value.strip()
+    if scope.kinds.get(word) in key.refers:
+        return word
+    names = scope.names(*key.refers)
+    kind = scope.kinds.get(word)
+    if kind:
+        scope.fault(node, f"`{label}` wants a {what}, but `{word}` is a {kind}", f"choose from: {', '.join(names)}", "kind")
+    else:
+        scope.unknown(node, word, what, names, "choose from")
+    return None
+
+
+def names(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    items = node.items if isinstance(node, List) else (node,)
+    found = [name(scope, key, item, label, owner) for item in items]
+    return tuple(item for item in found if item is not None)
+
+
+def point(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return read_point(scope, node, label, owner)
+
+
+def points(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    items = listed(scope, key, node, label)
+    if items is None:
+        return None
+    found = [read_point(scope, item, label, owner) for item in items]
+    return None if None in found else tuple(found)
+
+
+def directions(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    result = []
+    for word, (body, written) in scope.entries(node, f"`{label}`").items():
+        if scope.kinds.get(word) != "body":
+            scope.unknown(body, word, "body", scope.names("body"), "bodies")
+        elif (found := choice(scope, key, written, label, owner)) is not None:
+            result.append((word, found))
+    return tuple(result)
+
+
+def direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """A word, `[x, y]` (only its direction counts) or an angle from the rightward horizontal."""
+    if isinstance(node, List):
+        return vector(scope, key, node, label, owner)
+    if isinstance(node, Text) and node.value.strip() in key.choices:
+        return node.value.strip()
+    if isinstance(node, Text) and node.value.strip().isalpha() and node.value.strip() not in scope.givens:
+        return choice(scope, key, node, label, owner)
+    return value(scope, node, Want(label, "angle", "theta", owner))
+
+
+def vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    if not isinstance(node, List) or len(node.items) not in (2, 3):
+        scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
+        return None
+    if len(node.items) == 3:
+        scope.later(node, "a direction in space")
+    found = [value(scope, item, Want(label)) for item in node.items]
+    return None if None in found else tuple(found)
+
+
+def friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """`none`, `any`, a coefficient, or `{static: , kinetic: }`."""
+    if isinstance(node, Text) and node.value.strip() in ("none", "any"):
+        return Friction(node.value.strip())
+    want = Want(label, "number", "mu", owner, "nonnegative")
+    if not isinstance(node, Map):
+        found = value(scope, node, want)
+        return None if found is None else Friction("coefficient", found, found)
+    entries = scope.entries(node, f"`{label}`", ("static", "kinetic"))
+    both = {
+        word: value(scope, written, Want(word, "number", f"mu_{word[0]}", owner, "nonnegative"))
+        for word, (_, written) in entries.items()
+    }
+    return Friction("coefficient", both.get("static"), both.get("kinetic"))
+
+
+READERS: dict[str, Reader] = {
+    "quantity": quantity,
+    "quantities": quantities,
+    "place": place,
+    "places": places,
+    "radii": radii,
+    "choice": choice,
+    "flag": flag,
+    "name": name,
+    "names": names,
+    "point": point,
+    "points": points,
+    "map of directions": directions,
+    "direction": direction,
+    "vector": vector,
+    "friction": friction,
+}

@@ -1,0 +1,207 @@
+"""Paths: `rod.end.acceleration.x`, `string.block.tension`, `kinetic_energy`, checked against what each thing has."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.faults import Span
+from rotsolve.core.quantity import BODY, BY_WORD, POINT, QUANTITIES, SYSTEM, QuantityKind
+from rotsolve.elements.shapes import Rod
+from rotsolve.scene.model import Path
+from rotsolve.scene.reader.dims import an
+from rotsolve.scene.reader.nodes import Text
+from rotsolve.scene.reader.pieces import path_end
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.words import hint, quoted
+
+OWNERS = ("body", "connection", "action", "event")
+PLURALS = "bodies, connections, actions and events"
+ANY_FORCE = ("force", "torque", "work", "power", "impulse", "angular_impulse")  # may name the force: `rod.torque.gravity`
+SEGMENT = re.compile(r"[^\W\d]\w*")
+
+
+class Segment(str):
+    """A word of a path with its place in the text, and the text within the brackets of `at(…)`."""
+
+    start: int
+    inner: tuple[int, int] | None
+
+
+def segments(text: str, offset: int = 0) -> Iterator[Segment]:
+    position = 0
+    while match := SEGMENT.match(text, position):
+        segment = Segment(match[0])
+        segment.start, segment.inner = offset + match.start(), None
+        position = match.end()
+        if segment == "at" and text[position : position + 1] == "(":
+            close = path_end(text, position)
+            depth_end = matching(text, position)
+            segment.inner = (offset + position + 1, offset + depth_end)
+            position = depth_end + 1 if depth_end < close else close
+        yield segment
+        position += 1
+
+
+def matching(text: str, position: int) -> int:
+    """The place of the bracket that closes the one at `position`."""
+    depth = 0
+    while position < len(text):
+        depth += {"(": 1, ")": -1}.get(text[position], 0)
+        if depth == 0:
+            return position
+        position += 1
+    return position
+
+
+def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
+    """The path that node.value[start:end] writes; None after a fault."""
+    words = list(segments(node.value[start:end], start))
+    span = node.part(start, end)
+    if not words or "".join(node.value[start:end].split()) != node.value[start:end]:
+        scope.fault(span, f"{quoted(node.value[start:end])} is no path", "write `body.quantity` or `body.point.quantity`", "path")
+        return None
+    first = words[0]
+    if len(words) == 1:
+        return system_path(scope, node, first, span)
+    kind = scope.kinds.get(first)
+    if kind not in OWNERS:
+        owner_fault(scope, node, first, kind)
+        return None
+    reader = body_path if kind == "body" else element_path
+    return reader(scope, node, words, span)
+
+
+def place(node: Text, word: Segment) -> Span:
+    return node.part(word.start, word.start + len(word))
+
+
+def owner_fault(scope: Scope, node: Text, word: Segment, kind: str | None) -> None:
+    if kind:
+        help = f"{PLURALS} have quantities: {', '.join(scope.names(*OWNERS))}"
+        scope.fault(place(node, word), f"`{word}` is {an(kind)} and has no quantities", help, "kind")
+    else:
+        scope.unknown(place(node, word), word, "name", scope.names(*OWNERS), "names")
+
+
+def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | None:
+    """A quantity of the whole scene."""
+    entry = BY_WORD.get(word)
+    if entry is not None and SYSTEM in entry.owners:
+        return Path("", word, span=span)
+    kind = scope.kinds.get(word)
+    if entry is not None:
+        scope.fault(span, f"`{word}` of what?", f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}", "path")
+    elif kind in OWNERS:
+        example = {"body": "angular_velocity", "connection": "force", "action": "work"}.get(str(kind), "impulse")
+        scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", f"write `{word}.quantity`, for example `{word}.{example}`", "path")
+    else:
+        known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES if SYSTEM in item.owners)]
+        scope.unknown(span, word, "name", known, "givens, answers and quantities")
+    return None
+
+
+def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
+    """body[.point].quantity[.component]"""
+    owner, rest = words[0], words[1:]
+    body = scope.bodies.get(owner)
+    if body is None:  # it has a fault of its own
+        return None
+    point: str | None = None
+    argument: Formula | None = None
+    if rest[0] == "at" and rest[0].inner:
+        if not isinstance(body.shape, Rod):
+            help = f"points: {', '.join(scope.points[owner])}"
+            scope.fault(place(node, rest[0]), f"`at(…)` is a point of rods only, and `{owner}` is none", help, "point")
+            return None
+        argument = point_argument(scope, node, rest[0], owner)
+        if argument is None:
+            return None
+        point, rest = "at", rest[1:]
+    elif is_point(scope, owner, rest):
+        point, rest = str(rest[0]), rest[1:]
+    allowed = words_of(POINT if point else BODY)
+    if not rest:
+        help = f"name a quantity: {', '.join(allowed)}"
+        scope.fault(span, f"{quoted(node.value[words[0].start : words[0].start + span.length])} is a point, not a quantity", help, "path")
+        return None
+    names = allowed if point else [*allowed, *scope.points[owner]]
+    return finish(scope, node, owner, point, argument, rest, span, allowed, names)
+
+
+def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
+    """Whether the next word is a point: `cm.velocity`, but not `cm.x`."""
+    if rest[0] not in scope.points[owner]:
+        return False
+    entry = BY_WORD.get(rest[0])
+    return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
+
+
+def point_argument(scope: Scope, node: Text, word: Segment, owner: str) -> Formula | None:
+    assert word.inner is not None
+    start, end = word.inner
+    inner = Text(node.value[start:end], node.part(start, end), True, node.exact)
+    return value(scope, inner, Want("at(…)", "length", "x", owner, "nonnegative"))
+
+
+def words_of(kind: str) -> list[str]:
+    return [entry.word for entry in QUANTITIES if kind in entry.owners]
+
+
+def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
+    """connection[.end].quantity[.component], action.quantity, event.quantity"""
+    owner, rest = words[0], words[1:]
+    cls: Any = scope.elements.get(owner)
+    if cls is None:
+        return None
+    point = None
+    ends = scope.touched.get(owner, ())
+    if len(rest) > 1 and rest[0] in ends and rest[0] not in cls.quantities:
+        point, rest = str(rest[0]), rest[1:]
+    names = [*cls.quantities, *(ends if not point else ())]
+    return finish(scope, node, owner, point, None, rest, span, list(cls.quantities), names)
+
+
+def finish(
+    scope: Scope,
+    node: Text,
+    owner: str,
+    point: str | None,
+    argument: Formula | None,
+    rest: list[Segment],
+    span: Span,
+    allowed: list[str],
+    names: list[str],
+) -> Path | None:
+    """The quantity and component at the end of a path."""
+    word = rest[0]
+    of = f"`{owner}.{point}`" if point else f"`{owner}`"
+    if word not in allowed:
+        scope.fault(place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity")
+        return None
+    entry = BY_WORD[word]
+    component = None
+    if len(rest) > 1:
+        component = component_of(scope, node, entry, rest[1])
+        if component is None:
+            return None
+    if len(rest) > 2:
+        scope.fault(place(node, rest[2]), f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}", "", "path")
+        return None
+    if entry.later:
+        scope.later(span, word)
+    return Path(owner, str(word), point, argument, component, span)
+
+
+def component_of(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
+    allowed = [*entry.components]
+    if entry.word in ANY_FORCE:
+        allowed += scope.names("connection", "action")
+    if word in allowed:
+        return str(word)
+    message = f"`{entry.word}` has no component {quoted(word)}"
+    scope.fault(place(node, word), message, hint(word, allowed, "components"), "component")
+    return None

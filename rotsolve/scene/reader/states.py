@@ -1,0 +1,138 @@
+"""States and phases: the named instants, the lines that hold at them, and what differs between two of them."""
+
+from __future__ import annotations
+
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.scene.model import Condition, Path, Phase, State
+from rotsolve.scene.reader.declared import read_value
+from rotsolve.scene.reader.nodes import List, Map, Node, Text
+from rotsolve.scene.reader.paths import read_path
+from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.sections import PHASE
+from rotsolve.scene.words import hint, quoted
+
+EXTREMES = ("largest", "smallest")
+FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
+POSITIVE = ("mass", "inertia", "radius", "length", "gyration", "stiffness", "speed", "distance")
+
+
+def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
+    """One entry of `states`."""
+    if isinstance(node, Text):
+        if " ".join(node.value.split()) == "at rest":
+            return State(name, (Condition(None, rest=True, owner="all", span=node.span),), span=key.span)
+        scope.fault(node, f"state `{name}` can't be {quoted(node.value)}", FORM, "form")
+        return None
+    if isinstance(node, List):
+        scope.fault(node, f"state `{name}` wants a map, but this is a list", FORM, "form")
+        return None
+    conditions: list[Condition] = []
+    flags = {"balance": False, "steady": False}
+    for word, (line, written) in scope.entries(node, f"state `{name}`").items():
+        if word in flags:
+            flags[word] = flag(scope, line, written)
+        elif word == "at rest":
+            conditions.extend(at_rest(scope, written))
+        else:
+            conditions.extend(condition(scope, name, line, written))
+    return State(name, tuple(conditions), flags["balance"], flags["steady"], key.span)
+
+
+def flag(scope: Scope, key: Text, node: Node) -> bool:
+    if isinstance(node, Text) and node.value.strip() == "true":
+        if key.value == "steady":
+            scope.later(key, "steady")
+        return True
+    scope.fault(node, f"`{key.value}` can only be `true`", "leave the line out otherwise", "choice")
+    return False
+
+
+def at_rest(scope: Scope, node: Node) -> list[Condition]:
+    """`at rest: all`, one body, or a list of bodies."""
+    items = node.items if isinstance(node, List) else (node,)
+    found = []
+    for item in items:
+        word = item.value.strip() if isinstance(item, Text) else ""
+        if word == "all" or scope.kinds.get(word) == "body":
+            found.append(Condition(None, rest=True, owner=word, span=item.span))
+        else:
+            scope.unknown(item, word or "…", "body", ["all", *scope.names("body")], "bodies")
+    return found
+
+
+def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Condition]:
+    """One line: a word about a connection, an extreme, a component each for a list, or a value."""
+    text = line.value.strip()
+    if " from " in text:
+        scope.later(line, "angle from")
+        return []
+    start = line.value.index(text)
+    if scope.kinds.get(text) == "connection":
+        return connection_word(scope, text, line, node)
+    path = read_path(scope, line, start, start + len(text))
+    if path is None:
+        return []
+    word = node.value.strip() if isinstance(node, Text) else ""
+    if word in EXTREMES:
+        return [Condition(path, word=word, span=line.span)]
+    if isinstance(node, List) and len(node.items) == 2 and "x" in BY_WORD[path.quantity].components and not path.component:
+        parts = []
+        for component, item in zip("xy", node.items, strict=True):
+            part = Path(path.owner, path.quantity, path.point, path.argument, component, path.span)
+            parts.extend(valued(scope, state, part, line, item))
+        return parts
+    return valued(scope, state, path, line, node)
+
+
+def valued(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
+    kind = BY_WORD[path.quantity]
+    owner = "_".join(part for part in (path.owner, path.point if path.point != "at" else "", path.component) if part)
+    limits = "nonnegative" if path.quantity in POSITIVE else ""
+    want = Want(line.value.strip(), dimension_word(path.quantity), kind.letter, owner or state, limits, hint=state)
+    found = value(scope, node, want)
+    return [] if found is None else [Condition(path, found, span=line.span)]
+
+
+def dimension_word(word: str) -> str:
+    """The dimension of a path word, by the name that messages use."""
+    from rotsolve.core.quantity import DIMENSIONS
+
+    dimension = BY_WORD[word].dimension
+    return next(name for name, item in DIMENSIONS.items() if item == dimension)
+
+
+def connection_word(scope: Scope, name: str, line: Text, node: Node) -> list[Condition]:
+    """`grip: rolls`, `cord: slack`."""
+    cls = scope.elements.get(name)
+    if cls is None:
+        return []
+    allowed: tuple[str, ...] = getattr(cls, "words", ())
+    word = node.value.strip() if isinstance(node, Text) else ""
+    if word in allowed:
+        return [Condition(Path(name, "", span=line.span), word=word, owner=name, span=line.span)]
+    if allowed:
+        shown = word or ("a map" if isinstance(node, Map) else "a list")
+        scope.fault(node, f"`{name}` can't be {quoted(shown)}", hint(word, allowed, "it can be"), "choice")
+    else:
+        quantities = ", ".join(getattr(cls, "quantities", ()))
+        scope.fault(line, f"`{name}` needs a quantity here", f"write `{name}.quantity`: {quantities}", "path")
+    return []
+
+
+def read_phase(scope: Scope, name: str, key: Text, node: Node) -> Phase | None:
+    """One entry of `phases`."""
+    entries = scope.entries(node, f"phase `{name}`", PHASE)
+    found = {}
+    for word, (line, written) in entries.items():
+        declared = PHASE[word]
+        if declared.later:
+            scope.later(line, word)
+        elif (item := read_value(scope, declared, written, word, name)) is not None:
+            found[word] = item
+    for word, declared in PHASE.items():
+        if declared.required and word not in entries:
+            scope.fault(key, f"phase `{name}` needs `{word}`", f"add it: {declared.help}", "missing")
+    if "from" not in found or "to" not in found:
+        return None
+    return Phase(name, found["from"], found["to"], found.get("without", ()), key.span)

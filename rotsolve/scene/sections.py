@@ -1,0 +1,73 @@
+"""Sections: the top-level keys of a scene and the keys of a body; reader, schema, help and docs read these tables."""
+
+from __future__ import annotations
+
+from rotsolve.scene.keys import Key
+
+SENSES = ("left", "right", "up", "down")
+TURNS = ("clockwise", "counterclockwise")
+LATER = {"later": True}
+
+SECTIONS: dict[str, Key] = {
+    "title": Key("text", "what the scene is, in one line"),
+    "source": Key("text", "where the problem comes from"),
+    "text": Key("text", "the statement, for answer keys"),
+    "given": Key("map", "letters with values (`m: 2 kg`), dimensions (`m: kg`), formulas (`L: 2*R`) or `unknown`"),
+    "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
+    "gravity": Key("gravity", "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said", dimension="acceleration", letter="g"),
+    "plane": Key("choice", "`horizontal`: a table seen from above", choices=("vertical", "horizontal")),
+    "up": Key("choice", "`z`: a scene in space", choices=("y", "z"), later=True),
+    "surfaces": Key("map", "what bodies lie on: floors, slopes, walls"),
+    "bodies": Key("map", "the rigid bodies", required=True),
+    "connections": Key("map", "what touches what"),
+    "actions": Key("map", "forces, couples and motors from outside"),
+    "states": Key("map", "named instants, in the order of time"),
+    "phases": Key("map", "what differs between two states"),
+    "events": Key("map", "what happens in no time between two states"),
+    "assume": Key("texts", "approximations", later=True),
+    "find": Key("map", "what is asked", required=True),
+    "answers": Key("map", "published answers, by the names of `find`"),
+    "marking": Key("raw", "marks for graders"),
+    "vary": Key("raw", "ranges of givens for variants"),
+}
+
+BODY: dict[str, Key] = {
+    "shape": Key("shape", "one of the shapes; without it a particle, or a rotor where `inertia`, `radius` or `radii` is given"),
+    "mass": Key("quantity", "mass; 0 for a light body", dimension="mass", letter="m", limits="nonnegative"),
+    "density": Key("density", "mass per length, area or volume: a value, or a formula of x and y", letter="rho", later=True),
+    "inertia": Key(
+        "inertia", "moment of inertia about `cm`, or `{value: I, about: POINT}`", dimension="moment of inertia", letter="I", limits="nonnegative"
+    ),
+    "gyration": Key("quantity", "radius of gyration about `cm`", dimension="length", letter="k", limits="positive"),
+    "radius": Key("quantity", "radius", dimension="length", letter="R", limits="positive"),
+    "radii": Key("radii", "named rims of a stepped drum: `{big: R, small: r}`"),
+    "parts": Key("parts", "bodies that make up this one"),
+    "holes": Key("parts", "what is cut out"),
+    "points": Key("points map", "named points `P: [x, y]` from the body's centre"),
+    "count": Key("count", "how many identical bodies stand for this one"),
+    "moves": Key("choice", "positive direction of its motion (default right; up on a slope)", choices=SENSES),
+    "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
+    "thickness": Key("quantity", "thickness", dimension="length", letter="d", limits="positive", later=True),
+    "axis": Key("axis", "symmetry axis in body coordinates", later=True),
+    "angle": Key("quantity", "driven angle", dimension="angle", letter="theta", varies=True, later=True),
+    "angular_velocity": Key(
+        "quantity", "driven angular velocity", dimension="angular velocity", letter="omega", varies=True, later=True
+    ),
+    "angular_acceleration": Key(
+        "quantity", "driven angular acceleration", dimension="angular acceleration", letter="alpha", varies=True, later=True
+    ),
+}
+
+PART: dict[str, Key] = {
+    "at": Key("place", "where its centre is, from the body's centre"),
+    "start": Key("place", "where a rod begins"),
+    "end": Key("place", "where a rod ends"),
+    "angle": Key("quantity", "how far it is turned, counterclockwise", dimension="angle", letter="theta"),
+}
+
+PHASE: dict[str, Key] = {
+    "from": Key("name", "the state before", refers=("state",), required=True),
+    "to": Key("name", "the state after", refers=("state",), required=True),
+    "without": Key("names", "connections that do not act in it", refers=("connection", "action")),
+    "constant": Key("text", "what stays constant", later=True),
+}
