@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import shutil
 import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
 from typing import Annotated, NoReturn
 
 import typer
@@ -94,7 +97,9 @@ Width = Annotated[
     int | None,
     typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
 ]
-Element = Annotated[str | None, typer.Argument(metavar="NAME", help="An element, such as disc, string or hinge.")]
+Element = Annotated[
+    list[str] | None, typer.Argument(metavar="[NAME]", help="An element, such as disc, string or hinge.")
+]
 
 
 @app.callback()
@@ -152,14 +157,16 @@ def solve(
     if width is None:
         width = page_width(output)
     request = Request(tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width)
-    raise typer.Exit(run(request))
+    with orderly():
+        code = run(request)
+    raise typer.Exit(code)
 
 
 def page_width(output: str | None) -> int:
     """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
     if output or not sys.stdout.isatty():
         return 120
-    return max(50, min(120, os.get_terminal_size(sys.stdout.fileno()).columns or 120))
+    return max(50, min(120, shutil.get_terminal_size((120, 24)).columns))
 
 
 @app.command()
@@ -172,10 +179,17 @@ def elements(name: Element = None) -> None:
     Examples:
       rotsolve elements
       rotsolve elements string
+      rotsolve elements spherical shell
     """
     from rotsolve.scene import describe
 
-    print((describe.describe_all() if name is None else describe.describe(name)).rstrip("\n"))
+    try:
+        text = describe.describe(" ".join(name)) if name else describe.describe_all()
+    except KeyError as error:
+        print(f"error: {error.args[0]}", file=sys.stderr)
+        raise typer.Exit(USAGE) from None
+    with orderly():
+        print(text.rstrip("\n"))
 
 
 @app.command()
@@ -192,27 +206,36 @@ def schema() -> None:
 
     from rotsolve.scene.schema import json_schema
 
-    print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+    with orderly():
+        print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
+
+
+@contextmanager
+def orderly() -> Iterator[None]:
+    """A command that is interrupted, or whose output can't be written, leaves with a word and the usual exit code."""
+    try:
+        yield
+        sys.stdout.flush()
+    except KeyboardInterrupt:
+        print("interrupted", file=sys.stderr)
+        sys.exit(INTERRUPTED)
+    except OSError as error:  # what is still in the buffer has nowhere to go
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if isinstance(error, BrokenPipeError):
+            sys.exit(BROKEN_PIPE)
+        print(f"error: cannot write the output: {error.strerror or error}", file=sys.stderr)
+        sys.exit(USAGE)
 
 
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run a command and leave with its exit code; nothing that happens shows a traceback."""
     prepare_streams()
     try:
-        try:
-            app(args=arguments, prog_name="rotsolve")
-        finally:
-            sys.stdout.flush()
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        sys.exit(INTERRUPTED)
-    except BrokenPipeError:
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())  # what is still in the buffer has nowhere to go
-        sys.exit(BROKEN_PIPE)
+        app(args=arguments, prog_name="rotsolve")
     except Exception as error:
         from rotsolve.run import internal_error
 
-        print(internal_error(" ".join(sys.argv[1:2]), error), file=sys.stderr)
+        print(internal_error("rotsolve", error), file=sys.stderr)
         sys.exit(UNSOLVED)
     sys.exit(SOLVED)
 

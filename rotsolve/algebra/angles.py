@@ -71,6 +71,8 @@ def _collect_fraction(node: Formula, scale: Fraction, into: Vector, order: Seque
         pieces = [(c, ring.context.from_dict({e: 1})) for c, e in ring.terms(num)]
     else:
         content, primitive = num.primitive()
+        if primitive.leading_coefficient() < 0:
+            content, primitive = -content, -primitive
         below, base, pieces = 1, den, [(int(content), primitive)]
     for coefficient, piece in pieces:
         term = shaper.ratio(ring.cancel((piece, base)))

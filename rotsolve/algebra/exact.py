@@ -12,6 +12,8 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 from rotsolve.algebra.rewrite import Rewriter
 from rotsolve.algebra.shape import Shaper
 
+VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
+
 
 class Problem:
     """Formulas that are handled together: rewritten, with one field for all."""
@@ -29,7 +31,7 @@ class Problem:
         rewrite = Rewriter(formulas, self.order, positive, split_logs)
         self.formulas = [rewrite(formula) for formula in formulas]
         self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
-        self.shaper = Shaper(self.field, self.order)
+        self.shaper = Shaper(self.field, self.order, positive)
 
     def ratio(self, k: int = 0) -> Ratio:
         """Formula k as a fraction; ZeroDivisionError where its denominator vanishes."""
@@ -66,6 +68,8 @@ class Problem:
         if not len(sines[0]):
             return (sines,)
         found = [ratio, sines]
+        if len(sines[0]) + len(sines[1]) > VARIANT_LIMIT:
+            return found
         for pair in ring.pairs[:3]:
             found.append((ring.reduce_to_cos(sines[0], pair), ring.reduce_to_cos(sines[1], pair)))
         if len(ring.pairs) > 1:
@@ -73,19 +77,8 @@ class Problem:
             for pair in ring.pairs:
                 num, den = ring.reduce_to_cos(num, pair), ring.reduce_to_cos(den, pair)
             found.append((num, den))
-        cleared = rationalised(ring, sines)
+        cleared = ring.rationalised(sines)
         return [*found, cleared] if cleared is not None else found
-
-
-def rationalised(ring: Field, ratio: Ratio) -> Ratio | None:
-    """The fraction without roots in its denominator, None where it has none there."""
-    num, den = ratio
-    start = den
-    for i, _, _ in ring.roots:
-        if len(den) > 1 and den.degrees()[i] == 1:
-            conjugate = den - 2 * ring.gens[i] * den.derivative(i)
-            num, den = ring.reduce(num * conjugate), ring.reduce(den * conjugate)
-    return None if den == start else (num, den)
 
 
 def length(node: Formula) -> int:

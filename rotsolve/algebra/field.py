@@ -126,9 +126,26 @@ class Field:
         s, c, modulus = pair
         if not len(poly) or poly.degrees()[s] < 2:
             return poly
-        swapped = list(self.gens)
-        swapped[s], swapped[c] = swapped[c], swapped[s]
-        return (poly.compose(*swapped, ctx=self.context) % modulus).compose(*swapped, ctx=self.context)
+        return self._swapped(self._swapped(poly, s, c) % modulus, s, c)
+
+    def _swapped(self, poly: Poly, i: int, j: int) -> Poly:
+        """The polynomial with generators i and j exchanged."""
+        terms = {}
+        for exponents, coefficient in poly.to_dict().items():
+            place = list(exponents)
+            place[i], place[j] = place[j], place[i]
+            terms[tuple(place)] = coefficient
+        return self.context.from_dict(terms)
+
+    def rationalised(self, ratio: Ratio) -> Ratio | None:
+        """The fraction without roots in its denominator, None where it has none in a sum there."""
+        num, den = ratio
+        start = den
+        for i, _, _ in self.roots:
+            if len(den) > 1 and den.degrees()[i] == 1:
+                conjugate = den - 2 * self.gens[i] * den.derivative(i)
+                num, den = self.reduce(num * conjugate), self.reduce(den * conjugate)
+        return None if den == start else (num, den)
 
     def cancel(self, ratio: Ratio) -> Ratio:
         """The fraction without common factor, the leading coefficient of its denominator positive."""

@@ -28,6 +28,7 @@ class Parts:
     number: Fraction = Fraction(1)
     root: int = 1
     gens: dict[int, Fraction] = field(default_factory=dict)
+    unsure: int | None = None  # the root of unknown sign that has joined
     sums: list[tuple[Poly, Fraction]] = field(default_factory=list)
 
     def add_sum(self, poly: Poly, power: Fraction) -> None:

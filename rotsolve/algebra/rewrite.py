@@ -35,6 +35,7 @@ from rotsolve.algebra.shape import Shaper
 
 TRIG = ("sin", "cos", "tan")
 INVERSE = ("asin", "acos", "atan", "atan2")
+MULTIPLE_LIMIT = 24  # multiples of an angle beyond which sin(37 x) stays as it is
 CONSTANT_LIMIT = 12  # multiples of a base angle beyond which constants such as sin(37π/180) stay as they are
 
 
@@ -148,7 +149,7 @@ class Rewriter:
         """One written form for an argument whose calls are canonical already."""
         ring = Field([node])
         num, den = ring.convert(node)
-        return Shaper(ring, self.order).ratio(ring.cancel((ring.reduce(num), ring.reduce(den))))
+        return Shaper(ring, self.order, self.positive).ratio(ring.cancel((ring.reduce(num), ring.reduce(den))))
 
     # sin and cos
 
@@ -156,12 +157,14 @@ class Rewriter:
         vector, turns, quarters = angles.split_pi(angles.linear(argument, self.order))
         if not vector:
             return angles.turn(self._constant(turns), quarters)
-        if any(term in self.shares or _is_inverse(term) for term in vector):
-            pair: SinCos = self._constant(turns)
-            for term, value in vector.items():
-                share = lcm(self.shares.get(term, 1), value.denominator)
-                pair = angles.add_angles(pair, angles.multiple(self._base(term, share), int(value * share)))
-            return angles.turn(pair, quarters)
+        if any(term in self.shares or _is_inverse(term) for term in vector) and not _holds(argument, TRIG):
+            shares = {term: lcm(self.shares.get(term, 1), value.denominator) for term, value in vector.items()}
+            if all(abs(value * shares[term]) <= MULTIPLE_LIMIT for term, value in vector.items()):
+                pair: SinCos = self._constant(turns)
+                for term, value in vector.items():
+                    base = self._base(term, shares[term])
+                    pair = angles.add_angles(pair, angles.multiple(base, int(value * shares[term])))
+                return angles.turn(pair, quarters)
         sign, vector = _signed(vector, self.order)
         if turns:
             vector = {**vector, PI: sign * turns}

@@ -95,7 +95,7 @@ def _isolate(function: _Function, first: Fraction, last: Fraction) -> tuple[list
             found.append((low, high))
         elif verdict == "unsure":
             if high - low <= limit:
-                complete = complete and (low in exact or high in exact)
+                complete = False
                 continue
             middle = low + (high - low) * SPLIT
             stack += [(middle, high), (low, middle)]

@@ -6,7 +6,7 @@ Factors go: number, symbols in the given order, brackets, functions, roots. Root
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.field import Field, Poly, Ratio
@@ -25,16 +25,19 @@ from rotsolve.algebra.formula import (
     total,
 )
 from rotsolve.algebra.products import Parts, Rank, share_number, written_fraction
+from rotsolve.algebra.signs import Signs
 
 
 class Shaper:
     """Writes the polynomials of one field, symbols in the given order."""
 
-    def __init__(self, ring: Field, order: Sequence[str] = ()) -> None:
+    def __init__(self, ring: Field, order: Sequence[str] = (), positive: Collection[str] = ()) -> None:
         self.field = ring
         places = {name: k for k, name in enumerate(order)}
         self.ranks: list[Rank] = [self._rank(atom, places) for atom in ring.atoms]
         self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
+        signs = Signs(ring, positive)
+        self.unsure = {i for i, square in self.radicands.items() if not signs.nonnegative(square)}
 
     def _is_sqrt(self, i: int) -> bool:
         atom = self.field.atoms[i]
@@ -52,7 +55,7 @@ class Shaper:
             kind = {"sqrt": 5, "exp": 4}.get(atom.function, 3)
             names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
             first = places.get(names[0], len(places)) if names else 0
-            return (kind, first, " ".join(names), atom.function)
+            return (kind, first, " ".join(names), f"{atom.function}{atom.arguments}")
         return (2, 0, "", repr(atom))
 
     # polynomials
@@ -140,7 +143,7 @@ class Shaper:
                 if k:
                     factors = [(p, e - k if p in (plus, minus) else e) for p, e in factors] + [(gens[b], 2 * k)]
                     factors = [(p, e) for p, e in factors if e]
-                    parts.number *= (-1) ** k
+                    parts.number *= -1 if k % 2 else 1
         return factors
 
     # products
@@ -148,7 +151,9 @@ class Shaper:
     def _put_gen(self, parts: Parts, i: int, power: Fraction) -> None:
         """Multiply by a generator; a root becomes a half power of what stands under it."""
         radicand = self.radicands.get(i)
-        if radicand is None:
+        if i in self.unsure:  # of these only one may join the common root: √p √q is √(p q) only for p, q ≥ 0
+            parts.unsure = i if parts.unsure is None else parts.unsure
+        if radicand is None or (i in self.unsure and parts.unsure != i):
             parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
             return
         if radicand.is_constant():
@@ -175,7 +180,7 @@ class Shaper:
         for poly, e in parts.sums:
             shown, sign = self._oriented(poly, e, flip * parts.number < 0)
             flip *= sign
-            items.append(((2, 0, "", ""), shown, e))
+            items.append(((2, 0, repr(shown) if len(parts.sums) > 1 else "", ""), shown, e))
         for rank, base, e in items:
             whole = int(e)
             if whole:

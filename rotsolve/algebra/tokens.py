@@ -19,7 +19,6 @@ ALIASES = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "a
 FUNCTION_NAMES = {name: name for name in (*FUNCTIONS, "integral")} | ALIASES
 SAME_MARK = dict.fromkeys("−–", "-") | dict.fromkeys("·×⋅∙", "*") | dict.fromkeys("÷∕", "/") | {"**": "^"}
 NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?"
-_SEGMENT = re.compile(SEGMENT)
 _TOKEN = re.compile(
     rf"(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>{RUN})|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
     r"|(?P<mark>\*\*|[-+*/^()\[\]|,.√∫→−–·×⋅∙÷∕])|(?P<space>\s+)|(?P<other>.)"
@@ -85,7 +84,7 @@ def resolve(token: Token, names: Collection[str] | None, bound: Collection[str],
     whole = _meaning(token, names, bound)
     if whole is not None:
         return [whole]
-    pieces = [Token("name", m[0], token.start + m.start(), token.start + m.end()) for m in _SEGMENT.finditer(raw)]
+    pieces = [Token("name", m[0], token.start + m.start(), token.start + m.end()) for m in re.finditer(SEGMENT, raw)]
     if names is not None and split:
         found = _split(token, names, bound)
         if found:

@@ -15,16 +15,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.dimension import NONE, Dimension, base_unit_text, kind_of
-from rotsolve.algebra.formula import (
-    PI,
-    Formula,
-    Negative,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    multiply,
-)
+from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
 from rotsolve.algebra.letters import FRACTIONS, from_superscript, superscripted
 from rotsolve.algebra.tokens import NUMBER, FormulaError, read_number, suggest
 from rotsolve.algebra.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, times_pi
@@ -40,13 +31,14 @@ _TOKEN = re.compile(
     rf"\s*(?:(?P<name>°|%|[A-Za-zµμ]+(?:_[a-z]+)?)|(?P<raised>{_RAISED})|(?:\^|\*\*)\s*(?P<power>{_WHOLE}|\({_WHOLE}\))"
     r"|(?P<times>[*·×⋅])|(?P<mark>[/()])|(?P<other>\S))"
 )
-_COMMA = re.compile(r"[+\-−]?[0-9]+,[0-9]+")
-_TEN = re.compile(rf"\s*[×x*·]\s*10(?:(?P<raised>{_RAISED})|(?:\^|\*\*)(?P<power>{_WHOLE}|\({_WHOLE}\)))")
+# What is rare is compiled when a text first needs it.
+_COMMA = r"[+\-−]?[0-9]+,[0-9]+"
+_TEN = rf"\s*[×x*·]\s*10(?:(?P<raised>{_RAISED})|(?:\^|\*\*)(?P<power>{_WHOLE}|\({_WHOLE}\)))"
+_PI = r"\s*[*·]?\s*(?:pi(?![A-Za-z_])|π)(?:\s*/\s*(?P<under>[0-9]+))?"
 _VALUE = re.compile(
     r"\s*(?P<sign>[+\-−–]?)\s*"
     rf"(?:(?P<top>[0-9]+)\s*/\s*(?P<bottom>[0-9]+)(?![0-9.eE])|(?P<number>{NUMBER})|(?P<glyph>[{''.join(FRACTIONS)}]))?"
 )
-_PI = re.compile(r"\s*[*·]?\s*(?:pi(?![A-Za-z_])|π)(?:\s*/\s*(?P<under>[0-9]+))?")
 
 
 class UnitError(FormulaError):
@@ -96,7 +88,7 @@ def _check_length(text: str) -> None:
 
 def _value(text: str) -> tuple[Fraction, int, int]:
     """The number in front: its rational part, its power of π, and where it ends."""
-    comma = _COMMA.match(text.lstrip())
+    comma = re.match(_COMMA, text.lstrip()) if "," in text else None
     if comma:
         at = len(text) - len(text.lstrip())
         point = comma[0].replace(",", ".")
@@ -105,13 +97,13 @@ def _value(text: str) -> tuple[Fraction, int, int]:
     match = _VALUE.match(text)
     assert match is not None
     bare = match["top"] is None and match["number"] is None and match["glyph"] is None
-    pi = _PI.match(text, match.end())
+    pi = _pi(text, match.end())
     if bare and pi is None:
         message = "a quantity begins with a number, such as `2 kg`" if text.strip() else "the quantity is empty"
         raise UnitError(message, 0, len(text))
     value, end = (Fraction(1), match.end()) if bare else _literal(text, match)
     if pi is None:
-        pi = _PI.match(text, end)
+        pi = _pi(text, end)
     if pi is not None:
         end = pi.end()
         if pi["under"]:
@@ -119,30 +111,33 @@ def _value(text: str) -> tuple[Fraction, int, int]:
     return (-value if match["sign"] in tuple("-−–") else value), 1 if pi else 0, end
 
 
+def _pi(text: str, start: int) -> re.Match[str] | None:
+    return re.compile(_PI).match(text, start) if "π" in text or "pi" in text else None
+
+
 def _literal(text: str, match: re.Match[str]) -> tuple[Fraction, int]:
     """The value of the literal without its sign, and where it ends; it may have a power of ten: 2×10^3."""
+    if match["top"] is not None:
+        top = _number(match["top"], match.start("top"))
+        return top / _denominator(match["bottom"], match.start("bottom")), match.end()
+    if match["glyph"] is not None:
+        return FRACTIONS[match["glyph"]], match.end()
+    ten = re.compile(_TEN).match(text, match.end()) if "10" in text else None
+    value = _number(match["number"], match.start("number"))
+    if ten is None:
+        return value, match.end()
+    return value * _number(f"1e{_exponent(ten)}", ten.start()), ten.end()
+
+
+def _number(text: str, start: int) -> Fraction:
     try:
-        if match["top"] is not None:
-            top = read_number(match["top"], match.start("top"))
-            return top / _denominator(match["bottom"], match.start("bottom")), match.end()
-        if match["glyph"] is not None:
-            return FRACTIONS[match["glyph"]], match.end()
-        ten = _TEN.match(text, match.end())
-        value = read_number(match["number"], match.start("number"))
-        if ten is None:
-            return value, match.end()
-        return value * read_number(f"1e{_exponent(ten)}", ten.start()), ten.end()
-    except UnitError:
-        raise
+        return read_number(text, start)
     except FormulaError as error:
         raise UnitError(error.message, error.start, error.end) from None
 
 
 def _denominator(digits: str, start: int) -> Fraction:
-    try:
-        value = read_number(digits, start)
-    except FormulaError as error:
-        raise UnitError(error.message, error.start, error.end) from None
+    value = _number(digits, start)
     if not value:
         raise UnitError("division by zero", start, start + len(digits))
     return value

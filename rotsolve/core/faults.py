@@ -50,13 +50,15 @@ def one_per_place(faults: Iterable[Fault]) -> tuple[Fault, ...]:
     """The faults sorted by place, the first one reported at each place."""
     seen: dict[object, Fault] = {}
     for fault in faults:
-        seen.setdefault(fault.span and (fault.span.line, fault.span.column) or fault.message, fault)
-    return tuple(sorted(seen.values(), key=lambda fault: (fault.span.line, fault.span.column) if fault.span else (0, 0)))
+        seen.setdefault((fault.span and (fault.span.line, fault.span.column)) or fault.message, fault)
+    return tuple(
+        sorted(seen.values(), key=lambda fault: (fault.span.line, fault.span.column) if fault.span else (0, 0))
+    )
 
 
 def render(fault: Fault, lines: Sequence[str], file: str) -> str:
     """One fault as text: message, place, source line with a caret below, help."""
-    text = [f"error: {fault.message}"]
+    text = [f"error: {printable(fault.message)}"]
     span = fault.span
     if span is None:
         if file:
@@ -66,7 +68,7 @@ def render(fault: Fault, lines: Sequence[str], file: str) -> str:
         if 1 <= span.line <= len(lines):
             text.extend(excerpt(lines[span.line - 1], span))
     if fault.help:
-        text.append(f"help: {fault.help}")
+        text.append(f"help: {printable(fault.help)}")
     return "\n".join(text)
 
 
@@ -85,4 +87,19 @@ def excerpt(line: str, span: Span) -> tuple[str, str]:
 
 def printable(text: str) -> str:
     """The text with everything that would move or colour the terminal replaced, one character for one."""
-    return "".join(character if character.isprintable() else " " if character == "\t" else "\N{REPLACEMENT CHARACTER}" for character in text)
+    spaced = text.replace("\t", " ")
+    return "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in spaced)
+
+
+class Unsolvable(Exception):
+    """A well-formed scene without an answer: what is missing, contradictory or out of reach."""
+
+    def __init__(self, message: str, *, span: Span | None = None, help: str = "", lines: Sequence[str] = (), file: str = "") -> None:
+        self.fault = Fault(message, span, help, "unsolvable")
+        self.lines = tuple(lines)
+        self.file = file
+        super().__init__(self.render())
+
+    def render(self) -> str:
+        """The message with its place, as printed."""
+        return render(self.fault, self.lines, self.file)

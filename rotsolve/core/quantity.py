@@ -55,14 +55,29 @@ class QuantityKind:
     later: bool = False
 
 
-def kind(word: str, dimension: str, letter: str, owners: tuple[str, ...], help: str, components: tuple[str, ...] = (), later: bool = False) -> QuantityKind:
+def kind(
+    word: str,
+    dimension: str,
+    letter: str,
+    owners: tuple[str, ...],
+    help: str,
+    components: tuple[str, ...] = (),
+    later: bool = False,
+) -> QuantityKind:
     return QuantityKind(word, DIMENSIONS[dimension], letter, owners, components, help, later)
 
 
 QUANTITIES = (
     kind("angle", "angle", "theta", (BODY, LINK), "from the rightward horizontal, counterclockwise, unwrapped"),
     kind("rotation", "angle", "theta", (BODY,), "signed change of the angle since the state before"),
-    kind("angular_velocity", "angular velocity", "omega", (BODY, LINK), "rate of the angle along the declared sense", SPACE),
+    kind(
+        "angular_velocity",
+        "angular velocity",
+        "omega",
+        (BODY, LINK),
+        "rate of the angle along the declared sense",
+        SPACE,
+    ),
     kind("angular_acceleration", "angular acceleration", "alpha", (BODY, LINK), "rate of the angular velocity", SPACE),
     kind("position", "length", "r", (BODY, POINT), "place in the scene's coordinates", SPACE),
     kind("displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION),
@@ -70,22 +85,52 @@ QUANTITIES = (
     kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
     kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", MOTION),
     kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
-    kind("acceleration", "acceleration", "a", (BODY, POINT), "signed along the declared sense; of a point, its size", MOTION),
-    kind("force", "force", "F", (BODY, LINK, ACTION, EVENT), "force on the last-named body", (*MOTION, "net", "gravity")),
+    kind(
+        "acceleration",
+        "acceleration",
+        "a",
+        (BODY, POINT),
+        "signed along the declared sense; of a point, its size",
+        MOTION,
+    ),
+    kind(
+        "force", "force", "F", (BODY, LINK, ACTION, EVENT), "force on the last-named body", (*MOTION, "net", "gravity")
+    ),
     kind("tension", "force", "T", (LINK,), "pull of a string or belt, at one of its ends where a pulley is heavy"),
     kind("normal_force", "force", "N", (LINK,), "push of a surface across itself"),
     kind("friction_force", "force", "f", (LINK,), "friction along the surface, on the last-named body"),
     kind("friction", "number", "mu", (LINK,), "coefficient of friction of a contact"),
-    kind("torque", "torque", "tau", (BODY, LINK, ACTION), "torque about the axis; `about` names another point", (*SPACE, "net", "gravity")),
+    kind(
+        "torque",
+        "torque",
+        "tau",
+        (BODY, LINK, ACTION),
+        "torque about the axis; `about` names another point",
+        (*SPACE, "net", "gravity"),
+    ),
     kind("impulse", "impulse", "J", (BODY, LINK, ACTION, EVENT), "force summed over time", PLANE),
     kind("angular_impulse", "angular impulse", "H", (BODY, LINK, ACTION, EVENT), "torque summed over time"),
     kind("work", "energy", "W", (BODY, LINK, ACTION), "work done in a phase", ("net", "gravity")),
     kind("power", "power", "P", (BODY, LINK, ACTION), "rate of work", ("net", "gravity")),
-    kind("kinetic_energy", "energy", "K", (BODY, SYSTEM), "of a body, or of the whole scene", ("rotational", "translational")),
+    kind(
+        "kinetic_energy",
+        "energy",
+        "K",
+        (BODY, SYSTEM),
+        "of a body, or of the whole scene",
+        ("rotational", "translational"),
+    ),
     kind("potential_energy", "energy", "U", (BODY, LINK, SYSTEM), "of gravity and springs"),
     kind("energy", "energy", "E", (BODY, SYSTEM), "kinetic and potential energy together"),
     kind("momentum", "momentum", "p", (BODY, SYSTEM), "mass times velocity of the centre of mass", PLANE),
-    kind("angular_momentum", "angular momentum", "L", (BODY, SYSTEM), "about the axis; `about` names another point", SPACE),
+    kind(
+        "angular_momentum",
+        "angular momentum",
+        "L",
+        (BODY, SYSTEM),
+        "about the axis; `about` names another point",
+        SPACE,
+    ),
     kind("inertia", "moment of inertia", "I", (BODY, SYSTEM), "moment of inertia about `cm`, or `about` a point"),
     kind("gyration", "length", "k", (BODY,), "radius of gyration"),
     kind("cm", "length", "x", (BODY, SYSTEM), "place of the centre of mass in the body's coordinates", SPACE),

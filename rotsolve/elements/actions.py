@@ -54,6 +54,7 @@ class Action:
 
     def now(self, instant: Instant) -> Formula:
         return (self.strength() or ZERO).substitute({"time": instant.time()})
+
     from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
     to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
 
@@ -63,10 +64,21 @@ class Force(Action):
     word = "force"
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
-    force: Formula | None = key("quantity", "size; `unknown` asks for it", dimension="force", letter="F", varies=True, required=True, example="20 N")
+    force: Formula | None = key(
+        "quantity",
+        "size; `unknown` asks for it",
+        dimension="force",
+        letter="F",
+        varies=True,
+        required=True,
+        example="20 N",
+    )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = key(
-        "direction", "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle", default=None, choices=DIRECTIONS
+        "direction",
+        "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle",
+        default=None,
+        choices=DIRECTIONS,
     )
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
@@ -86,7 +98,9 @@ class Force(Action):
         name, motion = instant.host(on.owner), instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
         turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), motion.sense)
-        if self.direction in (None, "tangential", "clockwise", "counterclockwise") and (motion.kind == "axis" or self.direction is not None):
+        if self.direction in (None, "tangential", "clockwise", "counterclockwise") and (
+            motion.kind == "axis" or self.direction is not None
+        ):
             if on.point in ("rim", None) or on.point in dict(instant.body(on.owner).radii):
                 return unit(UP if turn > 0 else DOWN), vector(radius or ZERO, RIGHT)
             arm = instant.point(on)
@@ -125,7 +139,9 @@ class Couple(Action):
     word = "couple"
     about = "a torque without a force, along the body's positive sense unless `direction` says otherwise"
     quantities = ("torque", "work", "power", "angular_impulse")
-    couple: Formula | None = key("quantity", "torque; `unknown` asks for it", dimension="torque", letter="tau", varies=True, required=True)
+    couple: Formula | None = key(
+        "quantity", "torque; `unknown` asks for it", dimension="torque", letter="tau", varies=True, required=True
+    )
     on: PointRef | None = key("point", "the body that it turns", required=True, example="wheel")
     direction: Direction | None = key(
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")
@@ -146,9 +162,13 @@ class Press(Action):
     about = "a brake block pressed on a rim"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
     later = True
-    press: Formula | None = key("quantity", "force that presses", dimension="force", letter="F", varies=True, required=True)
+    press: Formula | None = key(
+        "quantity", "force that presses", dimension="force", letter="F", varies=True, required=True
+    )
     on: PointRef | None = key("point", "the rim", required=True, example="wheel.rim")
-    friction: Formula | None = key("quantity", "coefficient of friction", dimension="number", letter="mu", limits="nonnegative", required=True)
+    friction: Formula | None = key(
+        "quantity", "coefficient of friction", dimension="number", letter="mu", limits="nonnegative", required=True
+    )
 
 
 @dataclass(frozen=True)
@@ -156,7 +176,9 @@ class Power(Action):
     word = "power"
     about = "a motor of given power turning a body"
     quantities = ("power", "torque", "work")
-    power: Formula | None = key("quantity", "power; `unknown` asks for it", dimension="power", letter="P", varies=True, required=True)
+    power: Formula | None = key(
+        "quantity", "power; `unknown` asks for it", dimension="power", letter="P", varies=True, required=True
+    )
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
@@ -169,7 +191,9 @@ class Power(Action):
         torque = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
         yield facts.Couple(self.name, "applied", name, facts.signed(torque, instant.sense(name)), ("torque ", torque))
         spin = facts.signed(instant.motion(name).spin, instant.sense(name))
-        yield facts.Rule(self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False)
+        yield facts.Rule(
+            self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
+        )
 
 
 def pointing(direction: Direction) -> Vector:

@@ -29,7 +29,9 @@ class Joins(Event):
     word = "joins"
     about = "two bodies meet and stay together (inelastic)"
     quantities = ("impulse", "angular_impulse")
-    joins: tuple[PointRef, ...] = key("points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]")
+    joins: tuple[PointRef, ...] = key(
+        "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
+    )
 
 
 @dataclass(frozen=True)
@@ -37,12 +39,24 @@ class Collides(Event):
     word = "collides"
     about = "two bodies bounce off each other"
     quantities = ("impulse", "angular_impulse")
-    collides: tuple[PointRef, ...] = key("points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]")
+    collides: tuple[PointRef, ...] = key(
+        "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
+    )
     restitution: Formula | None = key(
-        "quantity", "coefficient of restitution, 0 to 1", dimension="number", letter="e", limits="fraction", default=None
+        "quantity",
+        "coefficient of restitution, 0 to 1",
+        dimension="number",
+        letter="e",
+        limits="fraction",
+        default=None,
     )
     friction: Formula | None = key(
-        "quantity", "coefficient of friction in the collision", dimension="number", letter="mu", limits="nonnegative", default=None
+        "quantity",
+        "coefficient of friction in the collision",
+        dimension="number",
+        letter="mu",
+        limits="nonnegative",
+        default=None,
     )
 
 
@@ -51,10 +65,15 @@ class Impulse(Event):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
     quantities = ("impulse", "angular_impulse")
-    impulse: Formula | None = key("quantity", "size; `unknown` asks for it", dimension="impulse", letter="J", required=True)
+    impulse: Formula | None = key(
+        "quantity", "size; `unknown` asks for it", dimension="impulse", letter="J", required=True
+    )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = key(
-        "direction", "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle", default=None, choices=DIRECTIONS
+        "direction",
+        "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle",
+        default=None,
+        choices=DIRECTIONS,
     )
 
 
@@ -62,7 +81,9 @@ class Impulse(Event):
 class Cuts(Event):
     word = "cuts"
     about = "a string or other connection is gone from then on"
-    cuts: tuple[str, ...] = key("names", "the connection", refers=("connection",), required=True, default=(), example="cord")
+    cuts: tuple[str, ...] = key(
+        "names", "the connection", refers=("connection",), required=True, default=(), example="cord"
+    )
 
 
 @dataclass(frozen=True)
@@ -70,7 +91,12 @@ class Removes(Event):
     word = "removes"
     about = "a support, action or body is taken away"
     removes: tuple[str, ...] = key(
-        "names", "the connection, action or body", refers=("connection", "action", "body"), required=True, default=(), example="prop"
+        "names",
+        "the connection, action or body",
+        refers=("connection", "action", "body"),
+        required=True,
+        default=(),
+        example="prop",
     )
 
 

@@ -84,7 +84,15 @@ class Arc(Shape):
     about = "thin uniform wire along an arc of a circle, symmetric about its +x axis; `center` is the circle's"
     points = ("center", "start", "middle", "end")
     radius: Formula | None = extent("radius of the circle", "R")
-    opening: Formula | None = key("quantity", "angle that the arc spans", dimension="angle", letter="theta", limits="positive", default=None, required=True)
+    opening: Formula | None = key(
+        "quantity",
+        "angle that the arc spans",
+        dimension="angle",
+        letter="theta",
+        limits="positive",
+        default=None,
+        required=True,
+    )
 
     def moment(self, mass: Formula) -> Formula:
         radius, (x, _) = self.radius or ZERO, self.centroid()
@@ -138,7 +146,9 @@ class Annulus(Shape):
     word = "annulus"
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
-    radii: tuple[tuple[str, Formula], ...] = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: tuple[tuple[str, Formula], ...] = key(
+        "radii", "inner and outer radius", default=(), choices=("inner", "outer")
+    )
 
     def moment(self, mass: Formula) -> Formula:
         inner, outer = _walls(self.radii)
@@ -171,7 +181,12 @@ class Rectangle(Shape):
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         width, height = self.sides[0] / 2, self.sides[1] / 2
-        places = {"corner1": (-width, -height), "corner2": (width, -height), "corner3": (width, height), "corner4": (-width, height)}
+        places = {
+            "corner1": (-width, -height),
+            "corner2": (width, -height),
+            "corner3": (width, height),
+            "corner4": (-width, height),
+        }
         return places.get(point, (ZERO, ZERO))
 
 
@@ -181,9 +196,17 @@ class Triangle(Shape):
     about = "thin uniform triangle: its three `corners`, or its three `sides` (corner1 to corner2 along +x first)"
     points = ("corner1", "corner2", "corner3")
     sides: tuple[Formula, ...] = key(
-        "quantities", "three sides, in order", dimension="length", letter="a b c", limits="positive", count=(3, 3), default=()
+        "quantities",
+        "three sides, in order",
+        dimension="length",
+        letter="a b c",
+        limits="positive",
+        count=(3, 3),
+        default=(),
     )
-    corners: tuple[Place, ...] = key("places", "three corners", letter="x", count=(3, 3), default=(), example="[[0, 0], [b, 0], [0, h]]")
+    corners: tuple[Place, ...] = key(
+        "places", "three corners", letter="x", count=(3, 3), default=(), example="[[0, 0], [b, 0], [0, h]]"
+    )
 
     def moment(self, mass: Formula) -> Formula:
         if self.corners:
@@ -250,7 +273,9 @@ class CylindricalShell(Shape):
     about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     radius: Formula | None = extent("radius", "R")
-    radii: tuple[tuple[str, Formula], ...] = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: tuple[tuple[str, Formula], ...] = key(
+        "radii", "inner and outer radius", default=(), choices=("inner", "outer")
+    )
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     def moment(self, mass: Formula) -> Formula:
@@ -290,7 +315,9 @@ class SphericalShell(Shape):
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     radius: Formula | None = extent("radius", "R")
-    radii: tuple[tuple[str, Formula], ...] = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
+    radii: tuple[tuple[str, Formula], ...] = key(
+        "radii", "inner and outer radius", default=(), choices=("inner", "outer")
+    )
 
     def moment(self, mass: Formula) -> Formula:
         if self.radii:

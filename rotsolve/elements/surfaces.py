@@ -40,7 +40,9 @@ class Level(Surface):
 class Slope(Surface):
     word = "slope"
     about = "a plane at an angle to the level, falling towards `down`"
-    slope: Formula | None = key("quantity", "angle to the level", dimension="angle", letter="theta", required=True, example="beta")
+    slope: Formula | None = key(
+        "quantity", "angle to the level", dimension="angle", letter="theta", required=True, example="beta"
+    )
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
 
     @property

@@ -91,7 +91,7 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
     if (left, right) != (ZERO, ZERO):
         words: Words = ("power of the forces = rate of the kinetic energy, divided by ", Symbol(free))
-        yield Equation(positive_first([left]), right, "energy", section, ENERGY, 4, words, bodies=tuple(sorted(group)))
+        yield Equation(positive_first([left]), right, "energy", section, ENERGY, 5, words, bodies=tuple(sorted(group)))
 
 
 def rates_of(body: BodyFacts) -> set[str]:

@@ -136,7 +136,7 @@ def answer_rows(answer: Answer, digits: int) -> Iterator[str]:
     formula, amount = exact(answer), LATEX.amount(answer, digits)
     parts = [LATEX.formula(formula)] if formula is not None else []
     parts += [amount] if amount else []
-    aside = LATEX.aside(answer)
+    aside = LATEX.aside(answer, digits)
     symbol = LATEX.formula(answer.symbol)
     shown_sides = f"{symbol} &= {' = '.join(parts)}" if parts else f"{symbol} &"
     yield shown_sides + (words_cell(aside.removeprefix(", ").strip()) if aside else "")

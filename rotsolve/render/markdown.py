@@ -94,7 +94,7 @@ def answer_lines(answer: Answer, digits: int, inset: str = "") -> Iterator[str]:
     formula, amount = exact(answer), MARKDOWN.amount(answer, digits)
     parts = [MARKDOWN.formula(answer.symbol), *([MARKDOWN.formula(formula)] if formula is not None else [])]
     parts += [amount] if amount else []
-    yield f"{inset}- {MARKDOWN.math(' = '.join(parts))}{MARKDOWN.aside(answer)}"
+    yield f"{inset}- {MARKDOWN.math(' = '.join(parts))}{MARKDOWN.aside(answer, digits)}"
     for component in answer.components:
         yield from answer_lines(component, digits, inset + "  ")
 

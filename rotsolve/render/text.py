@@ -140,7 +140,7 @@ def answer_lines(answers: tuple[Answer, ...], options: Options) -> Iterator[Line
 def answer_rows(answer: Answer, digits: int, inset: str = "") -> Iterator[Row]:
     """An answer and, further in, its components: symbol, exact form, certified number, direction."""
     formula, amount = exact(answer), TEXT.amount(answer, digits)
-    symbol, aside = hold(TEXT.formula(answer.symbol)), TEXT.aside(answer)
+    symbol, aside = hold(TEXT.formula(answer.symbol)), TEXT.aside(answer, digits)
     sides = [hold(TEXT.formula(formula))] if formula is not None else []
     if sides and amount:
         yield Row(f"{inset}{symbol} = {sides[0]}", f"= {hold(amount)}{aside}")

@@ -80,17 +80,14 @@ class Voice:
 
     def amount(self, answer: Answer, digits: int) -> str:
         """The certified value of an answer with its unit, its size alone where words tell its direction; '' without one."""
-        text, note = certified(answer, digits)
-        if not text:
-            return f"({self.prose(note)})" if note else ""
-        return self.quantity(text if answer.signed else text.removeprefix("−"), answer.unit) + (
-            f" ({self.prose(note)})" if note else ""
-        )
+        text, _ = certified(answer, digits)
+        return self.quantity(text if answer.signed else text.removeprefix("−"), answer.unit) if text else ""
 
-    def aside(self, answer: Answer) -> str:
-        """What is said behind an answer: its direction, its word and its remark."""
+    def aside(self, answer: Answer, digits: int) -> str:
+        """What is said behind an answer: its direction and its word, and in brackets its remark and what is not certain."""
         said = "".join(f", {self.prose(text)}" for text in (answer.direction, answer.word) if text)
-        return said + (f" ({self.words(answer.remark)})" if answer.remark else "")
+        notes = (self.prose(certified(answer, digits)[1]), self.words(answer.remark))
+        return said + "".join(f" ({note})" for note in notes if note)
 
 
 def certified(answer: Answer, digits: int) -> tuple[str, str]:

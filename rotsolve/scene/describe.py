@@ -8,9 +8,9 @@ from typing import Any
 from rotsolve.core.quantity import QUANTITIES, QuantityKind
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
-from rotsolve.scene.reader.clauses import CLAUSES
+from rotsolve.scene.phrase.clauses import CLAUSES
+from rotsolve.scene.phrase.phrases import MODIFIERS
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.reader.phrases import MODIFIERS
 from rotsolve.scene.sections import BODY, PART, PHASE, SECTIONS
 from rotsolve.scene.words import hint, quoted
 
@@ -49,7 +49,10 @@ def words() -> Iterator[tuple[str, str]]:
         for cls in table:
             yield cls.word, element(cls, kind)
     for entry in QUANTITIES:
-        yield entry.word, f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}; of: {', '.join(entry.owners)}{parts(entry)}"
+        yield (
+            entry.word,
+            f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}; of: {', '.join(entry.owners)}{parts(entry)}",
+        )
     for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE)):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {meaning(key)}"
@@ -86,7 +89,12 @@ def meaning(key: Key) -> str:
     text = key.help
     if key.choices and not any(choice in key.help for choice in key.choices[:1]):
         text += f": {', '.join(key.choices)}"
-    details = [key.dimension or "", key.limits, "required" if key.required else "", "may vary with `time`" if key.varies else ""]
+    details = [
+        key.dimension or "",
+        key.limits,
+        "required" if key.required else "",
+        "may vary with `time`" if key.varies else "",
+    ]
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""
     text += f", e.g. `{key.example}`" if key.example else ""
@@ -115,5 +123,19 @@ def parts(entry: QuantityKind) -> str:
 
 
 def quantity(entry: QuantityKind) -> str:
-    cells = (f"`{entry.word}`", entry.letter, ", ".join(entry.owners), ", ".join(entry.components), entry.help + later(entry.later))
+    cells = (
+        f"`{entry.word}`",
+        entry.letter,
+        ", ".join(entry.owners),
+        ", ".join(entry.components),
+        entry.help + later(entry.later),
+    )
     return f"| {' | '.join(cells)} |"
+
+
+def renew(path: str) -> None:
+    """Write the generated part of the page anew."""
+    with open(path, encoding="utf-8") as stream:
+        text = stream.read()
+    with open(path, "w", encoding="utf-8") as stream:
+        stream.write(text[: text.index(BEGIN)] + generate())

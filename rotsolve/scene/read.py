@@ -11,16 +11,17 @@ from rotsolve.algebra.units import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem
+from rotsolve.scene.phrase.phrases import read_find
 from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
 from rotsolve.scene.reader.elements import read_element
-from rotsolve.scene.reader.givens import read_givens
-from rotsolve.scene.reader.nodes import BYTES, List, Map, Node, Text, compose
-from rotsolve.scene.reader.phrases import read_find
-from rotsolve.scene.reader.scope import Scope
 from rotsolve.scene.reader.states import read_phase, read_state
-from rotsolve.scene.reader.values import Want, value
 from rotsolve.scene.sections import SECTIONS
+from rotsolve.scene.tree.nodes import BYTES, List, Map, Node, Text, compose
+from rotsolve.scene.values.givens import read_givens
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import quoted
 
 STANDARD_GRAVITY = "9.8 m/s^2"
@@ -53,7 +54,11 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
     if len(content) > BYTES:
         raise too_large(len(content), name)
     if b"\0" in content:
-        raise SceneError([Fault("this is no text file: it holds a NUL byte", None, "a scene is YAML text in UTF-8", "file")], (), name)
+        raise SceneError(
+            [Fault("this is no text file: it holds a NUL byte", None, "a scene is YAML text in UTF-8", "file")],
+            (),
+            name,
+        )
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
@@ -64,7 +69,9 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
 
 
 def too_large(size: int, name: str) -> SceneError:
-    return SceneError([Fault(f"the file has {size} bytes, more than {BYTES}", None, "a scene is a page of text", "limit")], (), name)
+    return SceneError(
+        [Fault(f"the file has {size} bytes, more than {BYTES}", None, "a scene is a page of text", "limit")], (), name
+    )
 
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
@@ -89,7 +96,12 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
 def is_control(character: str) -> bool:
     """What no text holds, and YAML's parser refuses."""
     code = ord(character)
-    return (code < 32 and character not in "\n\t") or 0x7F <= code < 0xA0 and code != 0x85 or 0xD800 <= code < 0xE000 or code in (0xFFFE, 0xFFFF)
+    return (
+        (code < 32 and character not in "\n\t")
+        or (0x7F <= code < 0xA0 and code != 0x85)
+        or 0xD800 <= code < 0xE000
+        or code in (0xFFFE, 0xFFFF)
+    )
 
 
 class Sections:
@@ -98,6 +110,7 @@ class Sections:
     def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
         self.scope = scope
         self.settings = settings
+        self.written = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
         self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
         if not isinstance(root, Map):
             scope.fault(root, "a scene is a map", "begin with `title:`, `given:`, `bodies:`, `find:`", "form")
@@ -129,14 +142,13 @@ class Sections:
             if node is None:
                 continue
             self.scope.entries(node, f"`{section}`")
+            seen: set[str] = set()
             for key, item in node.entries if isinstance(node, Map) else ():
-                if isinstance(item, Text) and item.empty:
-                    continue
-                if section == "find" and self.asked(key.value):
-                    continue
-                if key.value in self.scope.kinds and key.value in {entry.value for entry, _ in node.entries} and self.scope.kinds[key.value] == kind:
-                    continue  # a duplicate key, reported already
-                self.scope.declare(key, kind)
+                empty = isinstance(item, Text) and item.empty
+                again = key.value in seen or (section == "find" and self.asked(key.value))
+                seen.add(key.value)
+                if not empty and not again:
+                    self.scope.declare(key, kind)
 
     def asked(self, name: str) -> bool:
         """Whether the name is a given that is unknown."""
@@ -178,7 +190,7 @@ class Sections:
     def required(self) -> None:
         scope = self.scope
         for section, declared in SECTIONS.items():
-            if declared.required and section not in self.top:
+            if declared.required and section not in self.written:
                 scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
         find = self.node("find")
         if isinstance(find, Map) and not find.entries:

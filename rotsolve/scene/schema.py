@@ -7,8 +7,8 @@ from typing import Any
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.reader.scope import NAME
 from rotsolve.scene.sections import BODY, PART, PHASE, SECTIONS
+from rotsolve.scene.values.scope import NAME
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
 ANYTHING: dict[str, Any] = {}
@@ -22,7 +22,10 @@ ABOUT: dict[str, Any] = {
     "required": ["value"],
 }
 FRICTION: dict[str, Any] = {
-    "anyOf": [SCALAR, {"type": "object", "properties": {"static": SCALAR, "kinetic": SCALAR}, "additionalProperties": False}]
+    "anyOf": [
+        SCALAR,
+        {"type": "object", "properties": {"static": SCALAR, "kinetic": SCALAR}, "additionalProperties": False},
+    ]
 }
 
 
@@ -97,7 +100,11 @@ def body(more: dict[str, Key]) -> dict[str, Any]:
         keys |= dict(keys_of(shape))
     properties = {word: described(value(key, word), key) for word, key in {**keys, **BODY, **more}.items()}
     for word in ("sides", "corners"):  # their number depends on the shape
-        properties[word] = {"type": "array", "minItems": 2, "description": BODY[word].help if word in BODY else keys[word].help}
+        properties[word] = {
+            "type": "array",
+            "minItems": 2,
+            "description": BODY[word].help if word in BODY else keys[word].help,
+        }
     return {"type": "object", "properties": properties, "additionalProperties": False}
 
 

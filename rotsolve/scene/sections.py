@@ -14,7 +14,12 @@ SECTIONS: dict[str, Key] = {
     "text": Key("text", "the statement, for answer keys"),
     "given": Key("map", "letters with values (`m: 2 kg`), dimensions (`m: kg`), formulas (`L: 2*R`) or `unknown`"),
     "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
-    "gravity": Key("gravity", "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said", dimension="acceleration", letter="g"),
+    "gravity": Key(
+        "gravity",
+        "a value, a given, or `none`; 9.8 m/s^2 down when nothing is said",
+        dimension="acceleration",
+        letter="g",
+    ),
     "plane": Key("choice", "`horizontal`: a table seen from above", choices=("vertical", "horizontal")),
     "up": Key("choice", "`z`: a scene in space", choices=("y", "z"), later=True),
     "surfaces": Key("map", "what bodies lie on: floors, slopes, walls"),
@@ -32,11 +37,19 @@ SECTIONS: dict[str, Key] = {
 }
 
 BODY: dict[str, Key] = {
-    "shape": Key("shape", "one of the shapes; without it a particle, or a rotor where `inertia`, `radius` or `radii` is given"),
+    "shape": Key(
+        "shape", "one of the shapes; without it a particle, or a rotor where `inertia`, `radius` or `radii` is given"
+    ),
     "mass": Key("quantity", "mass; 0 for a light body", dimension="mass", letter="m", limits="nonnegative"),
-    "density": Key("density", "mass per length, area or volume: a value, or a formula of x and y", letter="rho", later=True),
+    "density": Key(
+        "density", "mass per length, area or volume: a value, or a formula of x and y", letter="rho", later=True
+    ),
     "inertia": Key(
-        "inertia", "moment of inertia about `cm`, or `{value: I, about: POINT}`", dimension="moment of inertia", letter="I", limits="nonnegative"
+        "inertia",
+        "moment of inertia about `cm`, or `{value: I, about: POINT}`",
+        dimension="moment of inertia",
+        letter="I",
+        limits="nonnegative",
     ),
     "gyration": Key("quantity", "radius of gyration about `cm`", dimension="length", letter="k", limits="positive"),
     "radius": Key("quantity", "radius", dimension="length", letter="R", limits="positive"),
@@ -54,7 +67,12 @@ BODY: dict[str, Key] = {
         "quantity", "driven angular velocity", dimension="angular velocity", letter="omega", varies=True, later=True
     ),
     "angular_acceleration": Key(
-        "quantity", "driven angular acceleration", dimension="angular acceleration", letter="alpha", varies=True, later=True
+        "quantity",
+        "driven angular acceleration",
+        dimension="angular acceleration",
+        letter="alpha",
+        varies=True,
+        later=True,
     ),
 }
 

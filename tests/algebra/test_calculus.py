@@ -85,8 +85,8 @@ def test_no_integral_across_a_pole() -> None:
     assert integrate(ONE / X**2, "x", n(-1), n(1)) is None
 
 
-def test_integral_of_a_gaussian_stays_open() -> None:
-    assert integrate(call("exp", -(X**4)) / (X**2 + A), "x", ZERO, ONE, positive=POSITIVE) is None
+def test_an_integral_that_stays_open() -> None:
+    assert integrate(call("exp", -(X**4)), "x", ZERO, ONE, positive=POSITIVE) is None
 
 
 @settings(max_examples=30, deadline=None)

@@ -7,6 +7,8 @@ from __future__ import annotations
 
 import json
 import os
+import shutil
+import subprocess
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
@@ -17,6 +19,7 @@ from rotsolve.algebra.parse import parse
 from rotsolve.core.derivation import Answer, Check, Derivation
 from rotsolve.render import FORMATS, format_named, format_of_file
 from rotsolve.render.options import Options
+from rotsolve.render.prose import LATEX_SPECIAL, MATHEMATICS
 
 EXPECTED = Path(__file__).parent / "expected"
 SUFFIXES = {item.name: item.suffixes[0] for item in FORMATS}
@@ -127,7 +130,7 @@ def test_digits_that_can_not_be_certified_are_not_printed(block_on_disc: Derivat
     answer = replace(made.answer("x", None, None, "m"), value=made.Fuzzy(2))
     assert printed(answers(block_on_disc, answer)) == "  x = 1.2 m (only 2 digits can be certified)\n"
     answer = replace(answer, value=made.Fuzzy(0))
-    assert printed(answers(block_on_disc, answer)) == "  x = (no digit can be certified)\n"
+    assert printed(answers(block_on_disc, answer)) == "  x: (no digit can be certified)\n"
 
 
 def test_checks_that_fail_are_said_apart(block_on_disc: Derivation) -> None:
@@ -178,3 +181,15 @@ def test_formats_are_found_by_name_and_by_file() -> None:
         format_named("pdf")
     assert format_of_file("out/Answers.TEX") == format_named("latex")
     assert format_of_file("answers") is None
+
+
+@pytest.mark.skipif(shutil.which("pdflatex") is None, reason="no LaTeX here")
+def test_latex_compiles(crowded: Derivation, rod_released: Derivation, tmp_path: Path) -> None:
+    """Also with every letter that prose may hold."""
+    letters = "".join((*LATEX_SPECIAL, *MATHEMATICS, "éžł中\x07"))
+    chosen = format_named("latex")
+    bodies = [chosen.body(item, Options()) for item in (replace(crowded, source=letters), rod_released)]
+    (tmp_path / "page.tex").write_text(chosen.document(bodies), encoding="utf-8")
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
+    assert done.returncode == 0, done.stdout.decode(errors="replace")[-2000:]

@@ -301,6 +301,6 @@ def rough(value: Formula) -> float:
 
     names = sorted(value.symbols())
     try:
-        return float(evaluate(value, {name: Number(_SMALL + _STEP * index) for index, name in enumerate(names)}, digits=3))
+        return evaluate(value, {name: Number(_SMALL + _STEP * index) for index, name in enumerate(names)}, digits=3).float
     except ValueError:
         return 0.0

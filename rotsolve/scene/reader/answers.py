@@ -9,9 +9,10 @@ from rotsolve.algebra.parse import FormulaError, parse
 from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Fault
 from rotsolve.scene.model import Published
-from rotsolve.scene.reader.nodes import List, Node, Text
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import LITERAL, Want, expression
+from rotsolve.scene.tree.nodes import List, Node, Text
+from rotsolve.scene.values.expressions import expression
+from rotsolve.scene.values.literals import LITERAL, Want
+from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
 KEYS = ("formula", "symbolic", "value", "tolerance", "word")
@@ -77,7 +78,9 @@ def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
     for item in node.items:
         quantity = quantity_of(item.value.strip()) if isinstance(item, Text) else None
         if quantity is None:
-            scope.fault(item, f"an item of the answer `{name}` is no number with a unit", "write `[1.2 N, 3.4 N]`", "form")
+            scope.fault(
+                item, f"an item of the answer `{name}` is no number with a unit", "write `[1.2 N, 3.4 N]`", "form"
+            )
             return None
         quantities.append(quantity)
     if not quantities:

@@ -11,11 +11,12 @@ from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.scene.keys import keys_of
 from rotsolve.scene.model import Body, Part
 from rotsolve.scene.reader.declared import read_keys, read_value
-from rotsolve.scene.reader.nodes import List, Map, Node, Text
 from rotsolve.scene.reader.points import points_of, read_place
-from rotsolve.scene.reader.scope import NAME, Scope
-from rotsolve.scene.reader.values import Want, value
 from rotsolve.scene.sections import BODY, PART
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import NAME, Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 SHAPE_WORDS = {shape.word: shape for shape in SHAPES}
@@ -40,7 +41,12 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     """`ball: particle`: a shape alone."""
     shape = SHAPE_WORDS.get(node.value.strip())
     if shape is None:
-        scope.fault(node, f"body `{name}` wants a map, but this is {quoted(node.value)}", "write `{shape: disc, mass: M}`", "form")
+        scope.fault(
+            node,
+            f"body `{name}` wants a map, but this is {quoted(node.value)}",
+            "write `{shape: disc, mass: M}`",
+            "form",
+        )
         return None
     if shape.later:
         scope.later(node, shape.word)
@@ -70,7 +76,9 @@ def allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
     return list(dict.fromkeys((*own, *(word for word in BODY if word != "radius"), *more)))
 
 
-def build(scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape] | None, skip: tuple[str, ...] = ()) -> Body:
+def build(
+    scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape] | None, skip: tuple[str, ...] = ()
+) -> Body:
     """The body from its entries."""
     fields: dict[str, Any] = {}
     own = {word for word, _ in keys_of(shape)} if shape else set()

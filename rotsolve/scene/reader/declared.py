@@ -7,10 +7,11 @@ from typing import Any
 
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Key, keys_of
-from rotsolve.scene.reader.nodes import List, Map, Node, Text
 from rotsolve.scene.reader.points import read_place, read_point
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 Reader = Callable[[Scope, Key, Node, str, str], Any]
@@ -129,8 +130,12 @@ def name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         return word
     names = scope.names(*key.refers)
     kind = scope.kinds.get(word)
+    if word in scope.conflicts:
+        return None
     if kind:
-        scope.fault(node, f"`{label}` wants a {what}, but `{word}` is a {kind}", f"choose from: {', '.join(names)}", "kind")
+        scope.fault(
+            node, f"`{label}` wants a {what}, but `{word}` is a {kind}", f"choose from: {', '.join(names)}", "kind"
+        )
     else:
         scope.unknown(node, word, what, names, "choose from")
     return None

@@ -12,8 +12,8 @@ from rotsolve.elements.surfaces import SURFACES
 from rotsolve.scene.keys import keys_of
 from rotsolve.scene.model import PointRef
 from rotsolve.scene.reader.declared import missing, read_keys
-from rotsolve.scene.reader.nodes import Map, Node, Text
-from rotsolve.scene.reader.scope import Scope
+from rotsolve.scene.tree.nodes import Map, Node, Text
+from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import hint, nearest, quoted
 
 TABLES: dict[str, tuple[str, tuple[type[Any], ...]]] = {  # section -> kind, table
@@ -86,9 +86,16 @@ def class_of(
         return None
     for entry, _ in node.entries:
         if nearest(entry.value, known):
-            scope.fault(entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown")
+            scope.fault(
+                entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown"
+            )
             return None
-    scope.fault(key, f"`{name}` doesn't say what {'an' if kind[0] in 'ae' else 'a'} {kind} it is", hint("", known, PLURAL[kind]), "missing")
+    scope.fault(
+        key,
+        f"`{name}` doesn't say what kind of {kind} it is",
+        hint("", known, PLURAL[kind]),
+        "missing",
+    )
     return None
 
 

@@ -8,9 +8,10 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Span
 from rotsolve.elements.shapes import WHEEL, Rod
 from rotsolve.scene.model import Body, PointRef
-from rotsolve.scene.reader.nodes import List, Map, Node, Text
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 POINT = re.compile(r"\s*(?P<owner>[^\W\d]\w*)(?:\.(?P<point>[^\W\d]\w*)\s*(?P<call>\(.*\))?)?\s*", re.DOTALL)
@@ -27,7 +28,11 @@ def points_of(body: Body) -> tuple[str, ...]:
     else:
         round_ = any(item is not None for item in (body.inertia, body.gyration, body.radius)) or body.radii
         own = WHEEL if round_ else ("center",)
-    named = (*(name for name, _ in body.radii), *(name for name, _ in body.points), *(part.body.name for part in body.parts))
+    named = (
+        *(name for name, _ in body.radii),
+        *(name for name, _ in body.points),
+        *(part.body.name for part in body.parts),
+    )
     return tuple(dict.fromkeys((*own, *named, "cm")))
 
 
@@ -38,11 +43,16 @@ def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formul
         return None
     if len(node.items) == 3:
         scope.later(node, "a place in space")
-    x, y = (value(scope, item, Want(label, "length", letter, owner)) for item, letter in zip(node.items[:2], "xy", strict=True))
+    x, y = (
+        value(scope, item, Want(label, "length", letter, owner))
+        for item, letter in zip(node.items[:2], "xy", strict=True)
+    )
     return None if x is None or y is None else (x, y)
 
 
-def read_point(scope: Scope, node: Node, label: str, owner: str, kinds: tuple[str, ...] = ("body", "surface")) -> PointRef | None:
+def read_point(
+    scope: Scope, node: Node, label: str, owner: str, kinds: tuple[str, ...] = ("body", "surface")
+) -> PointRef | None:
     """A point by name or place."""
     if isinstance(node, List):
         place = read_place(scope, node, label, owner)
@@ -52,7 +62,9 @@ def read_point(scope: Scope, node: Node, label: str, owner: str, kinds: tuple[st
         return None
     match = POINT.fullmatch(node.value)
     if not match:
-        scope.fault(node, f"{quoted(node.value)} is no point", "write `body`, `body.point`, `rod.at(x)` or `[x, y]`", "form")
+        scope.fault(
+            node, f"{quoted(node.value)} is no point", "write `body`, `body.point`, `rod.at(x)` or `[x, y]`", "form"
+        )
         return None
     name = match["owner"]
     place_of_name = node.part(match.start("owner"), match.end("owner"))
@@ -69,10 +81,12 @@ def wrong_owner(scope: Scope, span: Span, name: str, label: str, kinds: tuple[st
     plural = " and ".join(KINDS[kind] for kind in kinds)
     names = scope.names(*kinds)
     kind = scope.kinds.get(name)
+    if name in scope.conflicts:
+        return
     if kind:
         scope.fault(span, f"`{label}` wants a body, but `{name}` is a {kind}", f"{plural}: {', '.join(names)}", "kind")
     else:
-        scope.unknown(span, name, kinds[0], names, plural)
+        scope.unknown(span, name, " or ".join(kinds), names, plural, f" in `{label}`")
 
 
 def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> PointRef | None:
@@ -88,7 +102,12 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
     rod = isinstance(body.shape, Rod)
     if point == "at" and match["call"]:
         if not rod:
-            scope.fault(span, f"`at(…)` is a point of rods only, and `{name}` is none", f"points: {', '.join(scope.points[name])}", "point")
+            scope.fault(
+                span,
+                f"`at(…)` is a point of rods only, and `{name}` is none",
+                f"points: {', '.join(scope.points[name])}",
+                "point",
+            )
             return None
         start, end = match.start("call") + 1, match.end("call") - 1
         inner = Text(node.value[start:end], node.part(start, end), True, node.exact)

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Path, Phase, State
+from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.reader.declared import read_value
-from rotsolve.scene.reader.nodes import List, Map, Node, Text
-from rotsolve.scene.reader.paths import read_path
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import Want, value
 from rotsolve.scene.sections import PHASE
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
-POSITIVE = ("mass", "inertia", "radius", "length", "gyration", "stiffness", "speed", "distance")
+POSITIVE = ("mass", "inertia", "radius", "length", "gyration", "stiffness", "speed", "distance", "time")
 
 
 def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
@@ -76,7 +77,12 @@ def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Conditio
     word = node.value.strip() if isinstance(node, Text) else ""
     if word in EXTREMES:
         return [Condition(path, word=word, span=line.span)]
-    if isinstance(node, List) and len(node.items) == 2 and "x" in BY_WORD[path.quantity].components and not path.component:
+    if (
+        isinstance(node, List)
+        and len(node.items) == 2
+        and "x" in BY_WORD[path.quantity].components
+        and not path.component
+    ):
         parts = []
         for component, item in zip("xy", node.items, strict=True):
             part = Path(path.owner, path.quantity, path.point, path.argument, component, path.span)

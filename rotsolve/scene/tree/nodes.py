@@ -12,7 +12,7 @@ from typing import Any
 import yaml
 
 from rotsolve.core.faults import Fault, SceneError, Span
-from rotsolve.scene.reader import traps
+from rotsolve.scene.tree import traps
 from rotsolve.scene.words import quoted
 
 BYTES = 1_000_000
@@ -85,7 +85,9 @@ def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
         raise SceneError([traps.yaml_fault(error, lines)], lines, file) from None
     except (yaml.YAMLError, ValueError, RecursionError) as error:
         message = f"this is not YAML: {quoted(str(error))}"
-        raise SceneError([Fault(message, None, "see docs/language.md for a scene to start from", "yaml")], lines, file) from None
+        raise SceneError(
+            [Fault(message, None, "see docs/language.md for a scene to start from", "yaml")], lines, file
+        ) from None
 
 
 class Composer:
@@ -101,7 +103,11 @@ class Composer:
         for event in self.events:
             if isinstance(event, yaml.DocumentStartEvent):
                 if result is not None:
-                    stop("a second document starts here", self.span(event), "one file holds one scene: remove the line `---`")
+                    stop(
+                        "a second document starts here",
+                        self.span(event),
+                        "one file holds one scene: remove the line `---`",
+                    )
                 result = self.node(next(self.events), 0)
         if result is None or (isinstance(result, Text) and result.empty):
             stop("the file is empty", None, "a scene needs at least `bodies` and `find`")
@@ -137,7 +143,12 @@ class Composer:
         if event.tag:
             raise SceneError([traps.tag(event.tag, start)])
         if depth > DEPTH:
-            stop(f"more than {DEPTH} levels inside one another", self.span(event), "a scene needs no more than ten", "limit")
+            stop(
+                f"more than {DEPTH} levels inside one another",
+                self.span(event),
+                "a scene needs no more than ten",
+                "limit",
+            )
         if self.count > NODES:
             stop(f"more than {NODES} values in one file", self.span(event), "split the scene", "limit")
 

@@ -8,13 +8,14 @@ from typing import Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units import Unit, UnitError, parse_unit
 from rotsolve.scene.model import Condition, Path, PointRef, Term
-from rotsolve.scene.reader.nodes import Text
-from rotsolve.scene.reader.paths import read_path
-from rotsolve.scene.reader.pieces import Piece
+from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.reader.points import read_point
-from rotsolve.scene.reader.scope import Scope
 from rotsolve.scene.reader.states import EXTREMES, dimension_word
-from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.tree.nodes import Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.pieces import Piece
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 CLAUSES = ("on", "about", "along", "across", "relative", "at", "during", "from", "to", "where", "in")
@@ -39,7 +40,9 @@ class Clauses:
         while index < len(words):
             word = words[index]
             end = index + 1
-            while end < len(words) and not (words[end].text in CLAUSES and words[end].kind == "name") or word.text == "where" and end < len(words) and words[end].text != "in":
+            while (end < len(words) and not (words[end].text in CLAUSES and words[end].kind == "name")) or (
+                word.text == "where" and end < len(words) and words[end].text != "in"
+            ):
                 end += 1
             self.clause(word, words[index + 1 : end])
             index = end
@@ -62,7 +65,12 @@ class Clauses:
         if key in self.words:
             self.scope.fault(span, f"`{word.text}` stands twice", "", "find")
             return
-        part = Text(self.node.value[rest[0].start : rest[-1].end], self.node.part(rest[0].start, rest[-1].end), True, self.node.exact)
+        part = Text(
+            self.node.value[rest[0].start : rest[-1].end],
+            self.node.part(rest[0].start, rest[-1].end),
+            True,
+            self.node.exact,
+        )
         self.words[key] = getattr(self, f"read_{key.rstrip('_')}")(part)
 
     def state(self, part: Text) -> str | None:
@@ -76,7 +84,10 @@ class Clauses:
             return word
         kind = self.scope.kinds.get(word)
         names = self.scope.names(*kinds)
-        if kind:
+        if not word.isidentifier():
+            help = f"clauses stand at the end, or in brackets with their quantity: `(path at {(names or ['A'])[0]})/2`"
+            self.scope.fault(part, f"{quoted(word)} is no {what}", help, "find")
+        elif kind:
             self.scope.fault(part, f"`{word}` is no {what} but a {kind}", hint("", names, plural), "kind")
         else:
             self.scope.unknown(part, word, what, names, plural)
@@ -105,14 +116,20 @@ class Clauses:
         try:
             self.unit = parse_unit(part.value)
         except UnitError as error:
-            help = f"did you mean `{error.suggestion}`?" if error.suggestion else "`in` is for units; `during` for phases and events"
+            help = (
+                f"did you mean `{error.suggestion}`?"
+                if error.suggestion
+                else "`in` is for units; `during` for phases and events"
+            )
             self.scope.fault(part, error.message, help, "unit")
         return self.unit
 
     def applied(self, term: Term) -> Term:
         """The term with the clauses that it has not got of its own."""
         names = ("at", "during", "start", "end", "on", "about", "along")
-        changes = {name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None}
+        changes = {
+            name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None
+        }
         if any((term.at, term.during, term.start)):
             for name in ("at", "during", "start", "end"):
                 changes.pop(name, None)
@@ -144,7 +161,7 @@ def condition_phrase(scope: Scope, part: Text) -> Condition | None:
         written = Text(right.strip(), part.part(shift, len(text)), True, part.exact)
         found = value(scope, written, Want(name, dimension_word(path.quantity), "x", path.owner))
         return None if found is None else Condition(path, found, span=part.span)
-    scope.fault(part, f"{quoted(text)} is no condition", "write `contact sticks`, `path is smallest` or `path = value`", "find")
+    scope.fault(
+        part, f"{quoted(text)} is no condition", "write `contact sticks`, `path is smallest` or `path = value`", "find"
+    )
     return None
-
-

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 
 from rotsolve.algebra.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.formula import Formula, Symbol
@@ -40,4 +41,4 @@ def infer(
     except DimensionError:
         return None
     exponent = probe.mass - plain.mass
-    return None if exponent == 0 else (wanted / plain) ** (1 / exponent if abs(exponent) != 1 else exponent)
+    return None if exponent == 0 else (wanted / plain) ** (1 / Fraction(exponent))

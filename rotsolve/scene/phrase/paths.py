@@ -11,16 +11,24 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, BY_WORD, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.elements.shapes import Rod
 from rotsolve.scene.model import Path
-from rotsolve.scene.reader.dims import an
-from rotsolve.scene.reader.nodes import Text
-from rotsolve.scene.reader.pieces import path_end
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import Want, value
+from rotsolve.scene.tree.nodes import Text
+from rotsolve.scene.values.dims import an
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.pieces import path_end
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
 OWNERS = ("body", "connection", "action", "event")
 PLURALS = "bodies, connections, actions and events"
-ANY_FORCE = ("force", "torque", "work", "power", "impulse", "angular_impulse")  # may name the force: `rod.torque.gravity`
+ANY_FORCE = (
+    "force",
+    "torque",
+    "work",
+    "power",
+    "impulse",
+    "angular_impulse",
+)  # may name the force: `rod.torque.gravity`
 SEGMENT = re.compile(r"[^\W\d]\w*")
 
 
@@ -62,7 +70,12 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     words = list(segments(node.value[start:end], start))
     span = node.part(start, end)
     if not words or "".join(node.value[start:end].split()) != node.value[start:end]:
-        scope.fault(span, f"{quoted(node.value[start:end])} is no path", "write `body.quantity` or `body.point.quantity`", "path")
+        scope.fault(
+            span,
+            f"{quoted(node.value[start:end])} is no path",
+            "write `body.quantity` or `body.point.quantity`",
+            "path",
+        )
         return None
     first = words[0]
     if len(words) == 1:
@@ -80,6 +93,8 @@ def place(node: Text, word: Segment) -> Span:
 
 
 def owner_fault(scope: Scope, node: Text, word: Segment, kind: str | None) -> None:
+    if word in scope.conflicts:
+        return
     if kind:
         help = f"{PLURALS} have quantities: {', '.join(scope.names(*OWNERS))}"
         scope.fault(place(node, word), f"`{word}` is {an(kind)} and has no quantities", help, "kind")
@@ -94,10 +109,17 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         return Path("", word, span=span)
     kind = scope.kinds.get(word)
     if entry is not None:
-        scope.fault(span, f"`{word}` of what?", f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}", "path")
+        scope.fault(
+            span, f"`{word}` of what?", f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}", "path"
+        )
     elif kind in OWNERS:
         example = {"body": "angular_velocity", "connection": "force", "action": "work"}.get(str(kind), "impulse")
-        scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", f"write `{word}.quantity`, for example `{word}.{example}`", "path")
+        scope.fault(
+            span,
+            f"`{word}` is {an(str(kind))}, not a quantity",
+            f"write `{word}.quantity`, for example `{word}.{example}`",
+            "path",
+        )
     else:
         known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES if SYSTEM in item.owners)]
         scope.unknown(span, word, "name", known, "givens, answers and quantities")
@@ -126,7 +148,12 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     allowed = words_of(POINT if point else BODY)
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"
-        scope.fault(span, f"{quoted(node.value[words[0].start : words[0].start + span.length])} is a point, not a quantity", help, "path")
+        scope.fault(
+            span,
+            f"{quoted(node.value[words[0].start : words[0].start + span.length])} is a point, not a quantity",
+            help,
+            "path",
+        )
         return None
     names = allowed if point else [*allowed, *scope.points[owner]]
     return finish(scope, node, owner, point, argument, rest, span, allowed, names)

@@ -22,13 +22,21 @@ def anchor(name: str, span: Span) -> Fault:
 
 
 def tag(name: str, span: Span) -> Fault:
-    return Fault(f"{quoted(name)} is a YAML tag, which scenes don't use", span, f"for a text that starts with `!`, {QUOTE}", "yaml")
+    return Fault(
+        f"{quoted(name)} is a YAML tag, which scenes don't use",
+        span,
+        f"for a text that starts with `!`, {QUOTE}",
+        "yaml",
+    )
 
 
 def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
     """The parser's complaint in the scene's words."""
     mark = error.problem_mark or error.context_mark
     problem = str(error.problem or error.context or "")
+    if "quoted scalar" in f"{error.context} {problem}":
+        mark = error.context_mark or mark
+        problem = "quoted scalar"
     if mark is None:
         return Fault(f"this is not YAML: {problem}", None, "see docs/language.md for a scene to start from", "yaml")
     line = lines[mark.line] if mark.line < len(lines) else ""
@@ -43,9 +51,12 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
     if here == "\t" or "\t" in line[: len(line) - len(line.lstrip())]:
         return "a tab in the indentation", "indent with spaces"
     if "mapping values are not allowed" in problem:
-        return "a `: ` inside a text", f"{QUOTE}: `title: \"Ball: up and down\"`; or the line above is indented less"
+        return "a `: ` inside a text", f'{QUOTE}: `title: "Ball: up and down"`; or the line above is indented less'
     if re.search(r"[\]}]\s*$", line[:column]) and here and here not in ",]}:":
-        return f"text after a closing bracket: {quoted(line[column:].strip())}", "a unit belongs to each number: `[0, 3 N]`"
+        return (
+            f"text after a closing bracket: {quoted(line[column:].strip())}",
+            "a unit belongs to each number: `[0, 3 N]`",
+        )
     if "cannot start any token" in problem:
         return f"a value can't start with {quoted(here)}", QUOTE
     if "undefined alias" in problem or "alias or anchor" in problem or "expected alphabetic or numeric" in problem:
@@ -64,10 +75,14 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
 def null_fault(name: str, span: Span, before: str) -> Fault:
     """A key without a value: `{post: }`, a comma inside a number or a bracket, a missing space after the colon."""
     if before.count("(") > before.count(")") or re.fullmatch(r"[^(]*\)", name):
-        return Fault("a comma inside brackets splits this value", span, f"{QUOTE}: `{{p: \"f(x, y)\"}}`", "yaml")
+        return Fault("a comma inside brackets splits this value", span, f'{QUOTE}: `{{p: "f(x, y)"}}`', "yaml")
     if re.match(r"\d", name):
-        return Fault(f"a comma splits this value: {quoted(name)} stands alone", span, "write a decimal point: `12.5 kg`", "yaml")
+        return Fault(
+            f"a comma splits this value: {quoted(name)} stands alone", span, "write a decimal point: `12.5 kg`", "yaml"
+        )
     match = re.fullmatch(r"([A-Za-z]\w*):(\S.*)", name)
     if match:
         return Fault(f"no space after the colon in {quoted(name)}", span, f"write `{match[1]}: {match[2]}`", "yaml")
-    return Fault(f"{quoted(name)} has no value", span, f"write `{name if len(name) < 30 else 'name'}: …`, or remove it", "yaml")
+    return Fault(
+        f"{quoted(name)} has no value", span, f"write `{name if len(name) < 30 else 'name'}: …`, or remove it", "yaml"
+    )

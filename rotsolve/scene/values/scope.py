@@ -11,18 +11,39 @@ from rotsolve.algebra.units import Quantity
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.quantity import BY_WORD, SYSTEM
 from rotsolve.scene.model import Body, Given
-from rotsolve.scene.reader.nodes import Map, Node, Text
-from rotsolve.scene.reader.rough import remember
+from rotsolve.scene.tree.nodes import Map, Node, Text
+from rotsolve.scene.values.dims import an
+from rotsolve.scene.values.rough import remember
 from rotsolve.scene.words import hint, quoted
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
-GRAMMAR = ("at", "from", "to", "during", "where", "on", "about", "along", "across", "relative", "in", "is", "of", "unknown", "number")
+GRAMMAR = (
+    "at",
+    "from",
+    "to",
+    "during",
+    "where",
+    "on",
+    "about",
+    "along",
+    "across",
+    "relative",
+    "in",
+    "is",
+    "of",
+    "unknown",
+    "number",
+)
 RESERVED = {
     **dict.fromkeys(GRAMMAR, "a word of the language"),
     **dict.fromkeys(("all", "none", "any", "true", "false", "null"), "a word of the language"),
     **dict.fromkeys(("ground", "ceiling"), "a surface that always exists"),
     **dict.fromkeys(FUNCTIONS, "a function"),
-    **{word: "a quantity of the whole scene" for word, entry in BY_WORD.items() if SYSTEM in entry.owners and len(word) > 6},
+    **{
+        word: "a quantity of the whole scene"
+        for word, entry in BY_WORD.items()
+        if SYSTEM in entry.owners and len(word) > 6
+    },
     "ln": "a function",
     "pi": "the number π",
     "time": "running time",
@@ -46,7 +67,7 @@ class Scope:
         self.points: dict[str, tuple[str, ...]] = {}
         self.elements: dict[str, type] = {}  # connections, actions and events by name
         self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
-        self.later_seen: set[str] = set()
+        self.conflicts: set[str] = set()  # names used twice: what they name can't be told
 
     def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> None:
         if len(self.faults) < MOST_FAULTS:
@@ -61,7 +82,8 @@ class Scope:
 
     def names(self, *kinds: str) -> list[str]:
         """The names of these kinds of things, in the order of the file."""
-        return [name for name, kind in self.kinds.items() if kind in kinds]
+        own = [name for name, kind in self.kinds.items() if kind in kinds and name not in ALWAYS]
+        return [*own, *(ALWAYS if "surface" in kinds else ())]
 
     def declare(self, name: Text, kind: str) -> bool:
         """Enter a name; it must be new in the whole file."""
@@ -75,22 +97,33 @@ class Scope:
             return False
         if word in self.kinds:
             before = self.places.get(word)
+            self.conflicts.add(word)
             place = f" in line {before.line}" if before else ""
-            message = f"`{word}` already names a {self.kinds[word]}{place}"
+            message = f"`{word}` already names {an(self.kinds[word])}{place}"
             self.fault(name, message, "a name is used once in the whole file", "name")
             return False
         self.kinds[word] = kind
         self.places[word] = name.span
         return True
 
-    def unknown(self, place: Node | Span, word: str, what: str, names: Iterable[str], plural: str) -> None:
+    def unknown(
+        self, place: Node | Span, word: str, what: str, names: Iterable[str], plural: str, where: str = ""
+    ) -> None:
         """An unknown name, with what was probably meant."""
-        self.fault(place, f"unknown {what} {quoted(word)}", hint(word, names, plural), "unknown")
+        self.fault(place, f"unknown {what} {quoted(word)}{where}", hint(word, names, plural), "unknown")
 
-    def entries(self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = "") -> dict[str, tuple[Text, Node]]:
+    def entries(
+        self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = ""
+    ) -> dict[str, tuple[Text, Node]]:
         """The entries of a map by name; duplicates, unknown keys and missing values are faults and left out."""
         if not isinstance(node, Map):
-            found = "nothing" if isinstance(node, Text) and node.empty else "a list" if not isinstance(node, Text) else quoted(node.value)
+            found = (
+                "nothing"
+                if isinstance(node, Text) and node.empty
+                else "a list"
+                if not isinstance(node, Text)
+                else quoted(node.value)
+            )
             self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "", "form")
             return {}
         names = None if allowed is None else list(allowed)
@@ -109,7 +142,7 @@ class Scope:
         return result
 
     def missing_value(self, key: Text, value: Text, node: Map, what: str, names: list[str] | None) -> None:
-        from rotsolve.scene.reader.traps import null_fault
+        from rotsolve.scene.tree.traps import null_fault
 
         position = [entry[0] for entry in node.entries].index(key)
         before = node.entries[position - 1][1] if position else None

@@ -16,13 +16,14 @@ from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
-from rotsolve.scene.reader.clauses import CLAUSES, Clauses
-from rotsolve.scene.reader.dims import fits, named
-from rotsolve.scene.reader.nodes import Node, Text
-from rotsolve.scene.reader.paths import read_path
-from rotsolve.scene.reader.pieces import Piece, pieces, stand_in
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import Want, expression
+from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
+from rotsolve.scene.phrase.paths import read_path
+from rotsolve.scene.tree.nodes import Node, Text
+from rotsolve.scene.values.dims import fits, named
+from rotsolve.scene.values.expressions import expression
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.pieces import Piece, pieces, stand_in
+from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
@@ -132,7 +133,11 @@ class Reader:
                     self.scope.later(self.node.part(words[0].start, words[1].end), modifier)
                     return None, words
                 return modifier, words[2:]
-            self.scope.unknown(self.node.part(words[0].start, words[1].end), f"{first} of", "modifier", MODIFIERS, "modifiers")
+            span = self.node.part(words[0].start, words[1].end)
+            help = f"modifiers: {', '.join(MODIFIERS)}"
+            if first in BY_WORD and len(words) > 2:
+                help = f"write `{words[2].text}.{first}`"
+            self.scope.fault(span, f"unknown modifier `{first} of`", help, "unknown")
             return None, words
         if first in ALONE and len(words) > 1 and words[1].kind in ("name", "path", "mark", "quantity", "number"):
             return first, words[1:]
@@ -152,7 +157,9 @@ class Reader:
         if modifier == "size of":
             return call("abs", formula)
         span = self.node.part(place.start, place.end)
-        self.scope.fault(span, f"`{modifier}` in brackets takes one quantity", "ask for it in a line of its own", "find")
+        self.scope.fault(
+            span, f"`{modifier}` in brackets takes one quantity", "ask for it in a line of its own", "find"
+        )
         return None
 
     def formula(self, start: int, end: int) -> Formula | None:
@@ -170,9 +177,8 @@ class Reader:
             position = closing + 1
         built += text[position:end]
         node = Text(built, self.node.part(start, end), True, self.node.exact)
-        extra = {name: dimension for name, dimension in self.answers.items()}
-        names: dict[str, Any] = {**extra, **dict.fromkeys(inner)}
-        found = expression(self.scope, node, Want("find", letter="x", owner="", extra=names), self.term)
+        names: dict[str, Any] = {**self.answers, **dict.fromkeys(inner)}
+        found = expression(self.scope, node, Want("find", letter="x", owner="", extra=names, words=CLAUSES), self.term)
         return None if found is None else found.substitute(inner)
 
     def groups(self, start: int, end: int) -> list[tuple[int, int]]:
@@ -189,7 +195,9 @@ class Reader:
                 if speaks >= 0 and opening < speaks:
                     result = [group for group in result if group[0] < opening] + [(opening, piece.start)]
                     speaks = -1 if not stack else speaks
-            elif stack and piece.kind == "name" and (piece.text in CLAUSES or piece.text in ALONE or piece.text == "of"):
+            elif (
+                stack and piece.kind == "name" and (piece.text in CLAUSES or piece.text in ALONE or piece.text == "of")
+            ):
                 speaks = piece.start
         return innermost(result)
 
@@ -218,5 +226,3 @@ def at_top(words: list[Piece]) -> list[tuple[int, Piece]]:
         if depth <= 0 and piece.kind == "name":
             result.append((index, piece))
     return result
-
-

@@ -12,11 +12,13 @@ from rotsolve.algebra.units import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.scene.model import Given
-from rotsolve.scene.reader.dims import fits, named
-from rotsolve.scene.reader.nodes import Node, Text
-from rotsolve.scene.reader.rough import remember
-from rotsolve.scene.reader.scope import Scope
-from rotsolve.scene.reader.values import LITERAL, Want, expression, unit_fault
+from rotsolve.scene.tree.nodes import Node, Text
+from rotsolve.scene.values.dims import fits, named
+from rotsolve.scene.values.expressions import expression
+from rotsolve.scene.values.literals import LITERAL, Want, unit_fault
+from rotsolve.scene.values.rough import remember
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import as_written, comma_fault
 from rotsolve.scene.words import hint, quoted
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
@@ -40,7 +42,9 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
             originals[name] = texts.get(name)
             texts[name] = Text(text, NOWHERE, exact=False)
         else:
-            scope.fault(None, f"--set {quoted(name)}: no such given", hint(name, scope.names("given"), "givens"), "unknown")
+            scope.fault(
+                None, f"--set {quoted(name)}: no such given", hint(name, scope.names("given"), "givens"), "unknown"
+            )
     for name in texts:
         scope.givens[name] = Given(name, None, None, span=texts[name].span)
     made: dict[str, Formula] = {}
@@ -62,16 +66,20 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
     elif text == "number":
         scope.givens[name] = replace(given, dimension=NUMBER)
         scope.dimensions[name] = NUMBER
-    elif LITERAL.fullmatch(text) and literal(scope, given, written):
+    elif (LITERAL.fullmatch(text) and literal(scope, given, written)) or letter(scope, given):
         pass
-    elif letter(scope, given):
-        pass
-    elif LITERAL.fullmatch(text) and not re.search(r"[-+*/^(]", text[1:]):
+    elif (
+        LITERAL.fullmatch(text)
+        and not re.search(r"[-+*/^(]", text[1:])
+        and not set(re.findall(r"\w+", text)) & scope.givens.keys()
+    ):
         scope.dimensions[name] = None
         try:
             parse_quantity(text)
         except UnitError as error:
             unit_fault(scope, written, error)
+    elif comma_fault(scope, written):
+        scope.dimensions[name] = None
     else:
         formula = expression(scope, written, Want(name, None, "q", name), None)
         scope.dimensions[name] = None
@@ -123,7 +131,8 @@ def settle_one(scope: Scope, name: str, formula: Formula, written: Text) -> None
         try:
             dimension = dimension_of(formula, known)  # type: ignore[arg-type]
         except DimensionError as error:
-            scope.fault(written, f"the dimensions in {quoted(written.value)} don't agree: {error}", kind="dimension")
+            message = as_written(scope, formula, error.message)
+            scope.fault(written, f"the dimensions in {quoted(written.value)} don't agree: {message}", kind="dimension")
     scope.givens[name] = replace(scope.givens[name], value=formula, dimension=dimension)
     scope.dimensions[name] = dimension
     remember(scope.numbers, name, formula)
@@ -148,8 +157,12 @@ def check_setting(scope: Scope, name: str, original: Text | None) -> None:
     text = original.value.strip() if original else ""
     new = scope.givens[name].dimension
     try:
-        old = parse_quantity(text).dimension if LITERAL.fullmatch(text) else parse_unit(text).dimension if text else None
+        old = (
+            parse_quantity(text).dimension if LITERAL.fullmatch(text) else parse_unit(text).dimension if text else None
+        )
     except UnitError:
         return
     if old is not None and new is not None and not fits(new, old):
-        scope.fault(None, f"--set {name}: `{name}` is {named(old)} in the file, but this is {named(new)}", kind="dimension")
+        message = f"--set {name}: `{name}` is {named(old)} in the file, but this is {named(new)}"
+        scope.fault(None, message, kind="dimension")
+        scope.dimensions[name] = old  # no further faults from the same cause

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
 CALLS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos}
-CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": abs}
+CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": math.fabs}
 
 
 def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:

@@ -1,0 +1,263 @@
+"""Answering: plan and solve one asked quantity after the other, by the laws allowed, and choose between roots with a stated reason."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from rotsolve.algebra.ball import evaluate
+from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import LAWS, NEWTON, Equation
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.motion.finds import Asked
+from rotsolve.motion.history import History
+from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.scene.model import Find, Given
+from rotsolve.solve import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+
+SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
+TRIES = 12
+RANKS = (  # order of letters in a printed product, by dimension
+    "number", "mass", "moment of inertia", "stiffness", "torsional stiffness", "force",
+    "torque", "power", "acceleration", "momentum", "impulse", "velocity", "length", "time", "frequency", "angular velocity",
+    "angular acceleration", "angle",
+)  # fmt: skip
+POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
+
+
+class NoAnswer(ValueError):
+    """Nothing settles an asked quantity; `shortage` tells what is open where that is why."""
+
+    def __init__(self, words: str, shortage: Shortage | None = None, equation: int | None = None) -> None:
+        super().__init__(words)
+        self.shortage = shortage
+        self.equation = equation
+
+
+@dataclass(frozen=True)
+class Answered:
+    """An asked quantity with its solution and the pool indices of the equations that settled it."""
+
+    asked: Asked
+    found: Found
+    used: tuple[int, ...]
+    steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
+
+
+@dataclass
+class Session:
+    """One run over the questions of a scene, with one choice of laws."""
+
+    history: History
+    families: tuple[str, ...]
+    spare: bool = False  # whether second-choice equations may be used from the start
+    extra: tuple[Equation, ...] = ()
+    answered: list[Answered] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        problem = self.history.arrangement.problem
+        self.givens = {given.name: given for given in problem.givens}
+        self.values: dict[str, Formula] = {given.name: given.value for given in problem.givens if given.value is not None}
+        self.pool = [*self.history.equations, *self.extra]
+        self.planner = Planner(self.pool)
+        self.refs: dict[int, Ref] = {}
+        self.known = {given.name for given in problem.givens if not given.asked} | {"time"}
+        self.solver = Solver(self.planner.pool, letter_order(problem.givens), positive_letters(problem.givens), self.values, self.choose, self.refs)
+
+    def answer(self, asked: Asked) -> Answered:
+        """Settle one question, and remember it for the next."""
+        if not asked.direct:
+            definition = Equation(Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked))
+            self.planner.extend(definition)
+        first = len(self.solver.steps)
+        if asked.letter in self.solver.solved:
+            answered = Answered(asked, self.solver.solved[asked.letter], ())
+        else:
+            found, used = self._settle(asked)
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)))
+        self.known.add(asked.letter)
+        self.answered.append(answered)
+        return answered
+
+    def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """Plan and solve; an equation that says nothing new is left out and the plan made again."""
+        banned: set[int] = set()
+        problem: ValueError | None = None
+        for _ in range(TRIES):
+            plan = self._plan(asked.letter, banned)
+            if isinstance(plan, Shortage):
+                if problem is not None:
+                    break
+                raise NoAnswer("too little is known", plan)
+            try:
+                found = self.solver.solve(plan)
+            except (Redundant, Contradiction) as error:
+                banned.add(error.index)
+                problem = error if problem is None or isinstance(error, Contradiction) else problem
+                continue
+            except (NoClosedForm, Undefined) as error:
+                banned.add(max(plan.equations, key=lambda index: self.planner.pool[index].cost))
+                problem = problem or error
+                continue
+            self._remember()
+            return found, plan.equations
+        if isinstance(problem, Contradiction):
+            raise NoAnswer("the data contradict each other", None, problem.index)
+        raise NoAnswer(str(problem) if isinstance(problem, (NoClosedForm, Undefined)) else "too little is known")
+
+    def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
+        """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
+        allowed = [
+            index
+            for index, equation in enumerate(self.planner.pool)
+            if index not in banned and (not equation.family or equation.family in self.families)
+        ]
+        first = [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
+        plan = self.planner.plan(letter, self.known, allowed if self.spare else first)
+        return plan if isinstance(plan, Plan) or self.spare else self.planner.plan(letter, self.known, allowed)
+
+    def _remember(self) -> None:
+        """Results found on the way may serve the next question."""
+        for equation, ref in self.solver.derived:
+            self.refs[self.planner.extend(equation)] = ref
+        self.solver.derived.clear()
+
+    # roots
+
+    def choose(self, name: str, roots: Sequence[Formula]) -> Choice | None:
+        """The root that is meant, with the reason."""
+        real = [(index, number) for index, root in enumerate(roots) if (number := self.number(root)) is not None]
+        if not real:
+            return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
+        if len(real) == 1:
+            return real[0][0], ()
+        sign, words = self.expected(name)
+        if sign:
+            fitting = [entry for entry in real if entry[1] * sign > 0]
+            if fitting:
+                return min(fitting, key=lambda entry: abs(entry[1]))[0], words
+        return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
+
+    def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:
+        """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
+        sign, words = self.expected(name)
+        if sign < 0 and len(roots) > 1:
+            return 1, words
+        return 0, words or ("the root along the positive sense",)
+
+    def _lacks_numbers(self, roots: Sequence[Formula]) -> bool:
+        return any(root.symbols() - set(self.values) for root in roots)
+
+    def number(self, value: Formula) -> float | None:
+        """A rough value; None where it is not real or a given has no number."""
+        try:
+            return evaluate(value, self.values, digits=8).float
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
+
+    def expected(self, name: str) -> tuple[int, Words]:
+        """The sign that a quantity must have, and why: (+1, −1 or 0 where nothing tells)."""
+        quantity = self.history.registry.quantities.get(name)
+        if quantity is None:
+            return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
+        if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
+            return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind in ("time", "tension", "mass", "normal_force"):
+            return 1, (Symbol(name), " > 0")
+        return 0, ()
+
+    def _is_size(self, name: str) -> bool:
+        given = self.givens.get(name)
+        return given is not None and given.dimension is not None and not given.dimension.matches(DIMENSIONS["angle"])
+
+    def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
+        """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed."""
+        timeline = self.history.arrangement.timeline
+        if state not in timeline.order:
+            return 0, ()
+        before = timeline.before(state)
+        quantity = self.history.registry.quantities[name]
+        if before is None or before.event is not None:
+            return 0, ()
+        passage = self.history.passages[before.name]
+        travel = next((item for item in passage.travels if item.body == owner and (item.kind == "turn") == (kind == "angular_velocity")), None)
+        if travel is None:
+            return 0, ()
+        change = travel.end - travel.start if travel.start is not None and travel.end is not None else travel.change
+        for value in (change, travel.before, self._push(travel.acceleration)):
+            size = self.number(self.solver._with_answers(value)) if value is not None else None
+            if size:
+                sign = 1 if size > 0 else -1
+                verb = "turns" if kind == "angular_velocity" else "moves"
+                words = quantity.positive if sign > 0 else quantity.negative
+                relation = " > 0" if sign > 0 else " < 0"
+                return sign, (f"{owner.replace('_', ' ')} {verb} {words}: ", Symbol(name), relation)
+        return 0, ()
+
+    def _push(self, acceleration: Formula) -> Formula | None:
+        """The acceleration that starts the motion, found aside."""
+        if not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
+            return acceleration
+        aside = Session(self.history, ("", NEWTON))
+        try:
+            return aside.value_of(acceleration.name)
+        except NoAnswer:
+            return None
+
+    def value_of(self, letter: str) -> Formula | None:
+        """The closed form of a letter, without a derivation."""
+        find = Find(letter, Symbol(letter), ())
+        return self.answer(Asked(find, Symbol(letter), letter, None)).found.formula
+
+
+def remark_of(asked: Asked) -> Words:
+    return (asked.remark,) if asked.remark else ()
+
+
+def letter_order(givens: Sequence[Given]) -> tuple[str, ...]:
+    """Names in the order in which a textbook writes them in a product: numbers, masses, forces, g, speeds, lengths, times."""
+
+    def rank(item: tuple[int, Given]) -> tuple[int, int]:
+        index, given = item
+        return (rank_of(given.dimension), index)
+
+    return tuple(given.name for _, given in sorted(enumerate(givens), key=rank))
+
+
+def rank_of(dimension: Dimension | None) -> int:
+    if dimension is None:
+        return len(RANKS)
+    for index, word in enumerate(RANKS):
+        if DIMENSIONS[word] == dimension:
+            return index
+    return len(RANKS)
+
+
+def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
+    """Givens that are positive: masses, lengths, times and the like, and every number that is."""
+    result = set()
+    for given in givens:
+        sized = given.dimension is not None and any(DIMENSIONS[word] == given.dimension for word in POSITIVE)
+        if sized and not given.asked:
+            result.add(given.name)
+        elif given.value is not None and not given.asked and not is_angle(given):
+            try:
+                if (evaluate(given.value, {g.name: g.value for g in givens if g.value is not None}, digits=3).sign or 0) > 0:
+                    result.add(given.name)
+            except (Undefined, ValueError):
+                continue
+    return frozenset(result)
+
+
+def is_angle(given: Given) -> bool:
+    return given.dimension is not None and given.dimension == DIMENSIONS["angle"]
+
+
+def families_for(law: str | None) -> tuple[str, ...]:
+    """The equation families that a law may use; all for none."""
+    return LAWS if law is None else (law,)
+

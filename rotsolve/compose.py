@@ -1,0 +1,314 @@
+"""Compose: a solved session as a derivation: letters, sections in the order of time, numbered laws, steps, answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from rotsolve.algebra.ball import Certified, evaluate
+from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.letters import name_to_text
+from rotsolve.algebra.text import to_text
+from rotsolve.algebra.unit_table import Unit
+from rotsolve.algebra.units import unit_for
+from rotsolve.answering import Answered, Session
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.facts import Facts
+from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.scene.model import Condition, Problem
+from rotsolve.solve import Ref, Step
+
+WITH_FORCES = ("newton", "energy", "angular-momentum")
+
+
+@dataclass
+class Draft:
+    """One section in the making: the laws (pool indices) and steps that belong to it."""
+
+    key: str
+    laws: list[int] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+
+
+class Composer:
+    """Turns what a session found into a derivation."""
+
+    def __init__(self, session: Session) -> None:
+        self.session = session
+        self.history = session.history
+        self.problem: Problem = self.history.arrangement.problem
+        self.pool = session.planner.pool
+        self.drafts = self._drafts()
+        self.names = self._names()
+        self.numbers = self._numbers()
+
+    def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
+        """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
+        sections = [*before, *(self._section(draft) for draft in self.drafts)]
+        if len(sections) == 1:
+            sections = [Section("", sections[0].forces, sections[0].remarks, sections[0].laws, sections[0].moves)]
+        return Derivation(
+            title=self.problem.title,
+            source=self.problem.source,
+            givens=tuple(given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)),
+            finds=tuple(self._find(answered) for answered in self.session.answered),
+            states=tuple(self._state(state.name, state.conditions) for state in self.problem.states),
+            conventions=self._conventions(),
+            sections=tuple(sections),
+            answers=tuple(self.answer(answered) for answered in self.session.answered),
+            checks=checks,
+            equations_written=len(self.history.equations),
+            equations_used=sum(len(draft.laws) for draft in self.drafts),
+        )
+
+    # sections
+
+    def _drafts(self) -> list[Draft]:
+        """Laws and steps by section, the sections in the order of time."""
+        drafts: dict[str, Draft] = {}
+        placed: set[int] = set()
+        for answered in self.session.answered:
+            laws = [index for index in answered.used if self._is_law(index)]
+            key = self._home(answered, laws)
+            draft = drafts.setdefault(key, Draft(key))
+            draft.laws.extend(index for index in sorted(laws, key=self._law_order) if index not in placed)
+            placed.update(laws)
+            draft.steps.extend(self.session.solver.steps[slice(*answered.steps)])
+        order = {key: place for place, key in enumerate(self._moments())}
+        return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+
+    def _is_law(self, index: int) -> bool:
+        """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
+        return self.session.refs.get(index, ("law", index))[0] == "law"
+
+    def _law_order(self, index: int) -> tuple[int, int]:
+        """Laws first, then definitions and rules, as they were written."""
+        equation = self.pool[index]
+        return (0 if equation.family else 1, index)
+
+    def _home(self, answered: Answered, laws: list[int]) -> str:
+        """The section of the weightiest law of a plan."""
+        if not laws:
+            return answered.asked.section
+        order = {key: place for place, key in enumerate(self._moments())}
+        return max((self.pool[index].cost, order.get(self.pool[index].section, -1), self.pool[index].section) for index in laws)[2]
+
+    def _moments(self) -> list[str]:
+        timeline = self.history.arrangement.timeline
+        result = [timeline.states[0].name]
+        for interval in timeline.intervals:
+            result += [interval.name, interval.end]
+        return result
+
+    def title(self, key: str) -> str:
+        """Heading of a section."""
+        timeline = self.history.arrangement.timeline
+        interval = timeline.interval(key)
+        if interval is None:
+            return f"At {spoken(key)}" if key else ""
+        if interval.event is not None:
+            word = getattr(interval.event, "word", "")
+            return f"Event {spoken(interval.name)}" + (f" ({word})" if word else "")
+        return f"From {spoken(interval.start)} to {spoken(interval.end)}"
+
+    def _section(self, draft: Draft) -> Section:
+        laws = tuple(self._law(index) for index in draft.laws)
+        moves = tuple(self._move(step) for step in draft.steps)
+        return Section(self.title(draft.key), self._forces(draft), self._remarks(draft), laws, moves)
+
+    def _law(self, index: int) -> LawLine:
+        equation = self.pool[index].renamed(self.letters)
+        return LawLine(self.numbers[("law", index)], equation.label, Equality(equation.left, equation.right), equation.remark)
+
+    def _move(self, step: Step) -> Move:
+        chain = tuple(Equality(one.left.substitute(self.letters), one.right.substitute(self.letters)) for one in step.chain)
+        number = self.numbers.get(("step", step.number))
+        return Move(self._sources(step), chain, number, self.words(step.reason))
+
+    def _sources(self, step: Step) -> str:
+        """(3) and (4) in (2)."""
+        target = self._mark(step.target)
+        sources = [self._mark(ref) for ref in step.sources if ref != step.target]
+        marks = list(dict.fromkeys(mark for mark in sources if mark and mark != target))
+        if not marks:
+            return f"from {target}" if target else ""
+        listed = marks[0] if len(marks) == 1 else ", ".join(marks[:-1]) + " and " + marks[-1]
+        return f"{listed} in {target}"
+
+    def _mark(self, ref: Ref) -> str:
+        if ref[0] == "known":
+            return name_to_text(self.names.get(str(ref[1]), str(ref[1])))
+        number = self.numbers.get(ref)
+        return f"({number})" if number is not None else ""
+
+    def _numbers(self) -> dict[Ref, int]:
+        """Running numbers of laws, and of the steps that a later one uses, in the order of printing."""
+        used = {ref for step in self.session.solver.steps for ref in (step.target, *step.sources) if ref[0] == "step"}
+        numbers: dict[Ref, int] = {}
+        for draft in self.drafts:
+            for index in draft.laws:
+                numbers[("law", index)] = len(numbers) + 1
+            for step in draft.steps:
+                if ("step", step.number) in used:
+                    numbers[("step", step.number)] = len(numbers) + 1
+        return numbers
+
+    def _forces(self, draft: Draft) -> tuple[ForceLine, ...]:
+        """Free-body diagrams in words of the bodies whose dynamics a section uses."""
+        equations = [self.pool[index] for index in draft.laws]
+        names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
+        facts = self._facts_of(draft.key)
+        if facts is None:
+            return ()
+        needed = {name for equation in equations for name in equation.symbols()}
+        return tuple(self._force_line(body.name, facts, needed) for body in facts.bodies if body.name in names)
+
+    def _facts_of(self, key: str) -> Facts | None:
+        timeline = self.history.arrangement.timeline
+        interval = timeline.interval(key)
+        if interval is not None:
+            return None if interval.event is not None else self.history.facts(interval.start)
+        return self.history.facts(key) if key in timeline.order else None
+
+    def _force_line(self, name: str, facts: Facts, needed: set[str]) -> ForceLine:
+        """Forces that the equations speak of, and in brackets those that have no say in them."""
+        body = facts.body(name)
+        assert body is not None
+        spoken_of, silent = [], []
+        for item in (*body.forces, *body.couples):
+            size = item.size if hasattr(item, "size") else item.torque
+            hidden = {letter for letter in size.symbols() if SEPARATOR in letter} - needed
+            role = item.role
+            if hidden and role == "reaction":
+                silent.append(role)
+            elif not hidden:
+                spoken_of.append(self.words(item.words))
+        remarks: list[Words] = []
+        if silent:
+            remarks.append((f"the force at the {'pivot' if body.cm.parts else 'axle'} has no torque about it",))
+        return ForceLine(spoken(name), tuple(spoken_of), body.positive, tuple(remarks))
+
+    def _remarks(self, draft: Draft) -> tuple[Words, ...]:
+        return ()
+
+    # letters
+
+    def _names(self) -> dict[str, str]:
+        """Printed names of all quantities that occur."""
+        chosen: dict[str, str] = {}
+        for answered in self.session.answered:
+            chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+        used: dict[str, None] = {}
+        for name in self._occurring():
+            used[name] = None
+        taken = frozenset(given.name for given in self.problem.givens)
+        return self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+
+    def _occurring(self) -> Iterable[str]:
+        for draft in self.drafts:
+            for index in draft.laws:
+                yield from sorted(self.pool[index].symbols())
+            for step in draft.steps:
+                for one in step.chain:
+                    yield from sorted(one.left.symbols() | one.right.symbols())
+        for answered in self.session.answered:
+            yield from sorted(answered.asked.formula.symbols())
+
+    @property
+    def letters(self) -> dict[str, Formula]:
+        return {key: Symbol(name) for key, name in self.names.items()}
+
+    def words(self, words: Words) -> Words:
+        """Words with the letters of the printed derivation."""
+        return tuple(part.substitute(self.letters) if isinstance(part, Formula) else part for part in words)
+
+    def _spoken_of(self, name: str) -> bool:
+        """Whether a given is the scene's own or occurs in what is printed."""
+        given = self.session.givens[name]
+        if given.span is not None and not given.automatic:
+            return True
+        printed = set(self._occurring())
+        return name in printed or any(name in (a.found.formula.symbols() if a.found.formula else ()) for a in self.session.answered)
+
+    # head
+
+    def _find(self, answered: Answered) -> Words:
+        return (Symbol(answered.asked.find.name),)
+
+    def _state(self, name: str, conditions: Sequence[Condition]) -> Words:
+        parts = []
+        for line in conditions:
+            if line.rest:
+                parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
+            elif line.path is not None:
+                value = to_text(line.value) if line.value is not None else line.word or ""
+                owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
+                parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+        return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
+
+    def _conventions(self) -> tuple[Words, ...]:
+        angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
+        return (("angles from the rightward horizontal, counterclockwise positive",),) if angles else ()
+
+    # answers
+
+    def answer(self, answered: Answered) -> Answer:
+        """The exact form, the certified value and the direction in words."""
+        asked, found = answered.asked, answered.found
+        formula = found.formula.substitute(self.letters) if found.formula is not None else None
+        value = found.number if found.formula is None else self.value(found.formula)
+        unit = asked.find.unit or unit_of(asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else "")
+        direction, signed = self._direction(answered, value)
+        return Answer(asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed)
+
+    def value(self, formula: Formula) -> Certified | None:
+        if formula.symbols() - set(self.session.values):
+            return None
+        try:
+            return evaluate(formula, self.session.values)
+        except Undefined:
+            return None
+
+    def _direction(self, answered: Answered, value: Certified | None) -> tuple[str, bool]:
+        """Direction in words, and whether the number is still printed with its sign."""
+        asked = answered.asked
+        if asked.vector is not None:
+            return self.heading_words(asked.vector), True
+        quantity = self.history.registry.quantities.get(asked.letter)
+        if quantity is None or not quantity.positive or quantity.kind == "angle" or value is None:
+            return "", True
+        if value.sign is None or value.sign == 0:
+            return "", True
+        return (quantity.positive if value.sign > 0 else quantity.negative), False
+
+    def heading_words(self, vector: Vector) -> str:
+        """Down and to the right, with the angle left to the numbers."""
+        sides = []
+        for axis in (UP, RIGHT):
+            component = self.session.solver._with_answers(self._solved(vector.along(axis)))
+            try:
+                sides.append(evaluate(component, self.session.values, digits=3).sign or 0)
+            except (Undefined, ValueError):
+                return ""
+        rise = {1: "up", -1: "down", 0: ""}[sides[0]]
+        side = {1: "to the right", -1: "to the left", 0: ""}[sides[1]]
+        return " and ".join(part for part in (rise, side) if part)
+
+    def _solved(self, value: Formula) -> Formula:
+        """All letters in a formula by what the steps found for them."""
+        for step in reversed(self.session.solver.steps):
+            if step.result in value.symbols():
+                value = value.substitute({step.result: step.chain[-1].right})
+        return value
+
+
+def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
+    """The unit that the field uses for a dimension; none for a pure number."""
+    return None if dimension is None else unit_for(dimension, "torque" if quantity == "torque" else None)
+
+
+def spoken(name: str) -> str:
+    return name.replace("_", " ")

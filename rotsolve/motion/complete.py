@@ -1,0 +1,74 @@
+"""Complete: give every mass, radius and length that a scene leaves out a letter of its own. Missing is never zero."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+
+from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.formula import Formula, Symbol, sqrt
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.shapes import Shape
+from rotsolve.motion.rigid import place
+from rotsolve.scene.model import Body, Given, Part, Problem
+
+
+class _Letters:
+    """Makes letters that are not taken, and remembers them as givens without a value."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.taken = {given.name for given in problem.givens}
+        self.made: list[Given] = []
+
+    def make(self, letter: str, owner: str, dimension: str) -> Formula:
+        name = f"{letter}_{owner}"
+        while name in self.taken:
+            name += "_"
+        self.taken.add(name)
+        self.made.append(Given(name, None, DIMENSIONS[dimension], automatic=True))
+        return Symbol(name)
+
+
+def completed(problem: Problem) -> Problem:
+    """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
+    letters = _Letters(problem)
+    wheels = {ref.owner for item in problem.connections if item.word in ("string", "belt", "gear", "rolls") for ref in item.touches()}
+    bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
+    if not letters.made:
+        return problem
+    return replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
+
+
+def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
+    shape = _shape(body.shape, body, letters) if isinstance(body.shape, Shape) else None
+    mass = body.mass
+    parts = tuple(_part(part, letters) for part in body.parts)
+    if body.density is not None and shape is not None:
+        mass = body.density * shape.measure()
+    elif mass is None and not body.parts:
+        mass = letters.make("m", body.name, "mass")
+    radius = body.radius
+    rotor = body.inertia is not None or body.turns is not None
+    if wheel and shape is None and radius is None and not body.radii and rotor:
+        radius = letters.make("R", body.name, "length")
+    return replace(body, shape=shape if shape is not None else body.shape, mass=mass, parts=parts, radius=radius)
+
+
+def _part(part: Part, letters: _Letters) -> Part:
+    shape = part.body.shape
+    if isinstance(shape, Shape) and getattr(shape, "length", 0) is None and part.start is not None and part.end is not None:
+        gap = place(part.end) - place(part.start)
+        length = simplify(sqrt(gap.dot(gap)))
+        part = replace(part, body=replace(part.body, shape=replace(shape, length=length)))  # type: ignore[type-var]
+    return replace(part, body=_body(part.body, letters, False))
+
+
+def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
+    changes = {}
+    for item in fields(shape):
+        declared = item.metadata.get("key")
+        needed = declared is not None and declared.kind == "quantity" and item.name in ("radius", "length")
+        if needed and getattr(shape, item.name) is None and not getattr(shape, "radii", ()):
+            if item.name == "length" and hasattr(shape, "radius"):
+                continue  # the length of a cylinder along its axis is no matter in the plane
+            changes[item.name] = letters.make(declared.letter or item.name[0], body.name, declared.dimension or "length")
+    return replace(shape, **changes) if changes else shape

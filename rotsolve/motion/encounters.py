@@ -1,0 +1,167 @@
+"""Encounters: an event between two states, as the laws of momentum read it."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
+from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
+from rotsolve.core.passage import Encounter, Meeting
+from rotsolve.elements.actions import pointing
+from rotsolve.elements.events import Collides, Cuts, Event, Impulse, Joins, Removes
+from rotsolve.motion.freebody import free_body
+from rotsolve.motion.instant import Instant, rim_radius
+from rotsolve.motion.timeline import Interval
+from rotsolve.scene.model import PointRef
+
+
+def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[Instant, Facts]) -> Encounter | None:
+    """What an event does to the bodies that take part; None for one that changes no velocity (a string is cut)."""
+    event = interval.event
+    if not isinstance(event, Event) or isinstance(event, (Cuts, Removes)):
+        return None
+    (first, first_facts), (last, _) = before, after
+    points = participants(event)
+    groups = tuple({first.arrangement.component(ref.owner, last.state) | first.arrangement.component(ref.owner, first.state): None for ref in points})
+    merged = merge(groups)
+    involved = [body for body in first_facts.bodies if any(body.name in group for group in merged)]
+    blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
+    places = common_places(involved, points, first)
+    meetings = tuple(meeting(body, first, last, blows[body.name], places.get(body.name)) for body in involved)
+    supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
+    words = getattr(event, "about", "")
+    return Encounter(interval.name, words, meetings, merged, supports, bounce(event, points, first, last))
+
+
+def merge(groups: tuple[frozenset[str], ...]) -> tuple[frozenset[str], ...]:
+    """Groups that share a body are one."""
+    merged: list[frozenset[str]] = []
+    for group in groups:
+        touching = [other for other in merged if other & group]
+        merged = [other for other in merged if not other & group]
+        merged.append(group.union(*touching) if touching else group)
+    return tuple(merged)
+
+
+def participants(event: Event) -> tuple[PointRef, ...]:
+    """The points that an event names."""
+    if isinstance(event, Joins):
+        return event.joins
+    if isinstance(event, Collides):
+        return event.collides
+    if isinstance(event, Impulse) and event.on is not None:
+        return (event.on,)
+    return ()
+
+
+def support(body: BodyFacts, instant: Instant) -> str:
+    """What the body's axis is called."""
+    return "pivot" if body.cm.parts or not body.round else "axle"
+
+
+def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, ...], place: Vector | None) -> Meeting:
+    """One body before and after; afterwards it may be part of another."""
+    host = last.host(body.name)
+    motion = last.motion(host)
+    if host == body.name and not last.arrangement.cluster(host, last.state):
+        centre = motion.velocity_of(body.cm) if body.motion.kind != "axis" else motion.velocity_of(body.cm)
+    else:
+        centre = motion.velocity_of(last.point(PointRef(body.name, "cm")))
+    inertia: Formula = body.inertia.letter if body.inertia is not None else own_inertia(body, first)
+    return Meeting(body, inertia, body.centre_velocity, centre, body.motion.spin, motion.spin, place, blows)
+
+
+def own_inertia(body: BodyFacts, instant: Instant) -> Formula:
+    """Moment of inertia of a body that did not turn before but may after."""
+    own = free_body(instant.body(body.name), instant, (), ())
+    inertia: Inertia | None = own.inertia
+    return inertia.letter if inertia is not None else ZERO
+
+
+def common_places(bodies: list[BodyFacts], points: tuple[PointRef, ...], instant: Instant) -> dict[str, Vector]:
+    """Centre of mass of each body from one common point: the axis of the one that is held, else where they meet."""
+    held = next((body for body in bodies if body.motion.kind == "axis"), None)
+    if held is not None:
+        spot = next((ref for ref in points if instant.host(ref.owner) == held.name), None)
+        places = {body.name: NOWHERE for body in bodies if body.motion.kind == "axis"}
+        if spot is None:
+            return places
+        contact = instant.point(spot)
+    else:
+        places, contact = {}, NOWHERE
+    for ref in points:
+        name = instant.host(ref.owner)
+        body = next((body for body in bodies if body.name == name), None)
+        if body is not None and name not in places:
+            places[name] = contact - (instant.point(ref) - body.cm)
+    return places
+
+
+def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instant: Instant) -> list[Force]:
+    """The blows on one body: at its support, and from the event itself."""
+    blows = []
+    for force in body.forces:
+        if force.role == "reaction":
+            axis = "x" if force.direction == unit(RIGHT) else "y"
+            words = ("right", "left") if axis == "x" else ("up", "down")
+            size = instant.ask("impulse", force.owner, component=axis, words=words)
+            blows.append(Force(force.owner, "reaction", body.name, size, force.direction, force.arm, ("blow ", size), internal=True))
+    for index, ref in enumerate(points):
+        if instant.host(ref.owner) != body.name:
+            continue
+        arm = instant.point(ref)
+        if isinstance(event, Impulse):
+            blows.append(outside_blow(event, body, arm, instant))
+        else:
+            for axis, direction in contact_axes(event, points, instant):
+                size = instant.ask("impulse", event.name, component=axis)
+                push = unit(direction if index == 1 else direction.turned(180))
+                blows.append(Force(event.name, "contact", body.name, size, push, arm, ("blow ", size), internal=True))
+    return blows
+
+
+def outside_blow(event: Impulse, body: BodyFacts, arm: Vector, instant: Instant) -> Force:
+    """The impulse of a blow from outside."""
+    size = event.impulse or ZERO
+    if event.direction in (None, "tangential", "clockwise", "counterclockwise"):
+        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(event.direction), body.motion.sense)
+        radius = rim_radius(instant.body(body.name), event.on.point if event.on else None)
+        if arm.parts:
+            push = unit(arm.parts[0][1].turned(90 * turn))
+        elif radius is not None and event.on is not None and event.on.point is not None:
+            arm, push = Vector(((radius, RIGHT),)), unit(UP.turned(0 if turn > 0 else 180))
+        else:
+            push = unit(body.motion.heading or RIGHT)
+    else:
+        push = pointing(event.direction)
+    return Force(event.name, "blow", body.name, size, push, arm, ("impulse ", size))
+
+
+def contact_axes(event: Event, points: tuple[PointRef, ...], instant: Instant) -> tuple[tuple[str, Heading], ...]:
+    """Directions in which two bodies push each other: both when they stick, the line of approach when they bounce."""
+    if isinstance(event, Collides):
+        return (("", approach_heading(points, instant)),)
+    return (("x", RIGHT), ("y", UP))
+
+
+def approach_heading(points: tuple[PointRef, ...], instant: Instant) -> Heading:
+    """The line along which two bodies approach: that on which one of them travels."""
+    for ref in points:
+        motion = instant.motion(ref.owner)
+        if motion.kind == "line" and motion.heading is not None:
+            return motion.heading
+    for ref in points:
+        parts = instant.velocity(ref).parts
+        if len(parts) == 1:
+            return parts[0][1]
+    return RIGHT
+
+
+def bounce(event: Event, points: tuple[PointRef, ...], first: Instant, last: Instant) -> tuple[Formula, Formula, Formula] | None:
+    """(e, approach speed before, separation speed after) along the line of approach."""
+    if not isinstance(event, Collides):
+        return None
+    line = approach_heading(points, first)
+    one, two = points
+    approach = first.velocity(one).along(line) - first.velocity(two).along(line)
+    separation = last.velocity(two).along(line) - last.velocity(one).along(line)
+    return (event.restitution if event.restitution is not None else ZERO), approach, separation

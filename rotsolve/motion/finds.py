@@ -1,0 +1,226 @@
+"""Finds: an asked quantity of the scene as one formula over the letters of the laws, at its own states, phases and events."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rotsolve.algebra.dimension import Dimension, DimensionError, dimension_of
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add
+from rotsolve.core.heading import Vector
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.motion.history import History
+from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.questions import Meaning, NotYet
+from rotsolve.scene.model import Find, Path, Term
+
+SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
+DIFFERENCE = ("change of", "lost")
+
+
+@dataclass(frozen=True)
+class Asked:
+    """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
+
+    `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
+    where its definition belongs.
+    """
+
+    find: Find
+    formula: Formula
+    letter: str
+    dimension: Dimension | None
+    vector: Vector | None = None
+    remark: str = ""
+    label: str = ""
+    section: str = ""
+
+    @property
+    def direct(self) -> bool:
+        """Whether the question is a single quantity of the laws."""
+        return isinstance(self.formula, Symbol) and self.formula.name == self.letter
+
+
+class Unclear(ValueError):
+    """A question that the scene does not settle: which state, which end."""
+
+
+def asked(find: Find, history: History) -> Asked:
+    """What a `find` line asks for."""
+    meanings = [meaning_of(term, history) for term in find.terms]
+    values = {f"#{index}": meaning.formula for index, (meaning, _) in enumerate(meanings)}
+    formula = find.formula.substitute(values)
+    if find.modifier == "size of":
+        formula = Call("abs", (formula,)) if formula.symbols() else formula
+    single = len(meanings) == 1 and find.formula == Symbol("#0")
+    first = meanings[0][0] if meanings else None
+    section = meanings[0][1] if meanings else ""
+    dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history)
+    if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
+        return Asked(find, formula, formula.name, dimension, first.vector if single and first else None, section=section)
+    vector = first.vector if single and first is not None else None
+    remark, label = (first.remark, first.label) if single and first is not None else ("", "")
+    return Asked(find, formula, f"asked{SEPARATOR}{find.name}", dimension, vector, remark, label, section)
+
+
+def is_unknown(name: str, history: History) -> bool:
+    """Whether a letter of the scene is itself asked for."""
+    return any(given.name == name and given.asked for given in history.arrangement.problem.givens)
+
+
+def dimension_of_find(find: Find, meanings: list[tuple[Meaning, str]], history: History) -> Dimension | None:
+    """Dimension of an arithmetic expression of paths and givens."""
+    known = {given.name: given.dimension for given in history.arrangement.problem.givens if given.dimension is not None}
+    known.update({f"#{index}": meaning.dimension for index, (meaning, _) in enumerate(meanings)})
+    try:
+        return dimension_of(find.formula, known)
+    except (DimensionError, KeyError, ValueError):
+        return None
+
+
+def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
+    """A term's meaning, and the state, phase or event where it belongs."""
+    timeline = history.arrangement.timeline
+    start, end = term.start, term.end
+    if term.during is not None:
+        interval = timeline.interval(term.during)
+        if interval is None:
+            raise Unclear(f"there is no phase or event `{term.during}`")
+        start, end = interval.start, interval.end
+    if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
+        return spanned(term, start, end, history)
+    if term.modifier in DIFFERENCE and start and end:
+        return difference(term, start, end, history)
+    if term.modifier == "mean" and start and end:
+        return mean(term, start, end, history)
+    return at_state(term, history)
+
+
+def at_state(term: Term, history: History) -> tuple[Meaning, str]:
+    """The meaning at one state: the one named, the only one, or any where it is the same throughout."""
+    states = [term.at] if term.at else [state.name for state in history.arrangement.timeline.states]
+    found: dict[Formula, tuple[Meaning, str]] = {}
+    failed: NotYet | None = None
+    for state in states:
+        try:
+            meaning = history.reader(state).meaning(term.path, term)
+        except NotYet as error:
+            failed = error
+            continue
+        if term.modifier == "size of":
+            meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
+        found.setdefault(meaning.formula, (meaning, section_of(term.path, meaning, state, history)))
+    if not found:
+        raise failed or Unclear("nothing is asked")
+    if len(found) > 1:
+        raise Unclear(f"say `at` which state: {', '.join(state for state in states)}")
+    return next(iter(found.values()))
+
+
+def section_of(path: Path, meaning: Meaning, state: str, history: History) -> str:
+    """Where a definition is written: with the accelerations of a phase, or at its state."""
+    moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
+    if BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum") or state in moments:
+        return state
+    return history.section(state)
+
+
+def spanned(term: Term, start: str | None, end: str | None, history: History) -> tuple[Meaning, str]:
+    """A quantity of one or several phases: the sum over them."""
+    arrangement, timeline = history.arrangement, history.arrangement.timeline
+    path, kind = term.path, BY_WORD[term.path.quantity]
+    names = [state.name for state in timeline.states]
+    if term.at is not None and term.at in names:
+        start, end = names[max(0, names.index(term.at) - 1)], term.at
+    start, end = start or names[0], end or names[-1]
+    if names.index(start) >= names.index(end):
+        raise Unclear(f"`{path.quantity}` runs from one state to a later one: say `from … to …`")
+    intervals = timeline.between(start, end)
+    if path.quantity == "time":
+        duration = history.instant(end).time() - history.instant(start).time()
+        if len(intervals) == 1 and start != names[0] and intervals[0].event is None:
+            duration = history.instant(start).ask("time", "", when=intervals[0].name)
+        return Meaning(duration, kind.dimension), intervals[-1].name
+    result: Formula = ZERO
+    for interval in intervals:
+        instant = history.instant(interval.start)
+        name = instant.host(path.owner) if path.owner in arrangement.bodies else path.owner
+        if path.quantity == "displacement" or path.quantity == "distance":
+            part = displacement(name, interval, instant) if interval.event is None else ZERO
+        elif path.quantity in ("rotation", "turns"):
+            part = rotation(name, interval, instant) if interval.event is None else ZERO
+        elif path.quantity in ("impulse", "angular_impulse"):
+            part = impulse(path, interval.name, interval.start, history)
+        else:
+            part = work(path, interval.name, history)
+        result = add(result, part)
+    if path.quantity == "turns":
+        from rotsolve.algebra.formula import PI
+
+        result = result / (2 * PI)
+    return Meaning(result, kind.dimension), intervals[-1].name
+
+
+def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
+    """The impulse that a support or event gives in an event."""
+    encounter = history.encounters.get(interval)
+    if encounter is None:
+        raise NotYet("an impulse is asked of an event")
+    blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
+    wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
+    sizes = list({blow.size: None for blow in wanted})
+    if not sizes:
+        raise NotYet(f"`{path.owner}` gives no impulse there")
+    if len(sizes) == 1:
+        return sizes[0]
+    from rotsolve.algebra.formula import sqrt
+
+    squares: Formula = ZERO
+    for size in sizes:
+        squares = add(squares, size**2)
+    return sqrt(squares)
+
+
+def _axis(size: Formula) -> str:
+    return size.name.split(SEPARATOR)[2] if isinstance(size, Symbol) and SEPARATOR in size.name else ""
+
+
+def work(path: Path, interval: str, history: History) -> Formula:
+    """Work of an action or connection in a phase, or of all forces on a body."""
+    passage = history.passages.get(interval)
+    if passage is None:
+        return ZERO
+    works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
+    if path.component == "gravity":
+        heights = passage.heights.get(path.owner)
+        weights = [force.size for body in passage.start.bodies if body.name == path.owner for force in body.forces if force.role == "weight"]
+        return weights[0] * (heights[0] - heights[1]) if heights and weights else ZERO
+    if not works:
+        raise NotYet(f"`{path.owner}` does no work that can be told apart in this phase")
+    result: Formula = ZERO
+    for item in works:
+        result = add(result, item.amount)
+    return result
+
+
+def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
+    """Change (later minus earlier) or loss (earlier minus later)."""
+    first = history.reader(start).meaning(term.path, term)
+    last = history.reader(end).meaning(term.path, term)
+    change = first.formula - last.formula if term.modifier == "lost" else last.formula - first.formula
+    intervals = history.arrangement.timeline.between(start, end)
+    return Meaning(change, first.dimension), intervals[-1].name
+
+
+def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
+    """Mean over time: work over time for a power, angle or way over time for a rate."""
+    whole = {"power": "work", "angular_velocity": "rotation", "velocity": "displacement", "angular_acceleration": "angular_velocity"}
+    summed = whole.get(term.path.quantity)
+    if summed is None:
+        raise NotYet(f"the mean of `{term.path.quantity}` is not worked out")
+    duration, section = spanned(Term(Path("", "time")), start, end, history)
+    other = replace(term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else "")
+    amount, _ = meaning_of(replace(other, start=start, end=end), history)
+    return Meaning(amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension), section
+
+

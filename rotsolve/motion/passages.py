@@ -1,0 +1,178 @@
+"""Passages: what happened in a phase: displacements, angles turned, work, heights and times, ready for the laws."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
+from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.heading import UP, Vector
+from rotsolve.core.passage import Passage, Travel, Work
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.instant import Instant, opposite
+from rotsolve.motion.timeline import Interval
+
+
+def passage(interval: Interval, start: tuple[Instant, Facts], end: tuple[Instant, Facts], midst: tuple[Instant, Facts]) -> Passage:
+    """All that the laws read about one phase."""
+    (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
+    arrangement = first.arrangement
+    times = (first.time(), last.time())
+    duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
+    travels = tuple(travel for body in midst_facts.bodies for travel in travels_of(body, interval, first, last, middle))
+    groups = groups_of(arrangement, midst_facts, interval.start)
+    works = tuple(work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration))
+    heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
+    idle = tuple(words for group in groups for words in reasons(midst_facts, group))
+    return Passage(interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle)
+
+
+def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
+    """Bodies that move together, group by group."""
+    groups: dict[frozenset[str], None] = {}
+    for body in facts.bodies:
+        groups[arrangement.component(body.name, state)] = None
+    return tuple(groups)
+
+
+def displacement(name: str, interval: Interval, instant: Instant) -> Formula:
+    """Displacement of a body along its line in a phase, counted along its positive sense."""
+    line = instant.arrangement.line(name, instant.state)
+    words = (line[1], opposite(line[1])) if line else ("", "")
+    return instant.ask("displacement", name, when=interval.name, words=words)
+
+
+def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle that a body turns through in a phase, counted along its positive sense."""
+    return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
+
+
+def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
+    """The coordinates of a body: along its line, and its turning."""
+    name, pace = body.name, first.arrangement.pace(body.name, interval.start)
+    motion = body.motion
+    if motion.kind == "line":
+        words = first.arrangement.line(name, interval.start)
+        label = words[1] if words else ""
+        before, after = (moment.travel("velocity", name, label) for moment in (first, last))
+        moving = middle.travel("velocity", name, label)
+        source = middle if pace != "constant" else first
+        acceleration = source.travel("acceleration", name, label)
+        yield Travel(name, "line", before, after, acceleration, displacement(name, interval, first), pace, moving)
+    if motion.turns:
+        before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
+        source = middle if pace != "constant" else first
+        acceleration = source.rate("angular_acceleration", name)
+        angles = tuple(moment.angle(name) for moment in (first, last, middle))
+        start, end, coordinate = (None if angle is None else signed(angle, first.sense(name)) for angle in angles)
+        if first.sense(name) < 0:
+            coordinate = None  # the sum over the angle is written for counterclockwise angles only
+        yield Travel(name, "turn", before, after, acceleration, rotation(name, interval, first), pace, moving, start, end, coordinate)
+
+
+def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:
+    """Heights of a body's centre of mass at both ends of a phase, from a level that stays; None where geometry does not tell."""
+    if not first.arrangement.heavy:
+        return (ZERO, ZERO)
+    line = first.arrangement.line(name, interval.start)
+    if first.motion(name).kind == "line" and line is not None:
+        rise = line[0].sin()
+        return (ZERO, displacement(name, interval, first) * rise if rise != ZERO else ZERO)
+    before, after = height(name, first), height(name, last)
+    return None if before is None or after is None else (before, after)
+
+
+def height(name: str, instant: Instant) -> Formula | None:
+    """Height of the centre of mass above a fixed level: above the pivot, or above the floor that the body touches."""
+    arrangement = instant.arrangement
+    arm = instant.frame(name).cm.rotated(instant.orientation(name))
+    if arrangement.pivot(name, instant.state) is not None:
+        return arm.along(UP)
+    for item in arrangement.connections(instant.state):
+        if item.word == "contact":
+            ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)  # type: ignore[attr-defined]
+            if ref.owner == name and surface is not None and surface.word == "level":
+                return negate(instant.point(ref).along(UP))
+        if item.word == "hinge" and len(item.hinge) == 2 and item.hinge[1].owner == name:  # type: ignore[attr-defined]
+            carrier, own = item.hinge  # type: ignore[attr-defined]
+            base = height_of_point(carrier, instant)
+            return None if base is None else base - instant.point(own).along(UP)
+    return None
+
+
+def height_of_point(ref: object, instant: Instant) -> Formula | None:
+    """Height of a point of a body above the same fixed level."""
+    name = instant.host(ref.owner)  # type: ignore[attr-defined]
+    centre = height(name, instant)
+    if centre is None:
+        return None
+    arm = instant.frame(name).cm.rotated(instant.orientation(name))
+    return centre + (instant.point(ref) - arm).along(UP)  # type: ignore[arg-type]
+
+
+def works_on(
+    body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant, duration: Formula
+) -> Iterator[Work]:
+    """Work of the forces and couples on a body that are neither weights, springs nor ideal connections."""
+    name = body.name
+    for force in body.forces:
+        if force.internal or not force.works or force.role in ("weight", "spring"):
+            continue
+        amount = work_of_force(force.vector, force.arm, body, interval, first, last, middle)
+        yield named_work(force.owner, amount, (name,), interval, first)
+    for couple in body.couples:
+        if not couple.internal and couple.role != "torsion":
+            turned = signed(rotation(name, interval, first), first.sense(name))
+            amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
+            yield named_work(couple.owner, amount, (name,), interval, first)
+
+
+def named_work(owner: str, amount: Formula, bodies: tuple[str, ...], interval: Interval, first: Instant) -> Work:
+    """The work under its own letter where the scene asks for it or fixes it, else spelled out."""
+    if first.arrangement.asks(owner, "work") or first.arrangement.asks(owner, "power"):
+        letter = first.ask("work", owner, when=interval.name)
+        return Work(owner, letter, owner, bodies)
+    return Work(owner, amount, owner, bodies)
+
+
+def work_of_force(
+    vector: Vector, arm: Vector, body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant
+) -> Formula:
+    """F · displacement along a line plus r × F times the angle turned."""
+    name, motion = body.name, body.motion
+    amount: Formula = ZERO
+    if motion.kind == "line" and motion.heading is not None:
+        along = vector.along(motion.heading)
+        speed = motion.velocity.along(motion.heading)
+        amount = work_over(along, displacement(name, interval, first), speed, middle, interval, first, last)
+    torque = arm.cross(vector)
+    if motion.turns and torque != ZERO:
+        turned = signed(rotation(name, interval, first), first.sense(name))
+        amount = amount + work_over(torque, turned, motion.spin, middle, interval, first, last)
+    return amount
+
+
+def work_over(
+    effort: Formula, change: Formula, rate: Formula, middle: Instant, interval: Interval, first: Instant, last: Instant
+) -> Formula:
+    """effort · change; ∫ effort · rate dt where the effort varies in time."""
+    if "time" in effort.symbols():
+        return Integral(effort * rate, "time", first.time(), last.time())
+    return effort * change
+
+
+def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
+    """Why mechanical energy is conserved, in a sentence about the forces that do no work."""
+    roles = {force.role for body in facts.bodies if body.name in group for force in body.forces}
+    held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
+    parts = []
+    if "reaction" in roles and held:
+        parts.append("the pivot does no work (its point is at rest)")
+    if "tension" in roles:
+        parts.append("the string's tension gives one body what it takes from the other")
+    if "friction" in roles:
+        parts.append("friction does no work (the point of contact is at rest)")
+    elif "normal" in roles:
+        parts.append("the normal force does no work (it is square to the motion)")
+    if parts:
+        yield "energy is conserved: " + "; ".join(parts)

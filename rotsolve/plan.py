@@ -1,0 +1,126 @@
+"""Plan: the cheapest set of equations that settles an asked unknown. Knows no physics.
+
+Equations are matched to unknowns in the order of their cost (a transversal matroid, so the greedy choice is the cheapest maximal one);
+the block behind the asked unknown is what its matched equation needs (Dulmage-Mendelsohn). Then each equation of the block is tried
+for omission, since a dearer one elsewhere may make several cheap ones needless.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+from rotsolve.core.equation import Equation
+
+ROUNDS = 12  # improvements after which a plan is taken as it is
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """Equations (indices into the pool) that settle `asked`, and the unknowns that they settle with it."""
+
+    asked: str
+    equations: tuple[int, ...]
+    unknowns: tuple[str, ...]
+    cost: int
+
+
+@dataclass(frozen=True, slots=True)
+class Shortage:
+    """Why there is no plan: the equations that bear on the asked unknown, and the unknowns that they leave open."""
+
+    asked: str
+    equations: tuple[int, ...]
+    unknowns: tuple[str, ...]
+
+
+class Planner:
+    """Plans over one pool of equations; what is known may grow between questions."""
+
+    def __init__(self, pool: Sequence[Equation]) -> None:
+        self.pool = list(pool)
+        self.symbols = [equation.symbols() for equation in self.pool]
+
+    def extend(self, equation: Equation) -> int:
+        """Add an equation found on the way; its index."""
+        self.pool.append(equation)
+        self.symbols.append(equation.symbols())
+        return len(self.pool) - 1
+
+    def plan(self, asked: str, known: Collection[str], allowed: Collection[int] | None = None) -> Plan | Shortage:
+        """The cheapest plan for `asked`, with the equations `allowed`."""
+        unknowns = {
+            index: tuple(sorted(self.symbols[index] - set(known)))
+            for index in (range(len(self.pool)) if allowed is None else allowed)
+        }
+        relevant = self._connected(asked, unknowns)
+        best = self._block(asked, relevant)
+        if isinstance(best, Shortage):
+            return best
+        return self._improved(best, relevant)
+
+    def _connected(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """Only the equations that share unknowns with the asked one, directly or through others."""
+        holders: dict[str, list[int]] = {}
+        for index, names in unknowns.items():
+            for name in names:
+                holders.setdefault(name, []).append(index)
+        found: dict[int, tuple[str, ...]] = {}
+        seen, pending = {asked}, [asked]
+        while pending:
+            for index in holders.get(pending.pop(), ()):
+                if index not in found:
+                    found[index] = unknowns[index]
+                    fresh = [name for name in unknowns[index] if name not in seen]
+                    seen.update(fresh)
+                    pending.extend(fresh)
+        return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
+
+    def _block(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None) -> Plan | Shortage:
+        """Match greedily, then collect what the asked unknown's equation needs."""
+        owner: dict[str, int] = {}
+        for index in unknowns:
+            if index != skipped:
+                _augment(index, unknowns, owner, set())
+        needed: dict[int, str] = {}
+        pending, seen, open_ = [asked], {asked}, []
+        while pending:
+            name = pending.pop()
+            index = owner.get(name)
+            if index is None:
+                open_.append(name)
+                continue
+            needed[index] = name
+            fresh = [other for other in unknowns[index] if other not in seen]
+            seen.update(fresh)
+            pending.extend(fresh)
+        if open_:
+            return Shortage(asked, tuple(sorted(needed)), tuple(sorted(seen)))
+        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
+
+    def _improved(self, best: Plan, unknowns: Mapping[int, tuple[str, ...]]) -> Plan:
+        """Leave out one equation at a time while that makes the plan cheaper."""
+        pool = dict(unknowns)
+        for _ in range(ROUNDS):
+            trials = [(self._block(best.asked, pool, index), index) for index in best.equations]
+            better = [(trial, index) for trial, index in trials if isinstance(trial, Plan) and trial.cost < best.cost]
+            if not better:
+                return best
+            best, dropped = min(better, key=lambda item: item[0].cost)
+            del pool[dropped]
+        return best
+
+
+def _augment(index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str]) -> bool:
+    """Give an equation an unknown of its own, moving others over where that frees one (Kuhn's augmenting path)."""
+    for name in unknowns[index]:
+        if name not in owner:
+            owner[name] = index
+            return True
+    for name in unknowns[index]:
+        if name not in visited:
+            visited.add(name)
+            if _augment(owner[name], unknowns, owner, visited):
+                owner[name] = index
+                return True
+    return False

@@ -1,0 +1,193 @@
+"""Literals: a number with its unit, checked, as an exact number or as an automatic letter of its own.
+
+`radius: 20 cm` in disc becomes R_disc, so that derivations print letters; zero, plain numbers without a letter, and angles
+that are multiples of 15° stay exact numbers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Symbol
+from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
+from rotsolve.core.faults import Span
+from rotsolve.core.quantity import DIMENSIONS, NUMBER
+from rotsolve.scene.model import Given
+from rotsolve.scene.tree.nodes import Node, Text
+from rotsolve.scene.values import pieces
+from rotsolve.scene.values.dims import an, fits, named
+from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.words import quoted
+
+FACTOR = rf"(?:{pieces.NUMBER}(?:\s*/\s*\d+)?(?:\s*[×x*·]\s*10(?:\^[-−]?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?|[¼½¾⅓⅔⅕⅙⅛⅜⅝⅞])"
+PI_WORD = r"(?:pi(?!\w)|π)"
+LITERAL = re.compile(
+    rf"\s*[-+−]?\s*(?:{FACTOR}(?:\s*[*·]?\s*{PI_WORD})?|{PI_WORD})(?:\s*/\s*\d+)?\s*(?P<unit>(?:[^\W\d_]|[°%]).*)?",
+    re.DOTALL,
+)
+COMMA = re.compile(r"\s*[-+−]?\d+,\d")
+EXAMPLES = {"length": "20 cm", "mass": "3 kg", "time": "2 s", "angle": "30 deg", "force": "12 N", "velocity": "4 m/s"}
+EXAMPLES |= {
+    "angular velocity": "3 rad/s",
+    "torque": "5 N m",
+    "moment of inertia": "2 kg m^2",
+    "acceleration": "9.8 m/s^2",
+}
+STEP = Fraction(1, 12)  # 15° in units of π
+EXPRESSION = Symbol("an expression after all")
+
+
+@dataclass(frozen=True, slots=True)
+class Want:
+    """What a value is for: the words for messages, its dimension, and how to name a number written in place."""
+
+    label: str
+    dimension: str | None = None
+    letter: str = ""
+    owner: str = ""
+    limits: str = ""
+    varies: bool = False
+    extra: Mapping[str, Dimension] = field(default_factory=dict)
+    hint: str = ""
+    words: tuple[str, ...] = ()  # other words that may have been meant
+
+
+def unknown(scope: Scope, node: Text, want: Want) -> Formula | None:
+    """`force: unknown`: a letter that is asked for."""
+    if not want.letter:
+        scope.fault(node, f"`{want.label}` can't be unknown here", "name it in `given`: `x: unknown`", "form")
+        return None
+    name = scope.free(want.letter, want.owner, want.hint)
+    dimension = DIMENSIONS[want.dimension] if want.dimension else None
+    scope.givens[name] = Given(name, None, dimension, None, "unknown", asked=True, automatic=True, span=node.span)
+    scope.dimensions[name] = dimension
+    return Symbol(name)
+
+
+def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | None:
+    """A value that is one number with its unit; EXPRESSION when the text is an expression after all."""
+    try:
+        quantity = parse_quantity(node.value.strip())
+    except UnitError as error:
+        if re.search(r"[-+*/^()]", unit) or any(word in scope.givens for word in re.findall(r"\w+", unit)):
+            return EXPRESSION
+        unit_fault(scope, node, error)
+        return None
+    if scope.kinds.get(unit) == "given":
+        ambiguous(scope, node, node.value.strip(), unit)
+        return None
+    return settled(scope, node, want, quantity)
+
+
+def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> None:
+    """The complaint of the unit parser at its place."""
+    shift += len(node.value) - len(node.value.lstrip())
+    help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
+    help = help or ("" if ":" in error.message else "write a number and a unit, such as `3 kg m^2`")
+    scope.fault(node.part(shift + error.start, shift + max(error.end, error.start + 1)), error.message, help, "unit")
+
+
+def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> None:
+    number = text[: -len(unit)].strip()
+    message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
+    scope.fault(
+        place,
+        message,
+        f"write `{number}*{unit}` for the product, or put the quantity in `given` under a name",
+        "ambiguous",
+    )
+
+
+def settled(scope: Scope, node: Text, want: Want, quantity: Quantity) -> Formula | None:
+    """A literal quantity, checked, as a number or an automatic letter."""
+    text = node.value.strip()
+    unit = quantity.unit.text if quantity.unit else ""
+    zero = quantity.value == ZERO
+    if not dimension_holds(scope, node, want, quantity.dimension, text, unit, zero):
+        return None
+    if not limits_hold(scope, node, rough(quantity.value, {}), want, text):
+        return None
+    return as_letter(scope, node.span, want, quantity)
+
+
+def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text: str, unit: str, zero: bool) -> bool:
+    """Whether a value has the dimension that is wanted; a bare number is no angle, and Hz is no angular velocity."""
+    if want.dimension is None or (zero and found == NUMBER):
+        return True
+    label, shown_text = f"`{want.label}` wants {an(want.dimension)}", quoted(text)
+    wanted = DIMENSIONS[want.dimension]
+    number = text.rpartition("= ")[2]
+    bare = (
+        found == NUMBER
+        and want.dimension == "angle"
+        and re.search("pi|π", number) is None
+        and LITERAL.fullmatch(number) is not None
+    )
+    if fits(found, wanted) and not bare:
+        if want.dimension != "angular velocity" or "Hz" not in unit:
+            return True
+        help = "write `2 rev/s` or `12.6 rad/s`"
+        scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
+        return False
+    shown = "has no unit" if found == NUMBER else f"is {named(found)}"
+    example = EXAMPLES.get(want.dimension) if found == NUMBER else None
+    help = f"write a unit: `{example}`" if example else ""
+    scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")
+    return False
+
+
+def as_letter(scope: Scope, span: Span, want: Want, quantity: Quantity) -> Formula:
+    """The exact number where textbooks print it, else a letter of its own."""
+    if quantity.value == ZERO:
+        return ZERO
+    share = share_of_pi(quantity.value)
+    if quantity.dimension == DIMENSIONS["angle"] and share is not None and share % STEP == 0:
+        return times_pi(share)
+    if not want.letter or (quantity.dimension == NUMBER and want.dimension != "number"):
+        return quantity.value
+    return scope.automatic(want.letter, want.owner, quantity, span, want.hint)
+
+
+def share_of_pi(formula: Formula) -> Fraction | None:
+    """q where the formula is q·π, written in any of the usual ways."""
+    match formula:
+        case Constant():
+            return Fraction(1)
+        case Negative(operand):
+            share = share_of_pi(operand)
+            return None if share is None else -share
+        case Product((Number(factor), *rest)) if len(rest) == 1:
+            share = share_of_pi(rest[0])
+            return None if share is None else factor * share
+        case Product((first, Number(factor))):
+            share = share_of_pi(first)
+            return None if share is None else factor * share
+        case Quotient(numerator, Number(divisor)) if divisor:
+            share = share_of_pi(numerator)
+            return None if share is None else share / divisor
+    return None
+
+
+def times_pi(share: Fraction) -> Formula:
+    """q·π as textbooks write it: π/6, −π/2, 3 π/4."""
+    result = Number(Fraction(abs(share.numerator))) * PI / Number(Fraction(share.denominator))
+    return -result if share < 0 else result
+
+
+def limits_hold(scope: Scope, node: Node, number: float | None, want: Want, text: str) -> bool:
+    """Whether a value that has a number is physical."""
+    if number is None or not want.limits:
+        return True
+    wrong = {
+        "positive": number <= 0 and "must be positive",
+        "nonnegative": number < 0 and "can't be negative",
+        "fraction": not 0 <= number <= 1 and "must lie from 0 to 1",
+    }[want.limits]
+    if wrong:
+        scope.fault(node, f"`{want.label}` {wrong}, but this is {quoted(text)}", kind="limits")
+    return not wrong

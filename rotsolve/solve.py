@@ -1,0 +1,347 @@
+"""Solve: the equations of a plan one unknown at a time, the asked one last, keeping every step as a textbook would write it.
+
+Trivial equations (I = ½ M R², a = R α) are put into the others without a line of their own; every other elimination is a step.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Mapping, Sequence
+from dataclasses import dataclass, field
+from fractions import Fraction
+
+from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.ball import Certified, evaluate
+from rotsolve.algebra.calculus import integrate
+from rotsolve.algebra.exact import coefficients, is_zero, length, simplify, solve_linear
+from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol
+from rotsolve.algebra.rootfind import real_roots
+from rotsolve.algebra.roots import solve_polynomial, solve_trig
+from rotsolve.core.derivation import Equality, Words
+from rotsolve.core.equation import Equation
+from rotsolve.plan import Plan
+
+Ref = tuple[str, "int | str"]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
+Choice = tuple[int, Words]
+Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
+
+
+class Redundant(ValueError):
+    """An equation of a plan says nothing new once the others are put in."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} says nothing new")
+        self.index = index
+
+
+class Contradiction(ValueError):
+    """The equations of a plan can not all hold."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} contradicts the others")
+        self.index = index
+
+
+class NoClosedForm(ValueError):
+    """No unknown can be isolated."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
+
+    number: int
+    target: Ref
+    sources: tuple[Ref, ...]
+    chain: tuple[Equality, ...]
+    result: str
+    section: str
+    reason: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A solved unknown: closed form in givens, or a certified root of the last equation."""
+
+    name: str
+    formula: Formula | None
+    number: Certified | None = None
+    others: tuple[Formula, ...] = ()
+
+
+@dataclass(slots=True)
+class Item:
+    """An equation on its way: what it has become, and what has been put in since it was written."""
+
+    ref: Ref
+    index: int
+    left: Formula
+    right: Formula
+    section: str
+    sources: list[Ref] = field(default_factory=list)
+
+    def unknowns(self, names: Collection[str]) -> set[str]:
+        return set((self.left.symbols() | self.right.symbols()) & set(names))
+
+
+@dataclass
+class Solver:
+    """Solves plans one after the other; remembers answers and steps."""
+
+    pool: list[Equation]
+    order: tuple[str, ...]
+    positive: frozenset[str]
+    values: Mapping[str, Formula]
+    choose: Chooser
+    refs: dict[int, Ref] = field(default_factory=dict)
+    steps: list[Step] = field(default_factory=list)
+    solved: dict[str, Found] = field(default_factory=dict)
+    derived: list[tuple[Equation, Ref]] = field(default_factory=list)
+
+    def simplify(self, value: Formula) -> Formula:
+        """Textbook form; bars round a value whose sign the numbers tell are taken off."""
+        value = simplify(value, order=self.order, positive=self.positive)
+        if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
+            value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
+        return value
+
+    def _without_bars(self, node: Formula) -> Formula:
+        if not (isinstance(node, Call) and node.function == "abs"):
+            return node
+        try:
+            sign = evaluate(self._with_answers(node.arguments[0]), self.values, digits=3).sign
+        except (Undefined, ValueError):
+            return node
+        return node.arguments[0] * sign if sign is not None else node
+
+    def solve(self, plan: Plan) -> Found:
+        """Carry a plan out; the steps are kept only when it succeeds."""
+        kept, derived = len(self.steps), len(self.derived)
+        try:
+            found = self._solve(plan)
+        except (Redundant, Contradiction, NoClosedForm, Undefined):
+            del self.steps[kept:], self.derived[derived:]
+            raise
+        self.solved[plan.asked] = found
+        return found
+
+    def _solve(self, plan: Plan) -> Found:
+        items = [
+            Item(self.refs.get(index, ("law", index)), index, self.pool[index].left, self.pool[index].right, self.pool[index].section)
+            for index in plan.equations
+        ]
+        for item in items:
+            self._put_in_functions(item)
+        unknowns = set(plan.unknowns)
+        while len(items) > 1:
+            item, name, value, trivial = self._next(items, unknowns, plan.asked)
+            items.remove(item)
+            unknowns.discard(name)
+            self._eliminate(items, item, name, value, trivial, unknowns)
+        return self._last(items[0], plan.asked)
+
+    def _put_in_functions(self, item: Item) -> None:
+        """Answers that are functions of the running time are put in at once: a letter would hide what is integrated."""
+        running = {
+            name: found.formula
+            for name, found in self.solved.items()
+            if found.formula is not None and "time" in found.formula.symbols()
+        }
+        used = {name: value for name, value in running.items() if name in item.left.symbols() | item.right.symbols() | inner(item)}
+        if used:
+            self._substitute(item, used, [("known", name) for name in used])
+
+    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str, Formula, bool]:
+        """What to eliminate next, the most trivial first: (equation, unknown, its value, whether it needs no line of its own)."""
+        ranked = []
+        for item in items:
+            names = item.unknowns(unknowns)
+            self._check_alive(item, names)
+            for name in sorted(names - {asked}):
+                explicit = isolated(item, name)
+                others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
+                plain = monomial(item.left) and monomial(item.right)
+                kind = 0 if explicit and len(names) == 1 else 1 if len(names) == 1 else 2 if plain and len(names) == 2 else 3
+                ranked.append(((kind, others, len(names), 0 if explicit else 1), item, name))
+        ranked.sort(key=lambda entry: entry[0])
+        return self._first_linear(ranked, asked)
+
+    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str) -> tuple[Item, str, Formula, bool]:
+        """Of the best-ranked eliminations the one with the shortest result."""
+        best: tuple[int, Item, str, Formula, bool] | None = None
+        rank: tuple[int, ...] | None = None
+        for key, item, name in ranked:
+            if best is not None and key[:3] != (rank or ())[:3]:
+                break
+            value = self._value(item, name, alone=key[0] <= 1)
+            if value is None:
+                continue
+            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value))
+            if best is None or length(value) < best[0]:
+                best, rank = (length(value), item, name, value, trivial), key
+        if best is None:
+            raise NoClosedForm(f"no unknown beside {asked} can be isolated")
+        return best[1:]
+
+    def _value(self, item: Item, name: str, *, alone: bool) -> Formula | None:
+        """The value of an unknown from one equation: as written where it stands alone, else solved."""
+        explicit = isolated(item, name)
+        if explicit is not None:
+            return explicit if not any(isinstance(node, Integral) for node in explicit.walk()) else self._carried_out(explicit)
+        value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
+        if value is None and alone:
+            roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
+            choice = self.choose(name, roots) if roots else None
+            return roots[choice[0]] if choice else None
+        return value
+
+    def _check_alive(self, item: Item, names: set[str]) -> None:
+        """An equation without unknowns left says nothing, or something false."""
+        if not names:
+            gap = self._with_answers(item.left - item.right)
+            raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
+
+    def _eliminate(self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]) -> None:
+        """Write the step where it deserves a line, and put the value into the other equations."""
+        refs: list[Ref] = [item.ref, *item.sources]
+        if not trivial or len(item.sources) > 1:
+            step = self._step(item, name, value, ())
+            refs = [("step", step.number)]
+            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 1), refs[0]))
+        for other in items:
+            if name in other.unknowns({name}):
+                self._substitute(other, {name: value}, refs)
+                gap = other.left - other.right
+                if not other.unknowns(unknowns) or (len(items) == 1 and is_zero(gap, self.positive)):
+                    self._check_alive(other, set())
+
+    def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
+        item.left, item.right = item.left.substitute(values), item.right.substitute(values)
+        item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
+
+    def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:
+        """The printed line of an elimination: the equation with everything put in, then the unknown alone."""
+        chain = []
+        if item.sources and isolated(item, name) is None:
+            chain.append(Equality(item.left, item.right))
+        elif item.sources and isolated(item, name) != value:
+            chain.append(Equality(Symbol(name), isolated(item, name) or value))
+        chain.extend(more)
+        result = Equality(Symbol(name), value)
+        if not chain or chain[-1] != result:
+            chain.append(result)
+        step = Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), name, item.section, reason)
+        self.steps.append(step)
+        return step
+
+    def _last(self, item: Item, asked: str) -> Found:
+        """The asked unknown from the last equation."""
+        written = isolated(item, asked)
+        integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
+        candidates, more, reason = self._roots(item, asked)
+        if not candidates:
+            return self._numeric(item, asked)
+        picked: Choice | None = (0, ()) if len(candidates) == 1 else self.choose(asked, [self._with_answers(c) for c in candidates])
+        if picked is None:
+            raise Contradiction(item.index)
+        value = candidates[picked[0]]
+        final = self.simplify(self._with_answers(value))
+        if final != value:
+            used = [name for name in self.solved if name in value.symbols()]
+            first = [*more, Equality(Symbol(asked), value)] if not integrals else list(more)
+            item.sources[:0] = [("known", name) for name in used]
+            self._keep_written(item, asked, first, final, picked[1] or reason)
+        elif item.sources or item.ref[0] != "law" or written != final:
+            self._step(item, asked, final, picked[1] or reason, more)
+        others = tuple(self.simplify(self._with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
+        return Found(asked, final, None, others)
+
+    def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
+        """A step whose first equality is in letters found before, and whose last has them put in."""
+        chain = [equality for k, equality in enumerate(first) if k == 0 or equality != first[k - 1]]
+        explicit = isolated(item, asked)
+        if explicit is None and any(ref[0] != "known" for ref in item.sources):
+            chain.insert(0, Equality(item.left, item.right))
+        chain.append(Equality(Symbol(asked), final))
+        self.steps.append(Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), asked, item.section, reason))
+
+    def _roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality], Words]:
+        """Closed forms of the asked unknown, with the line before the root where it is one."""
+        left, right = self._carried_out(item.left), self._carried_out(item.right)
+        gap = left - right
+        written = isolated(item, asked)
+        if written is not None:
+            return [self.simplify(self._carried_out(written))], [], ()
+        parts = coefficients(gap, asked, order=self.order, positive=self.positive)
+        if parts is not None and len(parts) < 2:
+            raise Redundant(item.index) if is_zero(self._with_answers(gap), self.positive) else Contradiction(item.index)
+        if parts is not None and len(parts) <= 3:
+            roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
+            pure = len(parts) == 3 and parts[1] == ZERO
+            more = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
+            return roots, more, ()
+        trig = solve_trig(self._with_answers(gap), asked, order=self.order, positive=self.positive)
+        return [candidate.formula for candidate in trig], [], ()
+
+    def _numeric(self, item: Item, asked: str) -> Found:
+        """A certified root where there is no closed form."""
+        gap = self._with_answers(self._carried_out(item.left) - self._carried_out(item.right))
+        if gap.symbols() - set(self.values) - {asked}:
+            raise NoClosedForm(f"{asked} has no closed form, and not every given has a number")
+        for reach in (10, 1000, 10**6):
+            roots = real_roots(gap, asked, self.values, -reach, reach)
+            if roots.roots:
+                picked = self.choose(asked, [as_formula(root) for root in roots.roots])
+                reason: Words = ("no closed form: solved numerically, with certified digits",)
+                self.steps.append(
+                    Step(len(self.steps) + 1, item.ref, tuple(item.sources), (Equality(item.left, item.right),), asked, item.section, reason)
+                )
+                return Found(asked, None, roots.roots[picked[0] if picked else 0])
+        raise NoClosedForm(f"no value of {asked} satisfies the equations")
+
+    def _with_answers(self, value: Formula) -> Formula:
+        """Answers found before put in."""
+        known = {name: found.formula for name, found in self.solved.items() if found.formula is not None}
+        used = {name: known[name] for name in value.symbols() if name in known}
+        return value.substitute(used) if used else value
+
+    def _carried_out(self, value: Formula) -> Formula:
+        """All integrals in closed form where there is one."""
+
+        def change(node: Formula) -> Formula:
+            if not isinstance(node, Integral):
+                return node
+            done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
+            return node if done is None else self.simplify(done)
+
+        return value.transform(change)
+
+
+def inner(item: Item) -> set[str]:
+    """Letters inside integrals, where a bound variable hides nothing."""
+    return {
+        name
+        for side in (item.left, item.right)
+        for node in side.walk()
+        if isinstance(node, Integral)
+        for name in node.integrand.symbols()
+    }
+
+
+def isolated(item: Item, name: str) -> Formula | None:
+    """The other side where the unknown stands alone on one and does not occur there."""
+    letter = Symbol(name)
+    if item.left == letter and name not in item.right.symbols():
+        return item.right
+    if item.right == letter and name not in item.left.symbols():
+        return item.left
+    return None
+
+
+def monomial(value: Formula) -> bool:
+    """Whether a formula is a single term without sums."""
+    return not any(isinstance(node, (Sum, Integral)) for node in value.walk())
+
+
+def as_formula(root: Certified) -> Formula:
+    """A certified root as a number, for choosing between roots only."""
+    return Number(Fraction(root.float))

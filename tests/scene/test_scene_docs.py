@@ -1,0 +1,87 @@
+"""docs/language.md: its scenes can be read, its reference is that of the tables, and the JSON Schema accepts them."""
+
+import re
+from pathlib import Path
+
+import jsonschema
+import pytest
+import yaml
+
+from rotsolve.core.faults import SceneError
+from rotsolve.scene.describe import BEGIN, describe, generate, words
+from rotsolve.scene.read import read_text
+from rotsolve.scene.schema import json_schema
+
+DOC = (Path(__file__).parent.parent.parent / "docs" / "language.md").read_text(encoding="utf-8")
+SCENES = re.findall(r"```yaml\n(.*?)```", DOC, re.DOTALL)
+LATER = """title: Words that come later
+up: z
+assume: [fast spin]
+given: {m: 2 kg, a: 1 m, w: 3 rad/s, rho: 3 kg/m^3}
+surfaces: {bowl: {hollow: a}, hill: {dome: a}, edge: {corner: [0, a]}, track: profile unknown}
+bodies:
+  top: {shape: cone, mass: m, radius: a/2, length: a, axis: z}
+  box: {shape: cuboid, mass: m, sides: [a, a, 2*a], thickness: a}
+  fog: {shape: sphere, density: rho*x/a}
+  egg: {shape: ellipsoid, mass: m, sides: [a, a, a], inertia: [1, 2, 3], angular_velocity: w}
+  beam: {shape: rod, mass: m, length: a}
+connections:
+  foot: {ball: top.tip}
+  root: {clamp: beam.start}
+  slide: {rides: [box, beam]}
+  pin: {hinge: egg.center, along: [0, 0, 1]}
+actions: {brake: {press: 3 N, on: top, friction: 0.3}}
+states: {now: {top.spin: w, steady: true, top.angle from up: 30 deg}, then: {}}
+events: {stop: {fixes: beam.end, from: now, to: then}, hold: {grips: slide, from: now, to: then}}
+find: {P: top.precession, M: beam.at(a/2).bending_moment, T: period of small swings, x: angle of beam from box}
+"""
+
+
+def test_the_page_has_scenes() -> None:
+    assert len(SCENES) >= 10
+
+
+@pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.splitlines()[0])
+def test_every_scene_of_the_page_is_read(scene: str) -> None:
+    assert read_text(scene).finds
+
+
+def test_words_that_come_later_are_refused_by_name() -> None:
+    with pytest.raises(SceneError) as caught:
+        read_text(LATER)
+    others = [fault for fault in caught.value.faults if fault.kind != "not yet"]
+    assert [fault.message for fault in others] == []
+    named = {fault.message.split("`")[1] for fault in caught.value.faults}
+    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "rides", "press", "fixes", "grips", "steady"} <= named
+    assert {"spin", "precession", "bending_moment", "period of", "angle of", "inertia tensor", "assume"} <= named
+
+
+@pytest.mark.parametrize("scene", [*SCENES, LATER], ids=lambda scene: scene.splitlines()[0])
+def test_the_schema_accepts_every_scene(scene: str) -> None:
+    jsonschema.Draft202012Validator(json_schema()).validate(yaml.load(scene, yaml.BaseLoader))
+
+
+def test_the_schema_refuses_unknown_words() -> None:
+    validator = jsonschema.Draft202012Validator(json_schema())
+    validator.check_schema(json_schema())
+    cases: list[dict[str, object]] = [
+        {"bodies": {}, "find": {}},
+        {"bodies": {}, "find": {"a": "b"}, "titel": "x"},
+        {"bodies": {"a": {"shape": "disk"}}, "find": {"a": "b"}},
+        {"bodies": {"a": {"raduis": "R"}}, "find": {"a": "b"}},
+        {"bodies": {}, "find": {"a": "b"}, "connections": {"c": {"axel": "a"}}},
+    ]
+    for wrong in cases:
+        assert not validator.is_valid(wrong)
+
+
+def test_the_reference_is_that_of_the_tables() -> None:
+    """Renew it with: python -c 'from rotsolve.scene.describe import renew; renew("docs/language.md")'"""
+    assert DOC[DOC.index(BEGIN) :] == generate()
+
+
+def test_every_word_can_be_described() -> None:
+    for word, _ in words():
+        assert f"`{word}`" in describe(word)
+    with pytest.raises(KeyError, match="did you mean `hinge`"):
+        describe("hing")
