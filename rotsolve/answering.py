@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 
 from rotsolve.algebra.ball import evaluate
 from rotsolve.algebra.balls import Undefined
-from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
+from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.motion.finds import Asked
@@ -21,11 +21,6 @@ from rotsolve.solve import Choice, Contradiction, Found, NoClosedForm, Redundant
 
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 TRIES = 12
-RANKS = (  # order of letters in a printed product, by dimension
-    "number", "mass", "moment of inertia", "stiffness", "torsional stiffness", "force",
-    "torque", "power", "acceleration", "momentum", "impulse", "velocity", "length", "time", "frequency", "angular velocity",
-    "angular acceleration", "angle",
-)  # fmt: skip
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
@@ -66,7 +61,13 @@ class Session:
         self.planner = Planner(self.pool)
         self.refs: dict[int, Ref] = {}
         self.known = {given.name for given in problem.givens if not given.asked} | {"time"}
-        self.solver = Solver(self.planner.pool, letter_order(problem.givens), positive_letters(problem.givens), self.values, self.choose, self.refs)
+        self.solver = Solver(self.planner.pool, self._order(), positive_letters(problem.givens), self.values, self.choose, self.refs)
+
+    def _order(self) -> tuple[str, ...]:
+        """All letters, givens before the quantities of the laws where they rank alike."""
+        quantities = self.history.registry.quantities.values()
+        named = [(given.name, given.dimension) for given in self.givens.values()]
+        return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
 
     def answer(self, asked: Asked) -> Answered:
         """Settle one question, and remember it for the next."""
@@ -216,25 +217,6 @@ class Session:
 
 def remark_of(asked: Asked) -> Words:
     return (asked.remark,) if asked.remark else ()
-
-
-def letter_order(givens: Sequence[Given]) -> tuple[str, ...]:
-    """Names in the order in which a textbook writes them in a product: numbers, masses, forces, g, speeds, lengths, times."""
-
-    def rank(item: tuple[int, Given]) -> tuple[int, int]:
-        index, given = item
-        return (rank_of(given.dimension), index)
-
-    return tuple(given.name for _, given in sorted(enumerate(givens), key=rank))
-
-
-def rank_of(dimension: Dimension | None) -> int:
-    if dimension is None:
-        return len(RANKS)
-    for index, word in enumerate(RANKS):
-        if DIMENSIONS[word] == dimension:
-            return index
-    return len(RANKS)
 
 
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:

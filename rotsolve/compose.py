@@ -133,6 +133,7 @@ class Composer:
         target = self._mark(step.target)
         sources = [self._mark(ref) for ref in step.sources if ref != step.target]
         marks = list(dict.fromkeys(mark for mark in sources if mark and mark != target))
+        marks.sort(key=lambda mark: (mark.startswith("("), int(mark[1:-1]) if mark.startswith("(") else 0))
         if not marks:
             return f"from {target}" if target else ""
         listed = marks[0] if len(marks) == 1 else ", ".join(marks[:-1]) + " and " + marks[-1]

@@ -203,7 +203,7 @@ class Solver:
     def _eliminate(self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
         refs: list[Ref] = [item.ref, *item.sources]
-        if not trivial or len(item.sources) > 1:
+        if not trivial or item.sources:
             step = self._step(item, name, value, ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 1), refs[0]))

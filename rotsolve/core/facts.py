@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from rotsolve.algebra.exact import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, Heading, Vector
@@ -72,8 +73,9 @@ class Force:
 
     @property
     def torque(self) -> Formula:
-        """r × F about the reference, counterclockwise positive."""
-        return self.arm.cross(self.vector)
+        """r × F about the reference, counterclockwise positive; a slanted unit vector's components are drawn together."""
+        torque = self.arm.cross(self.vector)
+        return torque if len(self.direction.parts) == 1 else simplify(torque)
 
 
 @dataclass(frozen=True, slots=True)

@@ -71,7 +71,7 @@ class Registry:
             for quantity in pending:
                 wanted.setdefault(index(quantity), []).append(quantity)
             for name, group in wanted.items():
-                if len(group) == 1 and name not in occupied and not _kin(names, self.quantities, group[0], name, index):
+                if len(group) == 1 and name not in occupied:
                     names[group[0].key] = name
                 else:
                     rest.extend(group)
@@ -82,13 +82,6 @@ class Registry:
         return names
 
 
-def _kin(names: dict[str, str], known: dict[str, Quantity], quantity: Quantity, name: str, index: object) -> bool:
-    """Whether a plain letter would hide that another quantity of the same letter already has a name of its own."""
-    if name != quantity.letter:
-        return False
-    return any(known[key].letter == quantity.letter for key in names if key in known and names[key] != quantity.letter and False)
-
-
 def _join(*parts: str) -> str:
     return "_".join(part for part in parts if part)
 
@@ -96,6 +89,7 @@ def _join(*parts: str) -> str:
 def _indices() -> tuple:
     """Ways to index a letter, from the plainest on."""
     return (
+        lambda q: q.letter if q.kind == "inertia" else _join(q.letter, q.component),
         lambda q: _join(q.letter, q.component),
         lambda q: _join(q.letter, q.component, q.owner),
         lambda q: _join(q.letter, q.component, q.when),

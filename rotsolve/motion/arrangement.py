@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO
+from rotsolve.core.letters import letter_order
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection
@@ -46,6 +47,11 @@ class Arrangement:
     @cached_property
     def timeline(self) -> Timeline:
         return timeline(self.problem)
+
+    @cached_property
+    def order(self) -> tuple[str, ...]:
+        """Letters in the order in which a textbook writes them in a product."""
+        return letter_order((given.name, given.dimension) for given in self.problem.givens)
 
     @cached_property
     def bodies(self) -> dict[str, Body]:

@@ -55,7 +55,8 @@ def participants(event: Event) -> tuple[PointRef, ...]:
 
 def support(body: BodyFacts, instant: Instant) -> str:
     """What the body's axis is called."""
-    return "pivot" if body.cm.parts or not body.round else "axle"
+    held = (item for item in instant.arrangement.connections(instant.state) for ref in item.fixed_points() if ref.owner == body.name)
+    return "axle" if any(item.word == "axle" for item in held) else "pivot"
 
 
 def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, ...], place: Vector | None) -> Meeting:

@@ -90,7 +90,7 @@ def positive_sense(body: Body, instant: Instant) -> str:
 def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
     members = instant.arrangement.cluster(body.name, instant.state)
-    formula, remark = moment_about(own.pieces, own.reference)
+    formula, remark = moment_about(own.pieces, own.reference, instant.arrangement.order)
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
     letter = given_inertia(body, own, bool(members))

@@ -151,7 +151,7 @@ class Reader:
             support = next((item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None)
             ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
             point = locate(instant.body(name), ref)
-        moment, _ = moment_about(own.pieces, point)
+        moment, _ = moment_about(own.pieces, point, instant.arrangement.order)
         if path.quantity == "inertia":
             return moment
         return simplify(sqrt(moment / total([piece.mass for piece in own.pieces])))
@@ -171,7 +171,7 @@ class Reader:
         instant = self.instant
         place = meeting_place(body.name, about, instant)
         spin = body.inertia.letter * body.motion.spin if body.inertia is not None else ZERO
-        orbital = place.cross(body.centre_velocity.times(body.mass))
+        orbital = place.cross(body.centre_velocity.scaled(body.mass))
         return total([part for part in (orbital, spin) if part != ZERO])
 
     def _momentum(self, name: str, component: str | None) -> Formula:
@@ -200,7 +200,7 @@ class Reader:
             vector = vector + force.vector
         if component in ("x", "y"):
             return vector.along(RIGHT if component == "x" else UP)
-        pull = body.centre_acceleration.times(body.mass)
+        pull = body.centre_acceleration.scaled(body.mass)
         if component in ("tangential", "normal"):
             part = pull.parts[:1] if component == "tangential" else pull.parts[1:]
             return Meaning(size_of(Vector(part), signed_by=body.motion.sense), BY_WORD["force"].dimension, Vector(part))

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.exact import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
 from rotsolve.elements.shapes import Particle, Place, Rod, Shape
@@ -93,7 +93,7 @@ def place(at: Place) -> Vector:
 def tidy(arm: Vector) -> Vector:
     """The vector with its rightward and upward parts simplified, so that what cancels is gone."""
     if len({direction for _, direction in arm.parts}) == len(arm.parts):
-        return arm
+        return Vector(tuple((simplify(size) if isinstance(size, Sum) else size, direction) for size, direction in arm.parts))
     collected: dict[Heading, Formula] = {}
     for size, direction in arm.parts:
         opposite = direction.turned(180)
@@ -130,7 +130,7 @@ def centre_of_mass(items: tuple[Piece, ...]) -> Vector:
     return cartesian(x, y)
 
 
-def moment_about(items: tuple[Piece, ...], point: Vector) -> tuple[Formula, Words]:
+def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...] = ()) -> tuple[Formula, Words]:
     """Moment of inertia about a point: as a simplified formula, and the parallel-axes sum that it comes from."""
     terms: list[Formula] = []
     shifted = False
@@ -143,4 +143,4 @@ def moment_about(items: tuple[Piece, ...], point: Vector) -> tuple[Formula, Word
             terms.append(piece.mass * distance)
             shifted = shifted or piece.moment != ZERO
     whole = total(terms)
-    return simplify(whole), (("parallel axes: ", whole) if shifted else ())
+    return simplify(whole, order=order), (("parallel axes: ", whole) if shifted else ())

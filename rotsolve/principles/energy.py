@@ -30,7 +30,7 @@ def conservation(passage: Passage, section: str) -> Iterator[Equation]:
         if not flat(left) and not flat(right):
             continue
         sides = arranged(left, right)
-        label = "work and energy" if works else "energy is conserved"
+        label = "work and energy: K₁ + U₁ + W = K₂ + U₂" if works else "energy: K₁ + U₁ = K₂ + U₂"
         yield Equation(*sides, label, section, ENERGY, 4, reason(passage, group, bool(works)), bodies=tuple(sorted(group)))
 
 

@@ -32,7 +32,7 @@ def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Itera
         if arm is None or body.motion.kind != "line" or body.motion.turns or body.motion.heading is None:
             return
         along = body.motion.heading
-        rates.append(signed(arm.cross(body.motion.acceleration.times(body.mass)), sense))
+        rates.append(signed(arm.cross(body.motion.acceleration.scaled(body.mass)), sense))
         for force in body.forces:
             if not force.internal:
                 pull = Vector(((force.vector.along(along), along),))
@@ -66,7 +66,7 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     point, sense = held.pop(), body.motion.sense
     pushes = [signed((force.arm - point).cross(force.vector), sense) for force in body.forces if not force.internal]
     pushes += [signed(couple.torque, sense) for couple in body.couples]
-    orbital = signed((-point).cross(body.motion.acceleration.times(body.mass)), sense)
+    orbital = signed((-point).cross(body.motion.acceleration.scaled(body.mass)), sense)
     rates = [term for term in (response(body), orbital) if term != ZERO]
     label = f"angular momentum about the point of contact of {spoken(body.name)}: its rate is the torque"
     yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(body.name,))
@@ -135,7 +135,7 @@ def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
     velocity, spin = (item.after, item.spin_after) if after else (item.before, item.spin_before)
     terms = [item.inertia * signed(spin, sense)]
     if item.body.motion.kind != "axis" and item.place is not None:
-        terms.append(signed(item.place.cross(velocity.times(item.body.mass)), sense))
+        terms.append(signed(item.place.cross(velocity.scaled(item.body.mass)), sense))
     return [term for term in terms if term != ZERO]
 
 

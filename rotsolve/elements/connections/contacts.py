@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
-from rotsolve.core.facts import Force, Requirement, Rule
+from rotsolve.core.facts import Force, Requirement, Rule, square
 from rotsolve.core.heading import NOWHERE, Heading, Vector, unit, vector
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
@@ -140,7 +140,8 @@ def contact_arm(ref: PointRef, surface: Surface, instant: Instant) -> Vector:
 def slip_rule(owner: str, label: str, name: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool) -> Rule:
     """The touching point does not move along a direction: travel of the centre on the left, turning on the right."""
     motion = instant.motion(name)
-    turning = motion.velocity_of(arm) - motion.velocity, motion.acceleration_of(arm) - motion.acceleration
+    turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
+    turning = turned.times(motion.spin), turned.times(motion.spin_rate) + inward
     left = motion.velocity.along(direction), motion.acceleration.along(direction)
     right = tuple(negate(part.along(direction)) for part in turning)
     # the centripetal part of a rolling wheel's contact point is along the normal: a rule along the surface has none
