@@ -36,8 +36,9 @@ class Draft:
 class Composer:
     """Turns what a session found into a derivation."""
 
-    def __init__(self, session: Session) -> None:
+    def __init__(self, session: Session, first: int = 1) -> None:
         self.session = session
+        self.first = first  # number of the first equation
         self.history = session.history
         self.problem: Problem = self.history.arrangement.problem
         self.pool = session.planner.pool
@@ -151,10 +152,10 @@ class Composer:
         numbers: dict[Ref, int] = {}
         for draft in self.drafts:
             for index in draft.laws:
-                numbers[("law", index)] = len(numbers) + 1
+                numbers[("law", index)] = len(numbers) + self.first
             for step in draft.steps:
                 if ("step", step.number) in used:
-                    numbers[("step", step.number)] = len(numbers) + 1
+                    numbers[("step", step.number)] = len(numbers) + self.first
         return numbers
 
     def _forces(self, draft: Draft) -> tuple[ForceLine, ...]:

@@ -11,6 +11,7 @@ from rotsolve.answering import NoAnswer, Session, families_for
 from rotsolve.compose import Composer
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
+from rotsolve.friction import decide
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.finds import Unclear, asked
@@ -38,12 +39,14 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     whole = completed(problem)
-    history = History(Arrangement(whole))
+    arrangement = Arrangement(whole)
+    decision = decide(arrangement)
+    history = History(arrangement, decision.modes)
     session = Session(history, families_for(law), spare=law is not None)
     for find in whole.finds:
         answer(session, find)
-    composer = Composer(session)
-    derivation = composer.derivation(())
+    composer = Composer(session, decision.numbered + 1)
+    derivation = composer.derivation((), decision.sections)
     trace = Trace(lambda: "", lambda: equations_text(history), lambda: "")
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

@@ -198,6 +198,11 @@ class Arrangement:
             return state
         return phase.name
 
+    def phase_start(self, state: str) -> str:
+        """The state at which the phase of a state starts, or the state itself."""
+        phase = self.timeline.phase_of(state)
+        return phase.start if phase is not None else state
+
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""
         said = (line.path for state in self.problem.states for line in state.conditions if line.path)

@@ -12,6 +12,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.elements.connections.contacts import Touch
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter, participants
 from rotsolve.motion.freebody import free_bodies
@@ -214,6 +215,17 @@ class History:
             elif interval.name in self.encounters:
                 yield from momentum.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
+        yield from self._grips()
+
+    def _grips(self) -> Iterator[Equation]:
+        """Contacts that a state says to roll or stick: their touching points are at rest then."""
+        for state in self.arrangement.timeline.states:
+            said = {line.path.owner for line in state.conditions if line.path is not None and line.word in ("rolls", "sticks")}
+            for item in self.arrangement.connections(state.name):
+                if item.name in said and isinstance(item, Touch):
+                    rule = item.grip_rule(self.instant(state.name))
+                    if rule is not None:
+                        yield constraints.written(rule, rule.velocity, state.name)
 
     def section(self, state: str) -> str:
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""

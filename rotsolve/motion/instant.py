@@ -60,7 +60,7 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
 
 
 def rim_radius(body: Body, point: str | None) -> Formula | None:
-    """Radius of the rim that a point names: a name of `radii`, else the outer rim."""
+    """Radius of the rim that a point names: a name of `radii`, else the shape's rim, else the last named of a stepped drum."""
     for name, radius in body.radii:
         if name == point:
             return radius
@@ -72,14 +72,15 @@ def rim_radius(body: Body, point: str | None) -> Formula | None:
         return shape.outer
     if body.radius is not None:
         return body.radius
-    return body.radii[0][1] if len(body.radii) == 1 else None
+    return body.radii[-1][1] if body.radii else None
 
 
 @dataclass(frozen=True)
 class Instant:
     """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`.
 
-    `modes` says which contacts slip ("slips", "slips back": against or along the positive travel) rather than stick. A `virtual`
+    `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
+    "slips back" against it. A `virtual`
     moment has the positions and accelerations of its state, but velocities of its own: any small motion that the rules allow.
     """
 
@@ -102,7 +103,7 @@ class Instant:
         return VIRTUAL + self.when if self.virtual else self.when
 
     def mode(self, contact: str) -> str:
-        return self.modes.get(contact, "sticks")
+        return self.modes.get(f"{contact}@{self.arrangement.phase_start(self.state)}", "sticks")
 
     def span(self, name: str) -> str:
         return self.when if self.generic else self.arrangement.span(name, self.state)

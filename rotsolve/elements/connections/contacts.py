@@ -76,6 +76,21 @@ class Touch(Connection):
             yield slip_rule(self.name, label, name, arm, surface.normal, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
+    def touching_velocity(self, instant: Instant) -> Vector:
+        """Velocity of the body's touching point."""
+        ref, surface = self.pair()[0], self.surface(instant.arrangement)
+        return NOWHERE if surface is None else instant.motion(ref.owner).velocity_of(contact_arm(ref, surface, instant))
+
+    def grip_rule(self, instant: Instant) -> Rule | None:
+        """No slip at this moment, for a state that says `rolls` or `sticks`."""
+        ref, surface = self.pair()[0], self.surface(instant.arrangement)
+        if surface is None:
+            return None
+        name, motion = instant.host(ref.owner), instant.motion(ref.owner)
+        forward = motion.heading or surface.normal.turned(-90)
+        arm = contact_arm(ref, surface, instant)
+        return slip_rule(self.name, f"{spoken(name)} no longer slips", name, arm, forward, instant, linear=False)
+
     def friction_facts(self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula) -> Iterator[Fact]:
         """Friction: none; sticking (a force as large as it takes, and no slip); or slipping (μ N against the slip)."""
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)

@@ -1,0 +1,189 @@
+"""Friction: whether each contact sticks or slips, and which way, phase by phase.
+
+A contact that moves at the start slips. Of one at rest stick is tried first: the friction that it takes is worked out and held
+against μₛ N; if that is too much, the contact slips the way the friction was to hold.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.algebra.formula import Formula, Symbol, call
+from rotsolve.answering import Answered, NoAnswer, Session
+from rotsolve.compose import Composer, spoken
+from rotsolve.core.derivation import Equality, Move, Section, Words
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.finds import Asked
+from rotsolve.motion.history import History
+from rotsolve.motion.instant import Instant
+from rotsolve.scene.model import Find
+
+ROUNDS = 6
+FORWARD, BACK = "slips", "slips back"
+
+
+@dataclass(frozen=True)
+class Decision:
+    """How the contacts behave, with the sections that show why."""
+
+    modes: dict[str, str]
+    sections: tuple[Section, ...]
+    numbered: int = 0  # equations numbered so far
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A contact tried as sticking in one phase: the session with friction and normal force worked out."""
+
+    key: str
+    contact: Touch
+    session: Session
+    friction: Answered
+    normal: Answered
+
+
+def decide(arrangement: Arrangement) -> Decision:
+    """The modes of all contacts with a coefficient of friction."""
+    modes: dict[str, str] = {}
+    sections: list[Section] = []
+    number = 1
+    pending = open_contacts(arrangement)
+    for key, (contact, state) in pending.items():
+        moving = slip_at_start(arrangement, contact, state, modes)
+        if moving:
+            modes[key] = FORWARD if moving > 0 else BACK
+    for _ in range(ROUNDS):
+        changed = False
+        for key, (contact, state) in pending.items():
+            if key in modes:
+                continue
+            verdict = tried(arrangement, contact, state, modes, key)
+            if verdict is not None:
+                modes[key], trial = verdict
+                changed = True
+                if trial is not None:
+                    section, number = shown(trial, number)
+                    sections.append(section)
+        if not changed:
+            break
+    return Decision({key: mode for key, mode in modes.items() if mode != "sticks"}, tuple(sections), number - 1)
+
+
+def open_contacts(arrangement: Arrangement) -> dict[str, tuple[Touch, str]]:
+    """Contacts with a coefficient of friction, by contact and the state at which their phase starts."""
+    found = {}
+    for state in arrangement.timeline.states:
+        start = arrangement.phase_start(state.name)
+        for item in arrangement.connections(start):
+            if isinstance(item, Touch) and item.grip().kind == "coefficient":
+                found[mode_key(item.name, start)] = (item, start)
+    return found
+
+
+def mode_key(contact: str, state: str) -> str:
+    return f"{contact}@{state}"
+
+
+def slip_at_start(arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str]) -> int:
+    """The sign of the velocity with which the touching point slides at the start of a phase; 0 where it is not known to slide."""
+    history = History(arrangement, modes)
+    session = Session(history, (NEWTON,))
+    speed = sliding_speed(history.instant(state), contact)
+    if speed is None or any(SEPARATOR in name for name in speed.symbols()):
+        return 0
+    number = session.number(speed)
+    return 0 if number is None or abs(number) < 1e-12 else 1 if number > 0 else -1
+
+
+def sliding_speed(instant: Instant, contact: Touch) -> Formula | None:
+    """Velocity of the touching point along the body's positive travel."""
+    ref = contact.pair()[0]
+    motion = instant.motion(ref.owner)
+    if motion.heading is None:
+        return None
+    return contact.touching_velocity(instant).along(motion.heading)
+
+
+def tried(
+    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str
+) -> tuple[str, Trial | None] | None:
+    """Stick or slip of one contact at rest; None where the numbers do not tell."""
+    history = History(arrangement, modes)
+    session = Session(history, (NEWTON,))
+    facts = history.facts(state)
+    name = history.instant(state).host(contact.pair()[0].owner)
+    body = facts.body(name)
+    forces = {force.role: force for force in body.forces if force.owner == contact.name} if body else {}
+    if "friction" not in forces:
+        return None
+    try:
+        friction = session.answer(question(forces["friction"].size, f"f_{contact.name}"))
+        normal = session.answer(question(forces["normal"].size, f"N_{contact.name}"))
+    except NoAnswer:
+        return by_motion(arrangement, contact, state, modes, key)
+    needed = session.number(friction.found.formula) if friction.found.formula is not None else None
+    limit = allowed(session, contact, normal)
+    if needed is None or limit is None:
+        return None
+    trial = Trial(key, contact, session, friction, normal)
+    if abs(needed) <= limit:
+        return "sticks", None
+    return (FORWARD if needed > 0 else BACK), trial
+
+
+def allowed(session: Session, contact: Touch, normal: Answered) -> float | None:
+    """The greatest friction that the contact can give, μₛ N."""
+    static = contact.grip().static
+    if static is None or normal.found.formula is None:
+        return None
+    return session.number(static * normal.found.formula)
+
+
+def question(size: Formula, name: str) -> Asked:
+    """A force as a question, to be answered aside."""
+    letter = next(iter(size.symbols())) if size.symbols() else name
+    return Asked(Find(name, size, ()), size, letter, None)
+
+
+def by_motion(
+    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str
+) -> tuple[str, Trial | None] | None:
+    """Where stick contradicts the data: the way in which the body is then known to move."""
+    for mode, sign in ((FORWARD, 1), (BACK, -1)):
+        history = History(arrangement, {**modes, key: mode})
+        instant = history.instant(state)
+        motion = instant.motion(contact.pair()[0].owner)
+        if motion.heading is None:
+            return None
+        session = Session(history, (NEWTON,))
+        value: Formula | None = motion.acceleration.along(motion.heading)
+        names = [name for name in value.symbols() if SEPARATOR in name] if value is not None else []
+        try:
+            value = session.value_of(names[0]) if names else value
+        except NoAnswer:
+            continue
+        number = session.number(value) if value is not None else None
+        if number is not None and number * sign > 0:
+            return mode, None
+    return None
+
+
+def shown(trial: Trial, first: int) -> tuple[Section, int]:
+    """The section that shows why a contact can not stick, and the number of the next equation."""
+    composer = Composer(trial.session, first)
+    body = spoken(trial.contact.pair()[0].owner)
+    derivation = composer.derivation(())
+    laws = tuple(law for section in derivation.sections for law in section.laws)
+    moves = tuple(move for section in derivation.sections for move in section.moves)
+    static = trial.contact.grip().static
+    needed, normal = trial.friction.found.formula, trial.normal.found.formula
+    assert static is not None and needed is not None and normal is not None
+    limit = trial.session.solver.simplify(static * normal)
+    sizes = [certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None]
+    letter = Symbol(composer.names[trial.friction.asked.letter])
+    words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
+    move = Move("", (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),), None, words)
+    return Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move)), first + len(composer.numbers)
