@@ -117,9 +117,17 @@ class Session:
             for index, equation in enumerate(self.planner.pool)
             if index not in banned and (not equation.family or equation.family in self.families)
         ]
-        first = [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
-        plan = self.planner.plan(letter, self.known, allowed if self.spare else first)
-        return plan if isinstance(plan, Plan) or self.spare else self.planner.plan(letter, self.known, allowed)
+        first = allowed if self.spare else [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
+        plans = [self.planner.plan(letter, self.known, pool) for pool in self._starts(first)]
+        settled = [plan for plan in plans if isinstance(plan, Plan)]
+        if settled:
+            return min(settled, key=lambda plan: plan.cost)
+        return plans[0] if self.spare else self.planner.plan(letter, self.known, allowed)
+
+    def _starts(self, allowed: list[int]) -> list[list[int]]:
+        """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
+        alone = [[index for index in allowed if self.planner.pool[index].family in ("", law)] for law in self.families]
+        return [allowed, *alone] if len(self.families) > 1 else [allowed]
 
     def _remember(self) -> None:
         """Results found on the way may serve the next question."""

@@ -21,6 +21,7 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solve import Ref, Step
 
+SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
@@ -122,7 +123,8 @@ class Composer:
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index].renamed(self.letters)
-        return LawLine(self.numbers[("law", index)], equation.label, Equality(equation.left, equation.right), equation.remark)
+        remark = () if equation.family in SENTENCES else equation.remark
+        return LawLine(self.numbers[("law", index)], equation.label, Equality(equation.left, equation.right), remark)
 
     def _move(self, step: Step) -> Move:
         chain = tuple(Equality(one.left.substitute(self.letters), one.right.substitute(self.letters)) for one in step.chain)
@@ -194,7 +196,9 @@ class Composer:
         return ForceLine(spoken(name), tuple(spoken_of), body.positive, tuple(remarks))
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
-        return ()
+        """Why what is conserved is conserved, as sentences."""
+        remarks = {self.pool[index].remark: None for index in draft.laws if self.pool[index].family in SENTENCES and self.pool[index].remark}
+        return tuple(self.words(remark) for remark in remarks)
 
     # letters
 

@@ -20,6 +20,7 @@ from rotsolve.motion.questions import NotYet
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
+from rotsolve.verify import checks
 
 
 def solve(source: str | os.PathLike[str], *, law: str | None = None, settings: Mapping[str, str] | None = None, digits: int = 4) -> Solution:
@@ -46,7 +47,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     for find in whole.finds:
         answer(session, find)
     composer = Composer(session, decision.numbered + 1)
-    derivation = composer.derivation((), decision.sections)
+    derivation = composer.derivation(checks(session, composer), decision.sections)
     trace = Trace(lambda: "", lambda: equations_text(history), lambda: "")
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 

@@ -186,7 +186,8 @@ class Solver:
         """The value of an unknown from one equation: as written where it stands alone, else solved."""
         explicit = isolated(item, name)
         if explicit is not None:
-            return explicit if not any(isinstance(node, Integral) for node in explicit.walk()) else self._carried_out(explicit)
+            explicit = self._carried_out(explicit)
+            return self.simplify(explicit) if item.sources else explicit
         value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
         if value is None and alone:
             roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
@@ -250,7 +251,7 @@ class Solver:
             first = [*more, Equality(Symbol(asked), value)] if not integrals else list(more)
             item.sources[:0] = [("known", name) for name in used]
             self._keep_written(item, asked, first, final, picked[1] or reason)
-        elif item.sources or item.ref[0] != "law" or written != final:
+        elif item.sources or written != final:
             self._step(item, asked, final, picked[1] or reason, more)
         others = tuple(self.simplify(self._with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
         return Found(asked, final, None, others)

@@ -61,7 +61,9 @@ class Formula:
 
     def __pow__(self, other: Formula | int | Fraction) -> Formula:
         exponent = formula(other)
-        return self if exponent == ONE else Power(self, exponent)
+        if exponent == ONE or (self in (ZERO, ONE) and isinstance(exponent, Number) and exponent.value > 0):
+            return self
+        return Power(self, exponent)
 
     def __neg__(self) -> Formula:
         return negate(self)

@@ -89,7 +89,6 @@ def _join(*parts: str) -> str:
 def _indices() -> tuple:
     """Ways to index a letter, from the plainest on."""
     return (
-        lambda q: q.letter if q.kind == "inertia" else _join(q.letter, q.component),
         lambda q: _join(q.letter, q.component),
         lambda q: _join(q.letter, q.component, q.owner),
         lambda q: _join(q.letter, q.component, q.when),

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Potential, Requirement, Rule
 from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
 from rotsolve.motion.instant import Frame, Instant
 from rotsolve.motion.rigid import mass_of, moment_about, shape_of
-from rotsolve.scene.model import Body
+from rotsolve.scene.model import Body, PointRef
 
 
 def free_bodies(instant: Instant) -> Facts:
@@ -36,21 +36,24 @@ def free_bodies(instant: Instant) -> Facts:
 
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     """The weight m g, down at the centre of mass; none where nothing weighs or the picture is seen from above."""
-    gravity, mass = instant.arrangement.problem.gravity, cluster_mass(name, instant)
-    if gravity is None or not instant.arrangement.heavy or mass == ZERO:
+    gravity = instant.arrangement.problem.gravity
+    if gravity is None or not instant.arrangement.heavy:
         return ()
-    size = mass * gravity
-    arm = instant.frame(name).cm.rotated(instant.orientation(name))
-    place = ", at the centre of mass" if arm.parts else ""
-    return (Force("", "weight", name, size, unit(DOWN), arm, ("weight ", size, f", down{place}")),)
+    forces = []
+    for owner in (name, *(member.name for member in instant.arrangement.cluster(name, instant.state))):
+        mass = mass_of(instant.body(owner))
+        if mass != ZERO:
+            size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
+            place = ", at the centre of mass" if arm.parts and owner == name else ""
+            what = "weight " if owner == name else f"weight of {owner.replace('_', ' ')} "
+            forces.append(Force("", "weight", name, size, unit(DOWN), arm, (what, size, f", down{place}")))
+    return tuple(forces)
 
 
 def cluster_mass(name: str, instant: Instant) -> Formula:
     """Mass of a body with all that is joined to it."""
-    mass = mass_of(instant.body(name))
-    for member in instant.arrangement.cluster(name, instant.state):
-        mass = mass + mass_of(instant.body(member.name))
-    return mass
+    members = instant.arrangement.cluster(name, instant.state)
+    return total([mass_of(instant.body(owner)) for owner in (name, *(member.name for member in members))])
 
 
 def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: tuple[Couple, ...]) -> BodyFacts:
@@ -94,11 +97,12 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
     letter = given_inertia(body, own, bool(members))
-    label, about = inertia_label(body, instant, own, [member.name for member in members])
+    label = inertia_label(body, instant, own, [member.name for member in members])
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
-        letter = instant.registry.ask(Quantity("inertia", joined, "", about, kind.letter, kind.dimension))
+        name = f"{kind.letter}_total" if members else kind.letter
+        letter = instant.registry.ask(Quantity("inertia", joined, "", "", name, kind.dimension))
     return Inertia(letter, formula, label, remark)
 
 
@@ -108,8 +112,8 @@ def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
     return body.inertia if simple else None
 
 
-def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) -> tuple[str, str]:
-    """Words for a moment of inertia, such as "rod about its end", and a short name of the point."""
+def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) -> str:
+    """Words for a moment of inertia, such as "rod about its end"."""
     shape = shape_of(body).word
     noun = f"solid {shape}" if shape in ("disc", "cylinder", "sphere") else shape
     if members or body.parts or shape == "particle":
@@ -119,9 +123,9 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
     pivot = instant.arrangement.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
     if not own.cm.parts:
-        return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else ""), ""
+        return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
-        return f"moment of inertia, {noun} about its end", point
-    return f"moment of inertia, {noun} about the pivot", point or "pivot"
+        return f"moment of inertia, {noun} about its end"
+    return f"moment of inertia, {noun} about the pivot"
 
 

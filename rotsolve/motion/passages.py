@@ -71,7 +71,7 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
 
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:
-    """Heights of a body's centre of mass at both ends of a phase, from a level that stays; None where geometry does not tell."""
+    """Heights of a body's reference point at both ends of a phase, from a level that stays; None where geometry does not tell."""
     if not first.arrangement.heavy:
         return (ZERO, ZERO)
     line = first.arrangement.line(name, interval.start)
@@ -83,11 +83,10 @@ def height_pair(name: str, interval: Interval, first: Instant, last: Instant) ->
 
 
 def height(name: str, instant: Instant) -> Formula | None:
-    """Height of the centre of mass above a fixed level: above the pivot, or above the floor that the body touches."""
+    """Height of the reference point above a fixed level: of a pivot 0, of a centre of mass by what the body touches or hangs from."""
     arrangement = instant.arrangement
-    arm = instant.frame(name).cm.rotated(instant.orientation(name))
     if arrangement.pivot(name, instant.state) is not None:
-        return arm.along(UP)
+        return ZERO
     for item in arrangement.connections(instant.state):
         if item.word == "contact":
             ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)  # type: ignore[attr-defined]
@@ -103,11 +102,8 @@ def height(name: str, instant: Instant) -> Formula | None:
 def height_of_point(ref: object, instant: Instant) -> Formula | None:
     """Height of a point of a body above the same fixed level."""
     name = instant.host(ref.owner)  # type: ignore[attr-defined]
-    centre = height(name, instant)
-    if centre is None:
-        return None
-    arm = instant.frame(name).cm.rotated(instant.orientation(name))
-    return centre + (instant.point(ref) - arm).along(UP)  # type: ignore[arg-type]
+    reference = height(name, instant)
+    return None if reference is None else reference + instant.point(ref).along(UP)  # type: ignore[arg-type]
 
 
 def works_on(

@@ -32,7 +32,7 @@ def shape_of(body: Body) -> Shape:
 
 def mass_of(body: Body) -> Formula:
     """Total mass, identical copies counted."""
-    mass = body.mass if body.mass is not None else total([piece.mass for piece in pieces(body)])
+    mass = body.mass if body.mass is not None else simplify(total([piece.mass for piece in pieces(body)]))
     return Number(Fraction(body.count)) * mass if body.count > 1 else mass
 
 
@@ -124,7 +124,7 @@ def centre_of_mass(items: tuple[Piece, ...]) -> Vector:
     places = {tidy(piece.at) for piece in items}
     if len(places) == 1:
         return places.pop()
-    whole = total([piece.mass for piece in items])
+    whole = simplify(total([piece.mass for piece in items]))
     x = simplify(total([piece.mass * piece.at.along(RIGHT) for piece in items]) / whole)
     y = simplify(total([piece.mass * piece.at.along(UP) for piece in items]) / whole)
     return cartesian(x, y)

@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Q
 from rotsolve.algebra.linear import NotLinear, Singular, solve_system
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ENERGY, Equation
+from rotsolve.core.heading import UP
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
 from rotsolve.core.passage import Passage
 from rotsolve.principles.writing import flat, is_negative, moved, positive_first
@@ -30,7 +31,7 @@ def conservation(passage: Passage, section: str) -> Iterator[Equation]:
         if not flat(left) and not flat(right):
             continue
         sides = arranged(left, right)
-        label = "work and energy: K₁ + U₁ + W = K₂ + U₂" if works else "energy: K₁ + U₁ = K₂ + U₂"
+        label = "work and energy, K₁ + U₁ + W = K₂ + U₂" if works else "conservation of energy, K₁ + U₁ = K₂ + U₂"
         yield Equation(*sides, label, section, ENERGY, 4, reason(passage, group, bool(works)), bodies=tuple(sorted(group)))
 
 
@@ -66,9 +67,9 @@ def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula
     terms = []
     for body in facts.bodies:
         heights = passage.heights.get(body.name)
-        weights = [force.size for force in body.forces if force.role == "weight"]
         if body.name in group and heights is not None:
-            terms.extend(weight * heights[end] for weight in weights)
+            weights = [force for force in body.forces if force.role == "weight"]
+            terms.extend(force.size * (heights[end] + force.arm.along(UP)) for force in weights)
     terms.extend(item.energy for item in facts.potentials if group & set(item.bodies))
     return terms
 

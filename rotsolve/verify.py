@@ -1,0 +1,221 @@
+"""Verify: a second law for every answer, dimensions, what strings and contacts can bear, and limits that a reader can check."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.ball import evaluate
+from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.dimension import DimensionError, dimension_of
+from rotsolve.algebra.exact import equal, length
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.answering import Answered, NoAnswer, Session
+from rotsolve.compose import Composer, spoken
+from rotsolve.core.derivation import Check, Words
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
+from rotsolve.core.facts import Requirement
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.registry import SEPARATOR
+
+SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
+SHORT = 3  # a limit is told when its value is no longer than this many nodes
+
+
+def checks(session: Session, composer: Composer) -> tuple[Check, ...]:
+    """All checks of a solved session, the second law first."""
+    return (*second_law(session, composer), *dimensions(session), *limits(session, composer), *requirements(session, composer))
+
+
+def second_law(session: Session, composer: Composer) -> Iterator[Check]:
+    """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
+    pending = [answered for answered in session.answered if answered.found.formula is not None and depends(answered, session)]
+    for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
+        other = Session(session.history, (law,), spare=True)
+        agreed = []
+        for answered in list(pending):
+            if law in families(answered, session):
+                continue
+            formula = again(other, answered)
+            if formula is None or not independent(other, law):
+                continue
+            pending.remove(answered)
+            if same(formula, answered.found.formula, session):
+                agreed.append(answered)
+            else:
+                name = Symbol(answered.asked.find.name)
+                yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(composer.letters)), False)
+        if agreed:
+            names: list[str | Formula] = []
+            for answered in agreed:
+                names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
+            verb = "give" if SAID[law].endswith("s") else "gives"
+            yield Check((f"{SAID[law]} {verb} the same ", *names))
+
+
+def depends(answered: Answered, session: Session) -> bool:
+    """Whether an answer rests on a law at all, and not on definitions alone."""
+    return bool(families(answered, session))
+
+
+def families(answered: Answered, session: Session) -> set[str]:
+    """The laws behind an answer: those of its own plan, and of the answers that it uses."""
+    found: set[str] = set()
+    pending, seen = [answered], set()
+    by_letter = {item.asked.letter: item for item in session.answered}
+    while pending:
+        item = pending.pop()
+        for index in item.used:
+            equation = session.planner.pool[index]
+            if equation.family:
+                found.add(equation.family)
+            elif session.refs.get(index, ("law", 0))[0] == "step":
+                found |= {equation.family for other in session.answered for k in other.used if (equation := session.planner.pool[k]).family}
+            for name in equation.symbols():
+                if name in by_letter and name not in seen:
+                    seen.add(name)
+                    pending.append(by_letter[name])
+    return found & set(LAWS)
+
+
+def again(other: Session, answered: Answered) -> Formula | None:
+    """The answer by another session's laws, None where they do not give it."""
+    try:
+        return other.answer(answered.asked).found.formula
+    except NoAnswer:
+        return None
+
+
+def independent(other: Session, law: str) -> bool:
+    """Whether the other way really used its law for the last answer."""
+    return law in families(other.answered[-1], other)
+
+
+def same(one: Formula, other: Formula | None, session: Session) -> bool:
+    """Exact equality, else agreement of the certified numbers."""
+    if other is None:
+        return False
+    if equal(one, other, session.solver.positive):
+        return True
+    try:
+        gap = evaluate(one - other, session.values, digits=12)
+        size = evaluate(other, session.values, digits=12)
+    except (Undefined, ValueError):
+        return False
+    return abs(gap.float) <= 1e-9 * max(abs(size.float), 1e-300)
+
+
+def dimensions(session: Session) -> Iterator[Check]:
+    """Whether every closed form has the dimension of what was asked."""
+    known = {given.name: given.dimension for given in session.givens.values() if given.dimension is not None}
+    checked = 0
+    for answered in session.answered:
+        formula, wanted = answered.found.formula, answered.asked.dimension
+        if formula is None or wanted is None or formula == ZERO or not formula.symbols() <= set(known) | {"time"}:
+            continue
+        try:
+            if not dimension_of(formula, {**known, "time": DIMENSIONS["time"]}).matches(wanted):
+                yield Check(("the dimension of ", Symbol(answered.asked.find.name), " is wrong"), False)
+            checked += 1
+        except DimensionError as error:
+            yield Check((f"the dimensions of an answer do not agree: {error}",), False)
+    if checked:
+        yield Check(("dimensions agree",))
+
+
+def limits(session: Session, composer: Composer) -> Iterator[Check]:
+    """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
+    best: tuple[int, Words] | None = None
+    for answered in session.answered[:2]:
+        formula = answered.found.formula
+        if formula is None or formula.symbols() == frozenset():
+            continue
+        for given in session.givens.values():
+            if given.name not in formula.symbols() or given.dimension != DIMENSIONS["mass"]:
+                continue
+            value = limit(formula, given.name, session)
+            if value is None or length(value) > SHORT or value == formula or length(formula) < 6:
+                continue
+            words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
+            if value != ZERO and (best is None or length(value) < best[0]):
+                best = (length(value), words)
+    if best is not None:
+        yield Check(best[1])
+
+
+def limit(formula: Formula, name: str, session: Session) -> Formula | None:
+    """The formula with a letter set to zero, None where it has no value there."""
+    try:
+        return session.solver.simplify(formula.substitute({name: ZERO}))
+    except (ZeroDivisionError, ValueError):
+        return None
+
+
+def requirements(session: Session, composer: Composer) -> Iterator[Check]:
+    """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
+    aside = Session(session.history, (NEWTON,))
+    told: set[str] = set()
+    for state in session.history.arrangement.timeline.states:
+        for need in session.history.facts(state.name).requirements:
+            key = f"{need.owner}{need.otherwise}{session.history.section(state.name)}"
+            if key in told or not concerns(need, session):
+                continue
+            gap = settled(need.left - need.right, aside)
+            sign = sign_of(gap, session) if gap is not None else None
+            if sign is None:
+                continue
+            told.add(key)
+            if sign >= 0:
+                if len(told) <= 3:
+                    yield Check(said(need, session, composer, aside))
+            else:
+                moment = f" at {spoken(state.name)}" if state.name else ""
+                yield Check((f"this can not be: {spoken(need.owner)}{moment}: {need.otherwise}",), False)
+
+
+def concerns(need: Requirement, session: Session) -> bool:
+    """Whether the body that the requirement is about takes part in the derivation."""
+    used = {name for answered in session.answered for index in answered.used for name in session.planner.pool[index].bodies}
+    item = next((c for c in session.history.arrangement.problem.connections if getattr(c, "name", "") == need.owner), None)
+    return item is None or any(ref.owner in used for ref in item.touches())  # type: ignore[attr-defined]
+
+
+def settled(value: Formula, aside: Session) -> Formula | None:
+    """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
+    for name in sorted(value.symbols()):
+        if SEPARATOR in name:
+            try:
+                found = aside.value_of(name)
+            except NoAnswer:
+                return None
+            if found is None:
+                return None
+            value = value.substitute({name: found})
+    return value
+
+
+def sign_of(value: Formula, session: Session) -> int | None:
+    try:
+        return evaluate(value, session.values, digits=6).sign
+    except (Undefined, ValueError):
+        return None
+
+
+def said(need: Requirement, session: Session, composer: Composer, aside: Session) -> Words:
+    """A requirement that holds, in words: "T > 0: the string stays taut"."""
+    letters = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
+    unnamed = {name: Symbol(session.history.registry.quantities[name].letter) for name in letters if name not in composer.letters}
+    if isinstance(need.right, Call):
+        size, limit_ = (decimal(settled(side, aside), session) for side in (need.right, need.left))
+        return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
+    letter = need.left.substitute({**unnamed, **composer.letters})
+    what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"
+    return (letter, " > 0: ", what)
+
+
+def decimal(value: Formula | None, session: Session) -> str:
+    if value is None:
+        return "?"
+    try:
+        return evaluate(value, session.values).text(4)
+    except (Undefined, ValueError):
+        return "?"
