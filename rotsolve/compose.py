@@ -16,7 +16,7 @@ from rotsolve.algebra.units import unit_for
 from rotsolve.answering import Answered, Session
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solve import Ref, Step
@@ -250,7 +250,7 @@ class Composer:
             if line.rest:
                 parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
             elif line.path is not None:
-                value = to_text(line.value) if line.value is not None else line.word or ""
+                value = stated(line.value) if line.value is not None else line.word or ""
                 owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
                 parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
         return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
@@ -284,11 +284,12 @@ class Composer:
         if asked.vector is not None:
             return self.heading_words(asked.vector), True
         quantity = self.history.registry.quantities.get(asked.letter)
-        if quantity is None or not quantity.positive or quantity.kind == "angle" or value is None:
+        words = asked.words
+        if quantity is not None and any((quantity.positive, quantity.negative)):
+            words = (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
+        if not any(words) or value is None or not value.sign:
             return "", True
-        if value.sign is None or value.sign == 0:
-            return "", True
-        return (quantity.positive if value.sign > 0 else quantity.negative), False
+        return words[0 if value.sign > 0 else 1], False
 
     def heading_words(self, vector: Vector) -> str:
         """Down and to the right, with the angle left to the numbers."""
@@ -314,6 +315,12 @@ class Composer:
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
     """The unit that the field uses for a dimension; none for a pure number."""
     return None if dimension is None else unit_for(dimension, "torque" if quantity == "torque" else None)
+
+
+def stated(value: Formula) -> str:
+    """A value as a state says it: angles that are multiples of π in degrees."""
+    turned = heading(value)
+    return f"{turned.degrees}°".replace("-", "−") if turned.degrees and not turned.terms else to_text(value)
 
 
 def spoken(name: str) -> str:

@@ -13,12 +13,13 @@ from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.ball import Certified, evaluate
 from rotsolve.algebra.calculus import integrate
 from rotsolve.algebra.exact import coefficients, is_zero, length, simplify, solve_linear
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, negate
 from rotsolve.algebra.rootfind import real_roots
 from rotsolve.algebra.roots import solve_polynomial, solve_trig
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
+from rotsolve.core.writing import flat, positive_first
 
 Ref = tuple[str, "int | str"]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
 Choice = tuple[int, Words]
@@ -161,7 +162,8 @@ class Solver:
                 others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
                 plain = monomial(item.left) and monomial(item.right)
                 kind = 0 if explicit and len(names) == 1 else 1 if len(names) == 1 else 2 if plain and len(names) == 2 else 3
-                ranked.append(((kind, others, len(names), 0 if explicit else 1), item, name))
+                away = 0 if kind != 2 or asked in names else 1  # rules that lead to the asked unknown first
+                ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
         return self._first_linear(ranked, asked)
 
@@ -170,7 +172,7 @@ class Solver:
         best: tuple[int, Item, str, Formula, bool] | None = None
         rank: tuple[int, ...] | None = None
         for key, item, name in ranked:
-            if best is not None and key[:3] != (rank or ())[:3]:
+            if best is not None and key[:4] != (rank or ())[:4]:
                 break
             value = self._value(item, name, alone=key[0] <= 1)
             if value is None:
@@ -204,7 +206,7 @@ class Solver:
     def _eliminate(self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
         refs: list[Ref] = [item.ref, *item.sources]
-        if not trivial or item.sources:
+        if not trivial or (item.sources and self.pool[item.index].family):
             step = self._step(item, name, value, ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 1), refs[0]))
@@ -246,6 +248,7 @@ class Solver:
             raise Contradiction(item.index)
         value = candidates[picked[0]]
         final = self.simplify(self._with_answers(value))
+        value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
             first = [*more, Equality(Symbol(asked), value)] if not integrals else list(more)
@@ -336,6 +339,17 @@ def isolated(item: Item, name: str) -> Formula | None:
     if item.right == letter and name not in item.left.symbols():
         return item.left
     return None
+
+
+def moved_alone(item: Item, name: str) -> Formula | None:
+    """The unknown alone where it is a term of its own: the other terms moved across as they are written."""
+    letter = Symbol(name)
+    terms = [(term, 1) for term in flat([item.left])] + [(term, -1) for term in flat([item.right])]
+    own = [(term, side) for term, side in terms if name in term.symbols()]
+    if len(own) != 1 or own[0][0] not in (letter, negate(letter)) or len(terms) < 3:
+        return None
+    sign = own[0][1] * (1 if own[0][0] == letter else -1)
+    return positive_first([negate(term) if side == sign else term for term, side in terms if (term, side) != own[0]])
 
 
 def monomial(value: Formula) -> bool:

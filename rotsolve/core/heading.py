@@ -53,7 +53,7 @@ class Heading:
         return self + (-other)
 
     def turned(self, degrees: int | Fraction) -> Heading:
-        return Heading(self.degrees + degrees, self.terms)
+        return Heading((self.degrees + degrees) % 360, self.terms)
 
     def cos(self) -> Formula:
         """cos of the heading: exact for the usual degrees, quarter turns turned into sin and signs."""
@@ -143,7 +143,7 @@ class Vector:
         return Vector((*self.parts, *other.parts))
 
     def __neg__(self) -> Vector:
-        return Vector(tuple((negate(size), direction) for size, direction in self.parts))
+        return self.turned(180)
 
     def __sub__(self, other: Vector) -> Vector:
         return self + (-other)

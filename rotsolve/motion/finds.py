@@ -34,6 +34,7 @@ class Asked:
     remark: str = ""
     label: str = ""
     section: str = ""
+    words: tuple[str, str] = ("", "")
 
     @property
     def direct(self) -> bool:
@@ -57,10 +58,14 @@ def asked(find: Find, history: History) -> Asked:
     section = meanings[0][1] if meanings else ""
     dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history)
     if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
-        return Asked(find, formula, formula.name, dimension, first.vector if single and first else None, section=section)
+        words = first.words if single and first else ("", "")
+        return Asked(find, formula, formula.name, dimension, first.vector if single and first else None, section=section, words=words)
     vector = first.vector if single and first is not None else None
-    remark, label = (first.remark, first.label) if single and first is not None else ("", "")
-    return Asked(find, formula, f"asked{SEPARATOR}{find.name}", dimension, vector, remark, label, section)
+    letter = f"asked{SEPARATOR}{find.name}"
+    if not single or first is None:
+        return Asked(find, formula, letter, dimension, vector, "", "", section)
+    words = first.words if find.terms[0].modifier == "" else ("", "")
+    return Asked(find, formula, letter, dimension, vector, first.remark, first.label, section, words)
 
 
 def is_unknown(name: str, history: History) -> bool:
@@ -209,7 +214,8 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
     last = history.reader(end).meaning(term.path, term)
     change = first.formula - last.formula if term.modifier == "lost" else last.formula - first.formula
     intervals = history.arrangement.timeline.between(start, end)
-    return Meaning(change, first.dimension), intervals[-1].name
+    label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
+    return Meaning(change, first.dimension, label=label), intervals[-1].name
 
 
 def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
@@ -221,6 +227,7 @@ def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, s
     duration, section = spanned(Term(Path("", "time")), start, end, history)
     other = replace(term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else "")
     amount, _ = meaning_of(replace(other, start=start, end=end), history)
-    return Meaning(amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension), section
+    word = term.path.quantity.replace("_", " ")
+    return Meaning(amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, label=f"mean {word}"), section
 
 

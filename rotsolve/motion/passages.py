@@ -171,4 +171,4 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     elif "normal" in roles:
         parts.append("the normal force does no work (it is square to the motion)")
     if parts:
-        yield "energy is conserved: " + "; ".join(parts)
+        yield "Energy is conserved: " + "; ".join(parts)

@@ -16,7 +16,7 @@ from rotsolve.core.facts import BodyFacts, Facts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.motion.instant import Instant, locate
-from rotsolve.motion.rigid import mass_of, moment_about
+from rotsolve.motion.rigid import mass_of, moment_about, tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
 
@@ -36,6 +36,7 @@ class Meaning:
     vector: Vector | None = None
     remark: str = ""
     label: str = ""
+    words: tuple[str, str] = ("", "")
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,24 @@ class Reader:
         else:
             found = self._of_element(path)
         kind = BY_WORD[path.quantity]
-        return found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        words = meaning.words if any(meaning.words) else self._words(path)
+        return replace(meaning, label=meaning.label or label_of(path, term), words=words)
+
+    def _words(self, path: Path) -> tuple[str, str]:
+        """The two directions of a signed quantity: of a component, or of a turn."""
+        if path.component in ("x", "y"):
+            return ("right", "left") if path.component == "x" else ("up", "down")
+        if path.quantity in ("torque", "angular_momentum"):
+            name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)
+            return self.instant.turn_words(self.instant.host(name)) if name else ("", "")
+        return ("", "")
+
+    def _turned_by(self, owner: str) -> str:
+        """The body on which a connection or action acts."""
+        items = (*self.instant.arrangement.connections(self.instant.state), *self.instant.arrangement.actions(self.instant.state))
+        refs = [ref for item in items if item.name == owner for ref in item.touches() if ref.owner in self.instant.arrangement.bodies]
+        return refs[-1].owner if refs else ""
 
     def _at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
@@ -151,6 +169,9 @@ class Reader:
             support = next((item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None)
             ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
             point = locate(instant.body(name), ref)
+        facts = self.body(name).inertia if instant.host(name) == name else None
+        if path.quantity == "inertia" and facts is not None and not tidy(point - own.reference).parts:
+            return facts.letter
         moment, _ = moment_about(own.pieces, point, instant.arrangement.order)
         if path.quantity == "inertia":
             return moment
@@ -347,7 +368,18 @@ def _plain(part: Formula) -> Formula:
     return part
 
 
+def label_of(path: Path, term: Term | None) -> str:
+    """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
+    word = path.quantity.replace("_", " ")
+    named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
+    owner = path.owner.replace("_", " ")
+    about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
+    if named and owner:
+        return f"{word} {named} on {owner}{about}"
+    return f"{word} of {owner}{about}" if owner else word
+
+
 def spoken_point(path: Path) -> str:
     """The owner and point of a path in words."""
     name = path.owner.replace("_", " ")
-    return f"the {path.point} of {name}" if path.point else name
+    return f"the {name}'s {path.point}" if path.point else name

@@ -9,9 +9,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.exact import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
+from rotsolve.core.signs import is_negative
 from rotsolve.elements.shapes import Particle, Place, Rod, Shape
 from rotsolve.scene.model import Body, Part
 
@@ -92,8 +93,9 @@ def place(at: Place) -> Vector:
 
 def tidy(arm: Vector) -> Vector:
     """The vector with its rightward and upward parts simplified, so that what cancels is gone."""
-    if len({direction for _, direction in arm.parts}) == len(arm.parts):
-        return Vector(tuple((simplify(size) if isinstance(size, Sum) else size, direction) for size, direction in arm.parts))
+    if len({Heading(direction.degrees % 180, direction.terms) for _, direction in arm.parts}) == len(arm.parts):
+        tidied = ((simplify(size) if isinstance(size, Sum) else size, direction) for size, direction in arm.parts)
+        return Vector(tuple(positive_part(size, direction) for size, direction in tidied if size != ZERO))
     collected: dict[Heading, Formula] = {}
     for size, direction in arm.parts:
         opposite = direction.turned(180)
@@ -104,14 +106,20 @@ def tidy(arm: Vector) -> Vector:
             key = Heading(direction.degrees % 360, direction.terms)
             collected[key] = collected.get(key, ZERO) + size
     parts = ((simplify(size), direction) for direction, size in collected.items())
-    return Vector(tuple((size, direction) for size, direction in parts if size != ZERO))
+    return Vector(tuple(positive_part(size, direction) for size, direction in parts if size != ZERO))
+
+
+def positive_part(size: Formula, direction: Heading) -> tuple[Formula, Heading]:
+    """A part of a vector with its minus sign turned into the opposite heading."""
+    return (negate(size), direction.turned(180)) if is_negative(size) else (size, direction)
 
 
 def direction_of(arm: Vector) -> Heading:
     """The heading of a vector: that of its only part, or atan2 of its components."""
     arm = tidy(arm)
     if len(arm.parts) == 1:
-        return arm.parts[0][1]
+        size, direction = arm.parts[0]
+        return direction.turned(180) if is_negative(size) else direction
     if not arm.parts:
         return RIGHT
     from rotsolve.algebra.formula import call

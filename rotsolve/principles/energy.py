@@ -13,7 +13,8 @@ from rotsolve.core.equation import ENERGY, Equation
 from rotsolve.core.heading import UP
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
 from rotsolve.core.passage import Passage
-from rotsolve.principles.writing import flat, is_negative, moved, positive_first
+from rotsolve.core.signs import is_negative
+from rotsolve.core.writing import flat, moved, positive_first
 
 HALF = Number(Fraction(1, 2))
 

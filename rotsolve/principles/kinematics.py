@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import Formula, Integral, Number, Symbol
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.principles.writing import spoken
+from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
 TIME = "time"

@@ -11,7 +11,7 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage
 from rotsolve.principles.rotation import about, response, torques
-from rotsolve.principles.writing import flat, law, moved, positive_first, spoken
+from rotsolve.core.writing import flat, law, moved, positive_first, spoken
 
 
 def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
@@ -109,7 +109,7 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         torque = [signed(arm_from_point(item, blow).cross(blow.vector), sense) for item in members for blow in item.blows if not blow.internal]
         point = f"about the {pivot}" if pivot else "about the meeting point"
         label = f"angular momentum {point} is conserved" if not outside else f"angular impulse = change of angular momentum, {point}"
-        words: Words = ("no outside torque acts ", point, ": the blow at the support has no arm") if pivot and not outside else ()
+        words: Words = (f"No outside torque acts {point}: the blow at the support has no arm.",) if pivot and not outside else ()
         if flat(before) or flat(after):
             yield Equation(*moved([*before, *torque], after), label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
     if pivot is None:

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, multiply
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.heading import Heading
-from rotsolve.principles.writing import law, spoken
+from rotsolve.core.writing import law, spoken
 
 
 def second_law(facts: Facts, section: str) -> Iterator[Equation]:
@@ -34,10 +34,11 @@ def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
 def axis_words(body: BodyFacts, axis: Heading) -> str:
     """Which component is meant, where the law has more than one."""
     if body.motion.kind == "line":
+        path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
         if axis == body.motion.heading:
             across = [force for force in body.forces if force.role == "normal"]
-            return ", along its path" if across else ""
-        return ", across its path"
+            return f", along the {path}" if across else ""
+        return f", across the {path}"
     names = {0: ", horizontally", 90: ", vertically"}
     return names.get(int(axis.degrees % 360), "") if not axis.terms else ""
 

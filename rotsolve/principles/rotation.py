@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.principles.writing import law, spoken
+from rotsolve.core.writing import law, spoken
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:

@@ -12,9 +12,10 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Symbol, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, negate
 from rotsolve.core.facts import Force, Requirement, Rule
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.core.writing import moved
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.contacts import spoken
 from rotsolve.elements.surfaces import Surface, Wall
@@ -227,6 +228,8 @@ class String(Connection):
         bodies = tuple({ref.owner: None for leg in strand for ref in (leg.first, leg.second) if ref.owner in instant.arrangement.bodies})
         turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
         label = "the string does not slip" if turning else "the string does not stretch"
+        others = [name for name in bodies if not instant.motion(name).turns] if len(self.string) > 2 else []
+        label += f", {spoken(others[0])}" if len(others) == 1 else ""
         yield Rule(self.name, label, bodies, sides[0], sides[1], linear=self.pace(instant.arrangement, instant.state) == "constant")
 
 
@@ -242,17 +245,10 @@ def acceleration_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
 
 def balance(terms: list[tuple[Formula, int]]) -> tuple[Formula, Formula]:
     """Σ sign · term = 0 as an equation of positive terms: those of the first body on the left, the others moved across."""
-    left: list[Formula] = []
-    right: list[Formula] = []
-    for value, sign in terms:
-        negative = isinstance(value, Negative)
-        size = value.operand if isinstance(value, Negative) else value
-        (left if (sign > 0) != negative else right).append(size)
-    if not left or not right:
-        return total(left or right), ZERO
-    if len(right) < len(left) or (len(right) == len(left) and isinstance(right[0], Symbol) and not isinstance(left[0], Symbol)):
+    left, right = moved([value if sign > 0 else negate(value) for value, sign in terms], ())
+    if left == ZERO or (right != ZERO and not isinstance(left, Symbol) and isinstance(right, Symbol)):
         left, right = right, left
-    return total(left), total(right)
+    return left, right
 
 
 def uphill(surface: Surface) -> Heading:

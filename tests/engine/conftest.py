@@ -1,0 +1,174 @@
+"""Scenes for the engine's tests: every file in scenes/, and the problems of the project, read and ready.
+
+A new element is tested by adding a scene that holds it; which elements a scene tests is seen from the scene itself.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+import random
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+from rotsolve.answering import Session, families_for
+from rotsolve.friction import decide, open_contacts
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.complete import completed
+from rotsolve.motion.finds import asked
+from rotsolve.motion.history import History
+from rotsolve.scene.model import Problem
+from rotsolve.scene.read import read_file
+
+HERE = Path(__file__).resolve().parent
+SCENES = sorted((HERE / "scenes").glob("*.yaml"))
+PROBLEMS = sorted((HERE.parent.parent / "problems").glob("*.yaml"))
+MODES = ("sticks", "slips", "slips back")
+NODES, WEIGHTS = (  # Gauss-Legendre of ten points on −1 to 1, the positive half
+    (0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845, 0.9739065285171717),
+    (0.2955242247147529, 0.2692667193099963, 0.2190863625159820, 0.1494513491505806, 0.0666713443086881),
+)
+
+
+def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
+    """`scene` runs over the scenes of this folder, `file` over them and the project's problems."""
+    for name, paths in (("scene", SCENES), ("file", [*SCENES, *PROBLEMS])):
+        if name in metafunc.fixturenames:
+            metafunc.parametrize(name, paths, ids=[path.stem for path in paths])
+
+
+@cache
+def load(path: Path) -> Problem:
+    return completed(read_file(path))
+
+
+@cache
+def read_all_ways(path: Path) -> tuple[History, ...]:
+    """A history for every way in which the rough contacts of a scene may stick or slip."""
+    arrangement = Arrangement(load(path))
+    rough = list(open_contacts(arrangement))
+    ways = itertools.product(MODES, repeat=len(rough))
+    return tuple(History(arrangement, dict(zip(rough, way, strict=True))) for way in ways)
+
+
+@cache
+def solved(path: Path, law: str | None = None) -> Session:
+    """All questions of a scene answered, by one law or by the shortest way."""
+    arrangement = Arrangement(load(path))
+    history = History(arrangement, decide(arrangement).modes)
+    session = Session(history, families_for(law), spare=law is not None)
+    for find in load(path).finds:
+        session.answer(asked(find, history))
+    return session
+
+
+@pytest.fixture(scope="session")
+def problem_of() -> Callable[[Path], Problem]:
+    return load
+
+
+@pytest.fixture(scope="session")
+def readings() -> Callable[[Path], tuple[History, ...]]:
+    return read_all_ways
+
+
+@pytest.fixture(scope="session")
+def session_of() -> Callable[..., Session]:
+    return solved
+
+
+@pytest.fixture(scope="session")
+def scenes() -> list[Path]:
+    return SCENES
+
+
+def numeric(formula: Formula, values: Mapping[str, float]) -> float:
+    """A formula as a float, by a walk of its own; KeyError for a letter without a value, ValueError where undefined."""
+    match formula:
+        case Number(value):
+            return float(value)
+        case Constant():
+            return math.pi
+        case Symbol(name):
+            return values[name]
+        case Sum(terms):
+            return math.fsum(numeric(term, values) for term in terms)
+        case Product(factors):
+            return math.prod(numeric(factor, values) for factor in factors)
+        case Quotient(numerator, denominator):
+            return numeric(numerator, values) / numeric(denominator, values)
+        case Negative(operand):
+            return -numeric(operand, values)
+        case Power(base, exponent):
+            result = numeric(base, values) ** numeric(exponent, values)
+            if isinstance(result, complex):
+                raise ValueError("not real")
+            return float(result)
+        case Call(function, arguments):
+            call = abs if function == "abs" else getattr(math, function)
+            return float(call(*(numeric(argument, values) for argument in arguments)))
+        case Integral():
+            return quadrature(formula, values)
+    raise TypeError(f"no value for {formula!r}")
+
+
+def quadrature(formula: Integral, values: Mapping[str, float], panels: int = 8) -> float:
+    """A definite integral by Gauss-Legendre."""
+    lower, upper = numeric(formula.lower, values), numeric(formula.upper, values)
+    half = (upper - lower) / (2 * panels)
+    result = 0.0
+    for panel in range(panels):
+        middle = lower + (2 * panel + 1) * half
+        for node, weight in zip(NODES, WEIGHTS, strict=True):
+            for place in (middle - half * node, middle + half * node):
+                result += weight * half * numeric(formula.integrand, {**values, formula.variable: place})
+    return result
+
+
+def near(problem: Problem, chance: random.Random) -> dict[str, float]:
+    """Values for all givens close to those of the scene, so that nothing goes another way; any for a letter without one."""
+    values: dict[str, float] = {}
+    pending = [given for given in problem.givens if not given.asked]
+    for given in pending:
+        if given.value is None:
+            values[given.name] = chance.uniform(0.5, 1.5)
+        elif not given.value.symbols():
+            values[given.name] = numeric(given.value, {}) * (1 + chance.uniform(-0.03, 0.03))
+    while any(given.name not in values for given in pending):
+        for given in pending:
+            if given.value is not None and given.value.symbols() <= set(values) and given.name not in values:
+                values[given.name] = numeric(given.value, values)
+    return values
+
+
+@pytest.fixture(scope="session")
+def number() -> Callable[[Formula, Mapping[str, float]], float]:
+    return numeric
+
+
+@pytest.fixture(scope="session")
+def nearby() -> Callable[[Problem, random.Random], dict[str, float]]:
+    return near
+
+
+@pytest.fixture(scope="session")
+def exactly() -> Callable[[Mapping[str, float]], dict[str, Formula]]:
+    """Floats as the exact fractions that they are."""
+    return lambda values: {name: Number(Fraction(value)) for name, value in values.items()}
