@@ -52,6 +52,9 @@ class Session:
     spare: bool = False  # whether second-choice equations may be used from the start
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
+    helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
+    defined: set[str] = field(default_factory=set)
+    retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -69,9 +72,18 @@ class Session:
         named = [(given.name, given.dimension) for given in self.givens.values()]
         return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
 
-    def answer(self, asked: Asked) -> Answered:
-        """Settle one question, and remember it for the next."""
-        if not asked.direct:
+    def answer(self, asked: Asked, limit: Equation | None = None) -> Answered:
+        """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
+        extra = self.planner.extend(limit) if limit is not None else None
+        try:
+            return self._answer(asked)
+        finally:
+            if extra is not None:
+                self.retired.add(extra)
+
+    def _answer(self, asked: Asked) -> Answered:
+        if not asked.direct and asked.letter not in self.defined:
+            self.defined.add(asked.letter)
             definition = Equation(Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked))
             self.planner.extend(definition)
         first = len(self.solver.steps)
@@ -115,7 +127,7 @@ class Session:
         allowed = [
             index
             for index, equation in enumerate(self.planner.pool)
-            if index not in banned and (not equation.family or equation.family in self.families)
+            if index not in banned and index not in self.retired and (not equation.family or equation.family in self.families)
         ]
         first = allowed if self.spare else [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
         plans = [self.planner.plan(letter, self.known, pool) for pool in self._starts(first)]
@@ -149,7 +161,15 @@ class Session:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
                 return min(fitting, key=lambda entry: abs(entry[1]))[0], words
+        if self._is_angle(name):
+            return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
         return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
+
+    def _is_angle(self, name: str) -> bool:
+        given, quantity = self.givens.get(name), self.history.registry.quantities.get(name)
+        if quantity is not None:
+            return quantity.kind == "angle"
+        return given is not None and (given.dimension is None or is_angle(given))
 
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""

@@ -15,13 +15,14 @@ from rotsolve.algebra.unit_table import Unit
 from rotsolve.algebra.units import unit_for
 from rotsolve.answering import Answered, Session
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
-from rotsolve.core.facts import Facts
+from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solve import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
+SECOND_LAW = "Newton's second law"
 WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
@@ -168,32 +169,30 @@ class Composer:
         if facts is None:
             return ()
         needed = {name for equation in equations for name in equation.symbols()}
-        return tuple(self._force_line(body.name, facts, needed) for body in facts.bodies if body.name in names)
+        return tuple(self._force_line(body.name, facts, needed, draft.laws) for body in facts.bodies if body.name in names)
 
     def _facts_of(self, key: str) -> Facts | None:
         timeline = self.history.arrangement.timeline
         interval = timeline.interval(key)
         if interval is not None:
-            return None if interval.event is not None else self.history.facts(interval.start)
+            if interval.event is not None:
+                return None
+            return self.history.facts(interval.start, generic=self.history.varies(interval))
         return self.history.facts(key) if key in timeline.order else None
 
-    def _force_line(self, name: str, facts: Facts, needed: set[str]) -> ForceLine:
+    def _force_line(self, name: str, facts: Facts, needed: set[str], laws: list[int]) -> ForceLine:
         """Forces that the equations speak of, and in brackets those that have no say in them."""
         body = facts.body(name)
         assert body is not None
+        pushed = any(self.pool[index].label.startswith(SECOND_LAW) and name in self.pool[index].bodies for index in laws)
         spoken_of, silent = [], []
         for item in (*body.forces, *body.couples):
-            size = item.size if hasattr(item, "size") else item.torque
-            hidden = {letter for letter in size.symbols() if SEPARATOR in letter} - needed
-            role = item.role
-            if hidden and role == "reaction":
-                silent.append(role)
-            elif not hidden:
+            size = item.size if isinstance(item, Force) else item.torque
+            if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
+                silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
+            elif item.role != "reaction" or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
                 spoken_of.append(self.words(item.words))
-        remarks: list[Words] = []
-        if silent:
-            remarks.append((f"the force at the {'pivot' if body.cm.parts else 'axle'} has no torque about it",))
-        return ForceLine(spoken(name), tuple(spoken_of), body.positive, tuple(remarks))
+        return ForceLine(spoken(name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent))))
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
         """Why what is conserved is conserved, as sentences."""
@@ -220,8 +219,20 @@ class Composer:
             for step in draft.steps:
                 for one in step.chain:
                     yield from sorted(one.left.symbols() | one.right.symbols())
+            yield from self._in_forces(draft)
         for answered in self.session.answered:
             yield from sorted(answered.asked.formula.symbols())
+
+    def _in_forces(self, draft: Draft) -> Iterable[str]:
+        """Letters of the forces that a free-body diagram names, supports left out."""
+        equations = [self.pool[index] for index in draft.laws]
+        names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
+        facts = self._facts_of(draft.key)
+        for body in facts.bodies if facts is not None else ():
+            if body.name in names:
+                for item in (*body.forces, *body.couples):
+                    if item.role != "reaction":
+                        yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
 
     @property
     def letters(self) -> dict[str, Formula]:
@@ -310,6 +321,16 @@ class Composer:
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
+
+
+def without_torque(silent: list[str]) -> tuple[Words, ...]:
+    """Which forces on a body on an axis act at that axis."""
+    if not silent:
+        return ()
+    listed = " and ".join(silent)
+    support = "axle" if any(name.startswith("axle") for name in silent) else "pivot"
+    verb = "act" if len(silent) > 1 else "acts"
+    return ((f"{listed} {verb} at the {support}: no torque about it",),)
 
 
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:

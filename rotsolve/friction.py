@@ -8,11 +8,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Formula, Symbol, call
+from rotsolve.algebra.formula import Formula, Symbol, call, negate
 from rotsolve.answering import Answered, NoAnswer, Session
 from rotsolve.compose import Composer, spoken
 from rotsolve.core.derivation import Equality, Move, Section, Words
-from rotsolve.core.equation import NEWTON
+from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.motion.arrangement import Arrangement
@@ -140,6 +140,25 @@ def allowed(session: Session, contact: Touch, normal: Answered) -> float | None:
     if static is None or normal.found.formula is None:
         return None
     return session.number(static * normal.found.formula)
+
+
+def limiting(history: History, contact: str, state: str) -> list[tuple[Equation, Formula]]:
+    """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
+    found = []
+    facts = history.facts(state)
+    item = next((item for item in history.arrangement.connections(state) if item.name == contact), None)
+    if not isinstance(item, Touch) or item.grip().static is None:
+        return []
+    static = item.grip().static
+    assert static is not None
+    forces = {force.role: force.size for body in facts.bodies for force in body.forces if force.owner == contact}
+    if "friction" not in forces or "normal" not in forces:
+        return []
+    most = static * forces["normal"]
+    for side in (most, negate(most)):
+        words = "on the point of slipping, f = μₛ N"
+        found.append((Equation(forces["friction"], side, words, history.section(state), NEWTON, 2), forces["normal"]))
+    return found
 
 
 def question(size: Formula, name: str) -> Asked:

@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
 from rotsolve.answering import NoAnswer, Session, families_for
-from rotsolve.compose import Composer
-from rotsolve.core.equation import LAWS
+from rotsolve.compose import Composer, spoken
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import LAWS, NEWTON
 from rotsolve.core.faults import Unsolvable
-from rotsolve.friction import decide
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.friction import decide, limiting
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.finds import Unclear, asked
@@ -20,7 +25,7 @@ from rotsolve.motion.questions import NotYet
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
-from rotsolve.verify import checks
+from rotsolve.verify import SAID, checks
 
 
 def solve(source: str | os.PathLike[str], *, law: str | None = None, settings: Mapping[str, str] | None = None, digits: int = 4) -> Solution:
@@ -39,38 +44,167 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
-    whole = completed(problem)
-    arrangement = Arrangement(whole)
+    arrangement = Arrangement(completed(problem))
     decision = decide(arrangement)
     history = History(arrangement, decision.modes)
     session = Session(history, families_for(law), spare=law is not None)
-    for find in whole.finds:
+    for find in arrangement.problem.finds:
         answer(session, find)
+    if law is not None:
+        check_law(session, law)
     composer = Composer(session, decision.numbered + 1)
     derivation = composer.derivation(checks(session, composer), decision.sections)
-    trace = Trace(lambda: "", lambda: equations_text(history), lambda: "")
+    trace = Trace(lambda: facts_text(history), lambda: equations_text(session, composer), lambda: plan_text(session, composer))
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
+
+
+def check_law(session: Session, law: str) -> None:
+    """A law asked for must have a part in the solution."""
+    used = {session.planner.pool[index].family for answered in session.answered for index in answered.used}
+    problem = session.history.arrangement.problem
+    if used - {""} and law not in used:
+        others = ", ".join(SAID[name] for name in LAWS if name in used)
+        raise Unsolvable(
+            f"{SAID[law]} does not settle anything that is asked here", help=f"it takes {others}", lines=problem.lines, file=problem.file
+        )
 
 
 def answer(session: Session, find: Find) -> None:
     """Answer one question, or say why there is no answer."""
     problem = session.history.arrangement.problem
     try:
-        session.answer(asked(find, session.history))
+        if find.where is not None:
+            extreme(session, find)
+        else:
+            by_law(session, find)
     except (NotYet, Unclear) as error:
         raise Unsolvable(str(error), span=find.span, lines=problem.lines, file=problem.file) from None
     except NoAnswer as error:
-        raise Unsolvable(explained(error, session), span=find.span, lines=problem.lines, file=problem.file) from None
+        message, help = explained(error, session, find)
+        raise Unsolvable(message, span=find.span, help=help, lines=problem.lines, file=problem.file) from None
 
 
-def explained(error: NoAnswer, session: Session) -> str:
-    """What is missing, in the scene's words."""
+def by_law(session: Session, find: Find) -> None:
+    """Answer by the session's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
+    question = asked(find, session.history)
+    try:
+        session.answer(question)
+    except NoAnswer as error:
+        if len(session.families) > 1 or NEWTON in session.families:
+            raise
+        laws = session.families
+        session.families = (*laws, NEWTON)
+        try:
+            session.answer(question)
+        except NoAnswer:
+            raise error from None
+        finally:
+            session.families = laws
+        session.helped.append(find.name)
+
+
+def extreme(session: Session, find: Find) -> None:
+    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
+    condition = find.where
+    assert condition is not None
+    history = session.history
+    if condition.path is None or condition.word not in ("sticks", "rolls"):
+        raise NotYet("only `where CONTACT sticks` is worked out yet")
+    bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
+    question = asked(bare, history)
+    state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
+    candidates = []
+    for equation, normal in limiting(history, condition.path.owner, state):
+        trial = Session(history, session.families, spare=session.spare)
+        try:
+            value = trial.answer(question, equation).found.formula
+            push = trial.value_of(next(iter(normal.symbols())))
+        except NoAnswer:
+            continue
+        number = trial.number(value) if value is not None else None
+        pressed = trial.number(push) if push is not None else None
+        if number is None or (number > 0 and (pressed is None or pressed >= 0)):
+            candidates.append((0.0 if number is None else number, equation))
+    if not candidates:
+        raise NotYet(f"`{condition.path.owner}` does not come to the point of slipping")
+    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
+    pick = max if modifier == "largest" else min
+    session.answer(question, pick(candidates, key=lambda item: item[0])[1])
+
+
+def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
+    """What is missing or contradictory, in the scene's words, and what may help."""
+    registry = session.history.registry
+    if error.equation is not None:
+        equation = session.planner.pool[error.equation]
+        return f"the data contradict each other: {equation.label} can not hold", "check the states and givens"
     if error.shortage is None:
-        return str(error)
-    open_ = [name for name in error.shortage.unknowns]
-    return f"{error}: {len(error.shortage.equations)} equations for {len(open_)} unknowns ({', '.join(open_)})"
+        return f"`{find.name}` can not be found: {error}", ""
+    open_ = [name for name in error.shortage.unknowns if not name.startswith("asked" + SEPARATOR)]
+    letters = registry.letters(open_, frozenset(), {})
+    told = [f"{name_to_text(letters.get(name, name))} ({told_quantity(name, session)})" for name in open_]
+    count = len([index for index in error.shortage.equations if session.planner.pool[index].label])
+    message = f"too little is known to find `{find.name}`: {plural(count, 'equation')} for {plural(len(told), 'unknown')}: {', '.join(told)}"
+    law = "" if len(session.families) > 1 else f"by {SAID[session.families[0]]} alone, "
+    return law + message, "give one of them, or say more about the states"
 
 
-def equations_text(history: History) -> str:
-    """All equations written, one a line."""
-    return "\n".join(f"{item.label}: {to_text(item.left)} = {to_text(item.right)}" for item in history.equations)
+def plural(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def told_quantity(name: str, session: Session) -> str:
+    """A quantity of the laws in the scene's words: "tension of cord at held"."""
+    quantity = session.history.registry.quantities.get(name)
+    if quantity is None:
+        return "asked"
+    owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
+    when = f", {spoken(quantity.when)}" if quantity.when else ""
+    return f"{spoken(quantity.kind)}{owner}{when}".replace("~", "midway from ")
+
+
+def facts_text(history: History) -> str:
+    """All facts, state by state: bodies with their forces, rules, requirements."""
+    lines = []
+    registry = history.registry
+    for state in history.arrangement.timeline.states:
+        history.facts(state.name)
+    taken = frozenset(given.name for given in history.arrangement.problem.givens)
+    letters = {key: Symbol(name) for key, name in registry.letters(registry.quantities, taken, {}).items()}
+    for state in history.arrangement.timeline.states:
+        facts = history.facts(state.name)
+        lines.append(f"at {spoken(state.name)}" if state.name else "facts")
+        for body in facts.bodies:
+            lines.append(f"  {spoken(body.name)}: {body.motion.kind}; positive: {body.positive or 'none'}")
+            lines += [f"    {words_to_text(item.words, letters)}" for item in (*body.forces, *body.couples)]
+        for rule in facts.rules:
+            left, right = (to_text(side.substitute(letters)) for side in rule.acceleration)
+            lines.append(f"  {rule.label}: {left} = {right}")
+    return "\n".join(lines)
+
+
+def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
+    return "".join(to_text(part.substitute(letters)) if isinstance(part, Formula) else part for part in words)
+
+
+def equations_text(session: Session, composer: Composer) -> str:
+    """All equations written, one a line, those that the plan used marked."""
+    used = {index for answered in session.answered for index in answered.used}
+    lines = []
+    for index, equation in enumerate(session.history.equations):
+        mark = "*" if index in used else " "
+        left, right = (to_text(side.substitute(composer.letters)) for side in (equation.left, equation.right))
+        place = f"[{spoken(equation.section)}] " if equation.section else ""
+        lines.append(f"{mark} {place}{equation.label}: {left} = {right}")
+    return "\n".join(lines)
+
+
+def plan_text(session: Session, composer: Composer) -> str:
+    """For each question the equations that settle it."""
+    lines = []
+    for answered in session.answered:
+        lines.append(f"{answered.asked.find.name}: {plural(len(answered.used), 'equation')}")
+        for index in answered.used:
+            equation = session.planner.pool[index].renamed(composer.letters)
+            lines.append(f"  {equation.label or 'found before'}: {to_text(equation.left)} = {to_text(equation.right)}")
+    return "\n".join(lines)

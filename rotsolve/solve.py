@@ -21,6 +21,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
 from rotsolve.core.writing import flat, positive_first
 
+FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 Ref = tuple[str, "int | str"]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
 Choice = tuple[int, Words]
 Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
@@ -162,7 +163,8 @@ class Solver:
                 others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
                 plain = monomial(item.left) and monomial(item.right)
                 kind = 0 if explicit and len(names) == 1 else 1 if len(names) == 1 else 2 if plain and len(names) == 2 else 3
-                away = 0 if kind != 2 or asked in names else 1  # rules that lead to the asked unknown first
+                # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
+                away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
         return self._first_linear(ranked, asked)

@@ -23,7 +23,16 @@ SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 def checks(session: Session, composer: Composer) -> tuple[Check, ...]:
     """All checks of a solved session, the second law first."""
-    return (*second_law(session, composer), *dimensions(session), *limits(session, composer), *requirements(session, composer))
+    return (*alone(session), *second_law(session, composer), *dimensions(session), *limits(session, composer), *requirements(session, composer))
+
+
+def alone(session: Session) -> Iterator[Check]:
+    """Which answers took more than the law that was asked for."""
+    if session.helped:
+        names: list[str | Formula] = []
+        for name in session.helped:
+            names += [", ", Symbol(name)] if names else [Symbol(name)]
+        yield Check((f"{SAID[session.families[0]]} alone does not give ", *names, ": Newton's laws were used as well"))
 
 
 def second_law(session: Session, composer: Composer) -> Iterator[Check]:

@@ -17,6 +17,7 @@ from rotsolve.algebra.formula import (
     divide,
     multiply,
 )
+from rotsolve.algebra.letters import GLYPHS
 
 Rank = tuple[int, int, str, str]
 
@@ -40,6 +41,25 @@ class Parts:
                     self.sums[k] = (other, old + power)
                     return
         self.sums.append((poly, power))
+
+
+    def unite_squares(self) -> None:
+        """(a + b) (a − b) as a² − b²; but a⁴ − b⁴ stays in factors."""
+        for k, (first, power) in enumerate(self.sums):
+            for other, e in self.sums[k + 1 :]:
+                if e == power and _conjugate(first, other):
+                    rest = [item for item in self.sums if item[0] not in (first, other)]
+                    self.sums = [*rest, (first * other, power)]
+                    return self.unite_squares()
+        return None
+
+
+def _conjugate(first: Poly, other: Poly) -> bool:
+    """Whether two brackets are a + b and a − b, one of a and b no square itself."""
+    if len(first) != 2 or len(other) != 2:
+        return False
+    halves = first + other, first - other
+    return all(len(half) == 1 for half in halves) and any(e % 2 for half in halves for e in half.monomial(0))
 
 
 def square_part(n: int) -> tuple[int, int]:
@@ -68,11 +88,12 @@ def share_number(number: Fraction, root: int, symbols: bool) -> tuple[Fraction, 
 
 
 def written_fraction(number: Fraction, items: list[tuple[Rank, Formula, int]]) -> Formula:
-    """number · base^power · …, negative powers below the line; ½ goes in front where nothing else is below."""
+    """number · base^power · …, negative powers below the line; ½, ⅖ and 1/12 go in front where nothing else is below."""
     above = _product([item for item in items if item[2] > 0])
     below = _product([(rank, base, -e) for rank, base, e in items if e < 0])
     p, q = number.numerator, number.denominator
-    if below == ONE and above != ONE and p == 1 and (isinstance(above, Sum) or above.symbols()):
+    leads = p == 1 or number in GLYPHS
+    if below == ONE and above != ONE and leads and (isinstance(above, Sum) or above.symbols()):
         return _times(Number(number), above)
     return divide(_times(Number(Fraction(p)), above), _times(Number(Fraction(q)), below))
 

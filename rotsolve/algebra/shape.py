@@ -1,6 +1,6 @@
 """Shape: polynomials and fractions of a field written as a textbook would, e.g. `2 m g/(2 m + M)`.
 
-Factors go: number, symbols in the given order, brackets, functions, roots. Roots are gathered into one: √a √b/√c is √(a b/c).
+Factors go: number, root of a number, symbols in the given order, brackets, functions, roots. Other roots are gathered into one: √a √b/√c is √(a b/c).
 """
 
 from __future__ import annotations
@@ -26,6 +26,9 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.products import Parts, Rank, share_number, written_fraction
 from rotsolve.algebra.signs import Signs
+
+
+FUNCTION_ORDER = "sin cos tan abs"  # of one argument
 
 
 class Shaper:
@@ -55,7 +58,8 @@ class Shaper:
             kind = {"sqrt": 5, "exp": 4}.get(atom.function, 3)
             names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
             first = places.get(names[0], len(places)) if names else 0
-            return (kind, first, " ".join(names), f"{atom.function}{atom.arguments}")
+            last = FUNCTION_ORDER.find(atom.function)
+            return (kind, first, " ".join(names), f"{atom.arguments}{last:03}")
         return (2, 0, "", repr(atom))
 
     # polynomials
@@ -177,6 +181,7 @@ class Shaper:
         inner: list[tuple[Rank, Formula, int]] = []
         flip = 1
         items = [(self.ranks[i], self.field.atoms[i], e) for i, e in self._with_tan(parts, outer).items()]
+        parts.unite_squares()
         for poly, e in parts.sums:
             shown, sign = self._oriented(poly, e, flip * parts.number < 0)
             flip *= sign
@@ -250,6 +255,6 @@ class Shaper:
         if inner and all(e < 0 for _, _, e in inner) and under == 1:
             below.append(((5, 0, "", ""), call("sqrt", written_fraction(under, [(r, b, -e) for r, b, e in inner])), 1))
         elif inside != ONE:
-            above.append(((5, 0, "", ""), call("sqrt", inside), 1))
+            above.append(((5 if inner else -1, 0, "", ""), call("sqrt", inside), 1))
         result = written_fraction(number, above + [(r, b, -e) for r, b, e in below])
         return negate(result) if sign < 0 else result

@@ -2,18 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from rotsolve.algebra.formula import ZERO, Formula, Sum, negate, total
 from rotsolve.core.signs import is_negative
 
 
 def flat(terms: Iterable[Formula]) -> list[Formula]:
-    """The single terms of a sum, zeros left out."""
-    result: list[Formula] = []
+    """The single terms of a sum, zeros left out and equal ones counted: T + T is 2 T."""
+    counted: dict[Formula, int] = {}
+    for term in _single(terms):
+        counted[term] = counted.get(term, 0) + 1
+    return [term if number == 1 else number * term for term, number in counted.items()]
+
+
+def _single(terms: Iterable[Formula]) -> Iterator[Formula]:
     for term in terms:
-        result.extend(flat(term.terms) if isinstance(term, Sum) else [term] if term != ZERO else [])
-    return result
+        if isinstance(term, Sum):
+            yield from _single(term.terms)
+        elif term != ZERO:
+            yield term
 
 
 def positive_first(terms: Iterable[Formula]) -> Formula:

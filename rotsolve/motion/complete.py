@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import fields, replace
 
 from rotsolve.algebra.exact import simplify
-from rotsolve.algebra.formula import Formula, Symbol, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.shapes import Shape
 from rotsolve.motion.rigid import place
@@ -31,7 +31,8 @@ class _Letters:
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
     letters = _Letters(problem)
-    wheels = {ref.owner for item in problem.connections if item.word in ("string", "belt", "gear", "rolls") for ref in item.touches()}
+    wheels = {ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()}
+    wheels |= {ref.owner for item in problem.connections if item.word == "string" for ref in item.touches()[1:-1] if not ref.point}
     bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
     if not letters.made:
         return problem
@@ -46,11 +47,14 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
         mass = body.density * shape.measure()
     elif mass is None and not body.parts:
         mass = letters.make("m", body.name, "mass")
-    radius = body.radius
-    rotor = body.inertia is not None or body.turns is not None
-    if wheel and shape is None and radius is None and not body.radii and rotor:
-        radius = letters.make("R", body.name, "length")
-    return replace(body, shape=shape if shape is not None else body.shape, mass=mass, parts=parts, radius=radius)
+    radius, inertia = body.radius, body.inertia
+    if shape is None and not body.parts and (wheel or body.turns is not None):
+        if radius is None and not body.radii:
+            radius = letters.make("R", body.name, "length")
+        if inertia is None and body.gyration is None and mass != ZERO:
+            inertia = letters.make("I", body.name, "moment of inertia")
+    shape = shape if shape is not None else body.shape  # type: ignore[assignment]
+    return replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia)
 
 
 def _part(part: Part, letters: _Letters) -> Part:

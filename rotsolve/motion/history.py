@@ -252,12 +252,16 @@ class History:
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
-        if any(travel.pace != "constant" for travel in passage.travels):
+        if self.varies(interval):
             yield from turning.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
             yield from turning.law_of_rotation(passage.midst, section)
             yield from constraints.for_accelerations(passage.midst, section)
             yield from constraints.for_velocities(passage.midst, section)
+
+    def varies(self, interval: Interval) -> bool:
+        """Whether accelerations vary in a phase."""
+        return any(travel.pace != "constant" for travel in self.passages[interval.name].travels)
 
     def changes(self, passage: Passage) -> dict[str, Formula]:
         """Displacements and angles turned by the letters of the rates that they come from."""

@@ -163,7 +163,8 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
     if "reaction" in roles and held:
-        parts.append("the pivot does no work (its point is at rest)")
+        axles = any(str(force.words[0]).startswith("axle") for body in facts.bodies if body.name in group for force in body.forces)
+        parts.append("the axle does no work (it is at rest)" if axles else "the pivot does no work (its point is at rest)")
     if "tension" in roles:
         parts.append("the string's tension gives one body what it takes from the other")
     if "friction" in roles:

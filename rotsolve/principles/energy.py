@@ -92,8 +92,9 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     free = next(name for name in rates if allowed.get(name) is None)
     left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
     if (left, right) != (ZERO, ZERO):
-        words: Words = ("power of the forces = rate of the kinetic energy, divided by ", Symbol(free))
-        yield Equation(positive_first([left]), right, "energy", section, ENERGY, 5, words, bodies=tuple(sorted(group)))
+        words: Words = ("Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",)
+        label = "power and kinetic energy"
+        yield Equation(positive_first([left]), right, label, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
 
 
 def rates_of(body: BodyFacts) -> set[str]:

@@ -180,7 +180,7 @@ class String(Connection):
         if station in (0, len(self.string) - 1) or not self.wraps(station, instant):
             return False
         name = instant.host(self.string[station].owner)
-        weightless = all(piece.mass == ZERO and piece.moment == ZERO for piece in instant.frame(name).pieces)
+        weightless = all(piece.moment == ZERO for piece in instant.frame(name).pieces)
         return weightless and not instant.arrangement.driven(name, instant.state)
 
     def strands(self, legs: tuple[Leg, ...], instant: Instant) -> tuple[tuple[Leg, ...], ...]:

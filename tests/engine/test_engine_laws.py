@@ -1,0 +1,126 @@
+"""One physics: every law gives the same answers, and declaring the other sense positive changes no motion."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from rotsolve.algebra.exact import equal
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.text import to_text
+from rotsolve.answering import NoAnswer, Session, families_for
+from rotsolve.core.equation import LAWS
+from rotsolve.friction import decide
+from rotsolve.motion.arrangement import OPPOSITE, Arrangement
+from rotsolve.motion.finds import Unclear, asked
+from rotsolve.motion.history import History
+from rotsolve.motion.questions import NotYet
+from rotsolve.pipeline import solve_problem
+from rotsolve.scene.model import Body, Problem
+
+ProblemOf = Callable[[Path], Problem]
+BY_ENERGY = {  # scenes in which energy, asked for, must answer something
+    "axle-friction-torque", "belt-crossed", "belt-plain", "contact-ladder", "gear-inside", "gear-plain", "hinge-rod-at-end",
+    "hinge-rod-falls", "rolls-down-in-two-states", "rolls-slope-left-down", "rolls-spool-pulled", "spring-level",
+    "spring-on-disc-and-block", "string-atwood-heavy", "string-atwood-light", "string-block-drops", "string-block-on-disc",
+    "string-chain-of-three", "string-level-pulley-hanging", "string-moving-pulley", "string-roller-axle-and-block",
+    "string-slope-left", "string-stepped-drum", "string-yoyo", "torsion-disc", "weld-bob-on-rod",
+}  # fmt: skip
+BY_ANGULAR_MOMENTUM = {
+    "axle-friction-torque", "event-blow-on-hanging-rod", "event-bounce-on-rod", "event-discs-joined", "event-putty-on-beam",
+    "hinge-rod-at-end", "rolls-slope-left-down", "string-atwood-heavy", "string-block-on-disc", "string-level-pulley-hanging",
+    "string-slope-left", "string-stepped-drum", "string-yoyo",
+}  # fmt: skip
+
+
+def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
+    """The closed forms of all questions that a law can answer."""
+    arrangement = Arrangement(problem)
+    history = History(arrangement, decide(arrangement).modes)
+    session = Session(history, families_for(law), spare=law is not None)
+    found = {}
+    for find in problem.finds:
+        try:
+            formula = session.answer(asked(find, history)).found.formula
+        except (NoAnswer, NotYet, Unclear):
+            continue
+        if formula is not None:
+            found[find.name] = formula
+    return found
+
+
+def test_all_laws_give_the_same_answers(
+    file: Path,
+    problem_of: ProblemOf,
+    number: Callable[..., float],
+    nearby: Callable[[Problem, random.Random], dict[str, float]],
+) -> None:
+    problem = problem_of(file)
+    plain = answers(problem, None)
+    values = nearby(problem, random.Random(1))
+    for law in LAWS:
+        for name, formula in answers(problem, law).items():
+            assert name in plain, f"only by {law}: {name} = {to_text(formula)}"
+            same = equal(formula, plain[name]) or near(number(formula, values), number(plain[name], values))
+            assert same, f"{name} by {law}: {to_text(formula)}; by the shortest way: {to_text(plain[name])}"
+
+
+def near(one: float, other: float) -> bool:
+    return abs(one - other) <= 1e-9 * max(1.0, abs(one), abs(other))
+
+
+@pytest.mark.parametrize(
+    ("law", "names"), [("energy", BY_ENERGY), ("angular-momentum", BY_ANGULAR_MOMENTUM)], ids=["energy", "angular-momentum"]
+)
+def test_a_law_serves_where_it_must(law: str, names: set[str], scenes: list[Path], problem_of: ProblemOf) -> None:
+    by_name = {path.stem: path for path in scenes}
+    silent = [name for name in sorted(names) if not answers(problem_of(by_name[name]), law)]
+    assert not silent, f"{law} gives nothing for {', '.join(silent)}"
+
+
+def test_newton_answers_every_scene_without_events(scene: Path, problem_of: ProblemOf) -> None:
+    problem = problem_of(scene)
+    if not problem.events:
+        found = answers(problem, "newton")
+        assert set(found) == {find.name for find in problem.finds}
+
+
+# declared senses
+
+
+def signed_in_words(problem: Problem) -> bool:
+    """Whether the scene says something that counts along a declared sense, so that turning it round would change the scene."""
+    along = any(getattr(item, "direction", "") is None for item in (*problem.actions, *problem.events))
+    driven = any(getattr(item, "angular_acceleration", None) is not None for item in problem.connections)
+    lines = [line for state in problem.states for line in state.conditions if not line.rest]
+    return along or driven or any(line.path is None or line.path.quantity not in ("angle", "elongation") for line in lines)
+
+
+def turned_round(body: Body, index: int, which: int) -> Body:
+    """A body with the other sense declared positive, of its travel or its turning, for some of the bodies."""
+    if which & 1 and index % 2 == 0 and body.moves:
+        body = replace(body, moves=OPPOSITE[body.moves])
+    if which & 2 and index % 2 == 1 and body.moves:
+        body = replace(body, moves=OPPOSITE[body.moves])
+    if which & 4 and body.turns:
+        body = replace(body, turns=OPPOSITE[body.turns])
+    return body
+
+
+@pytest.mark.parametrize("which", [1, 2, 4, 7])
+def test_declared_senses_change_no_motion(scene: Path, which: int, problem_of: ProblemOf) -> None:
+    problem = problem_of(scene)
+    bodies = tuple(turned_round(body, index, which) for index, body in enumerate(problem.bodies))
+    if signed_in_words(problem) or bodies == problem.bodies:
+        pytest.skip("nothing to turn round")
+    before = solve_problem(problem).derivation.answers
+    after = solve_problem(replace(problem, bodies=bodies)).derivation.answers
+    for one, other in zip(before, after, strict=True):
+        assert one.value is not None and other.value is not None
+        assert one.direction == other.direction, f"{one.name}: {one.direction}, then {other.direction}"
+        sizes = [value.float if one.direction == "" else abs(value.float) for value in (one.value, other.value)]
+        assert near(*sizes), f"{one.name}: {sizes[0]}, then {sizes[1]} {other.direction}"

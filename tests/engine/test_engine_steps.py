@@ -1,0 +1,145 @@
+"""Each line of algebra holds wherever the laws hold: numbers put into every equality of every solved scene."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Callable, Iterable
+from pathlib import Path
+
+import pytest
+
+from rotsolve.algebra.formula import Formula, Integral, Sum
+from rotsolve.algebra.text import to_text
+from rotsolve.answering import Session
+from rotsolve.motion.instant import GENERIC, VIRTUAL
+from rotsolve.scene.model import Problem
+
+Number = Callable[[Formula, dict[str, float]], float]
+Nearby = Callable[[Problem, random.Random], dict[str, float]]
+Sides = tuple[Formula, Formula]
+MOMENT = 0.7  # of the running time, where an equality holds at any
+POINTS = 3
+
+
+class Place:
+    """All letters of a solved session at one choice of the givens."""
+
+    def __init__(self, session: Session, values: dict[str, float], number: Number) -> None:
+        self.values, self.number = {"time": MOMENT, **values}, number
+        for name, found in session.solver.solved.items():
+            if found.formula is not None:
+                self.values[name] = number(found.formula, self.values)
+            elif found.number is not None:
+                self.values[name] = found.number.float
+        self.spread([(step.chain[-1].left, step.chain[-1].right) for step in session.solver.steps])
+
+    def spread(self, equalities: Iterable[Sides]) -> None:
+        """Letters that stand alone in an equality with known ones, and so on."""
+        pending = list(equalities)
+        while pending:
+            rest = [sides for sides in pending if not self.settle(*sides)]
+            if len(rest) == len(pending):
+                return
+            pending = rest
+
+    def settle(self, left: Formula, right: Formula) -> bool:
+        """Find the one unknown letter of an equality that is linear in it; False where that is not yet possible."""
+        open_ = sorted((left.symbols() | right.symbols()) - set(self.values))
+        if len(open_) != 1:
+            return not open_
+        name = open_[0]
+        try:
+            gaps = [self.gap(left, right, {**self.values, name: trial}) for trial in (0.0, 1.0, 2.0)]
+        except (ValueError, ZeroDivisionError):
+            return False
+        slope, bend = gaps[1] - gaps[0], gaps[2] - 2 * gaps[1] + gaps[0]
+        if abs(slope) > 1e-9 * (1 + abs(gaps[0])) and abs(bend) < 1e-9 * abs(slope):
+            self.values[name] = -gaps[0] / slope
+        return name in self.values
+
+    def gap(self, left: Formula, right: Formula, values: dict[str, float]) -> float:
+        return self.number(left, values) - self.number(right, values)
+
+    def known(self, sides: Sides) -> bool:
+        return (sides[0].symbols() | sides[1].symbols()) <= set(self.values)
+
+    def holds(self, left: Formula, right: Formula) -> bool:
+        parts = [part for side in (left, right) for part in (side.terms if isinstance(side, Sum) else (side,))]
+        scale = max(1e-3, *(abs(self.number(part, self.values)) for part in parts))
+        return abs(self.gap(left, right, self.values)) < 1e-8 * scale
+
+
+def places(session: Session, number: Number, nearby: Nearby) -> list[Place]:
+    """Some choices of the givens; those of the scene alone where an answer has a number only."""
+    problem = session.history.arrangement.problem
+    if any(found.formula is None for found in session.solver.solved.values()):
+        return [Place(session, nearby(problem, Unchanged()), number)]
+    chance, found = random.Random(problem.title), []
+    for _ in range(POINTS):
+        try:
+            found.append(Place(session, nearby(problem, chance), number))
+        except ValueError:  # an answer that exists in a narrow range only
+            found.append(Place(session, nearby(problem, Unchanged()), number))
+    return found
+
+
+class Unchanged(random.Random):
+    """Leaves every value as the scene has it."""
+
+    def uniform(self, a: float, b: float) -> float:
+        return (a + b) / 2
+
+
+def told(sides: Sides) -> str:
+    return f"{to_text(sides[0])} = {to_text(sides[1])}"
+
+
+def check(place: Place, sides: Sides, label: str) -> None:
+    holds = place.holds(*sides)
+    assert holds, f"{label} does not hold at the answers: {told(sides)}"
+
+
+def test_every_step_holds(file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby) -> None:
+    session = session_of(file)
+    for place in places(session, number, nearby):
+        for step in session.solver.steps:
+            for equality in step.chain:
+                if equality.relation == "=":
+                    sides = equality.left, equality.right
+                    assert place.known(sides), f"a letter of step {step.number} is never found: {told(sides)}"
+                    check(place, sides, f"step {step.number}")
+
+
+def test_every_law_used_holds(file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby) -> None:
+    session = session_of(file)
+    used = {index for answered in session.answered for index in answered.used}
+    laws = [session.planner.pool[index] for index in sorted(used)]
+    for place in places(session, number, nearby):
+        place.spread([(law.left, law.right) for law in laws])
+        for law in laws:
+            if not hides(law.left) and not hides(law.right):
+                sides = law.left, law.right
+                assert place.known(sides), f"a letter of the law is never found: {told(sides)}"
+                check(place, sides, law.label)
+
+
+def hides(side: Formula) -> bool:
+    """Whether an integral holds a letter that itself runs with what is summed over."""
+    inside = [node.integrand.symbols() - {node.variable} for node in side.walk() if isinstance(node, Integral)]
+    return any(GENERIC in name for names in inside for name in names)
+
+
+def test_all_that_the_laws_write_holds_at_the_answers(
+    file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby
+) -> None:
+    """Also the equations that no plan used: a second law that disagrees is a fault in one of the two."""
+    session = session_of(file)
+    laws = [law for law in session.history.equations if not hides(law.left) and not hides(law.right)]
+    laws = [law for law in laws if VIRTUAL not in " ".join(law.symbols())]
+    for place in places(session, number, nearby):
+        place.spread([(law.left, law.right) for law in laws])
+        checked = [law for law in laws if place.known((law.left, law.right))]
+        if not checked:
+            pytest.fail("no law of this scene can be checked")
+        for law in checked:
+            check(place, (law.left, law.right), law.label)

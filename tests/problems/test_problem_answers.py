@@ -1,0 +1,122 @@
+"""Every problem in problems/ is solved, gives its published answers by every law that applies, and prints as it did."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+from rotsolve.algebra.ball import evaluate
+from rotsolve.algebra.exact import equal
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.parse import parse
+from rotsolve.algebra.text import to_text
+from rotsolve.core.equation import LAWS
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+from rotsolve.scene.model import Published
+from rotsolve.solution import AnswerView, Solution
+
+ACCURACY = Fraction(1, 10**9)
+WIDTH = 100
+
+
+@cache
+def solved(file: Path, law: str | None = None) -> Solution:
+    return solve(file, law=law)
+
+
+def letters(solution: Solution) -> frozenset[str]:
+    """The letters that are known to be positive: those of the givens."""
+    return frozenset({given.name for given in solution.problem.givens} | {"g"})
+
+
+def published_formula(entry: Published, solution: Solution) -> Formula | None:
+    """The published formula over givens alone: what stands for another answer is put in."""
+    formula = entry.formula
+    others = {item.name: item.formula for item in solution.problem.answers if item.formula is not None}
+    givens = {given.name for given in solution.problem.givens if not given.asked}
+    for _ in others:
+        used = {} if formula is None else {name: others[name] for name in formula.symbols() if name in others and name not in givens}
+        if not used or formula is None:
+            break
+        formula = formula.substitute(used)
+    return formula
+
+
+def check_answers(solution: Solution) -> list[str]:
+    """Where the answers differ from the published ones."""
+    wrong = []
+    for entry in solution.problem.answers:
+        if entry.name not in solution.answers:
+            wrong.append(f"{entry.name}: there is no such answer")
+            continue
+        wrong += differences(entry, solution.answers[entry.name], solution)
+    return wrong
+
+
+def differences(entry: Published, answer: AnswerView, solution: Solution) -> list[str]:
+    wrong = []
+    expected = published_formula(entry, solution)
+    if expected is not None:
+        if answer.formula is None:
+            wrong.append(f"{entry.name}: no closed form; published {entry.text}")
+        elif not equal(answer.formula, expected, letters(solution)):
+            wrong.append(f"{entry.name} = {to_text(answer.formula)}; published {entry.text}")
+    if entry.value is not None:
+        value = evaluate(entry.value, {}, digits=20).float
+        found = answer.answer.value
+        if found is None:
+            wrong.append(f"{entry.name}: no number; published {entry.text}")
+        elif abs(found.float - value) > ACCURACY * max(abs(value), abs(found.float)):
+            wrong.append(f"{entry.name}: {found.float!r} in SI units; published {value!r}")
+    if entry.formula is None and entry.value is None and entry.text not in (answer.word, answer.direction):
+        wrong.append(f"{entry.name}: {answer.word or answer.direction!r}; published {entry.text!r}")
+    return wrong
+
+
+def test_published_answers_are_reached(problem_file: Path) -> None:
+    solution = solved(problem_file)
+    wrong = check_answers(solution)
+    assert not wrong, "\n".join(wrong)
+
+
+def test_every_question_has_a_published_answer(problem_file: Path) -> None:
+    problem = solved(problem_file).problem
+    assert problem.source and problem.text
+    assert {entry.name for entry in problem.answers} == {find.name for find in problem.finds}
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_each_law_that_applies_gives_the_same_answers(problem_file: Path, law: str) -> None:
+    try:
+        solution = solved(problem_file, law)
+    except Unsolvable:
+        return
+    wrong = check_answers(solution)
+    assert not wrong, "\n".join(wrong)
+
+
+def test_printed_formulas_read_back_as_the_answers(problem_file: Path) -> None:
+    solution = solved(problem_file)
+    for answer in solution.answers.values():
+        if answer.formula is not None:
+            printed = to_text(answer.formula)
+            assert equal(parse(printed, answer.formula.symbols()), answer.formula), printed
+
+
+def test_nothing_objects_to_the_answers(problem_file: Path) -> None:
+    assert [check for check in solved(problem_file).checks if check.holds is False] == []
+
+
+def test_golden_derivation_is_unchanged(problem_file: Path, regenerate: bool) -> None:
+    golden = problem_file.parent / "golden" / f"{problem_file.stem}.txt"
+    text = solved(problem_file).to("text", width=WIDTH)
+    if regenerate:
+        golden.parent.mkdir(exist_ok=True)
+        golden.write_text(text, encoding="utf-8")
+        return
+    assert golden.exists(), f"no {golden}: write it with `pytest tests/problems --regenerate`"
+    assert text == golden.read_text(encoding="utf-8")
