@@ -9,7 +9,7 @@ from rotsolve.algebra.ball import evaluate
 from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import LAWS, NEWTON, Equation
+from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
@@ -21,6 +21,7 @@ from rotsolve.solve import Choice, Contradiction, Found, NoClosedForm, Redundant
 
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 TRIES = 12
+TINY = 1e-14
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
@@ -138,8 +139,9 @@ class Session:
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
-        alone = [[index for index in allowed if self.planner.pool[index].family in ("", law)] for law in self.families]
-        return [allowed, *alone] if len(self.families) > 1 else [allowed]
+        laws = [law for law in self.families if law in LAWS]
+        alone = [[index for index in allowed if self.planner.pool[index].family in ("", KINEMATICS, law)] for law in laws]
+        return [allowed, *alone] if len(laws) > 1 else [allowed]
 
     def _remember(self) -> None:
         """Results found on the way may serve the next question."""
@@ -154,6 +156,9 @@ class Session:
         real = [(index, number) for index, root in enumerate(roots) if (number := self.number(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
+        moved = [entry for entry in real if abs(entry[1]) > TINY]
+        if len(moved) < len(real) and moved and self._is_change(name):
+            real = moved  # the root 0 is the start itself
         if len(real) == 1:
             return real[0][0], ()
         sign, words = self.expected(name)
@@ -164,6 +169,11 @@ class Session:
         if self._is_angle(name):
             return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
         return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
+
+    def _is_change(self, name: str) -> bool:
+        """Whether a quantity is a change since the state before, or the time that it took."""
+        quantity = self.history.registry.quantities.get(name)
+        return quantity is not None and quantity.kind in ("displacement", "rotation", "time", "elongation")
 
     def _is_angle(self, name: str) -> bool:
         given, quantity = self.givens.get(name), self.history.registry.quantities.get(name)
@@ -195,6 +205,8 @@ class Session:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind in ("displacement", "rotation"):
+            return self._onward(quantity.kind, quantity.owner, quantity.when)
         if quantity.kind in ("time", "tension", "mass", "normal_force"):
             return 1, (Symbol(name), " > 0")
         return 0, ()
@@ -227,11 +239,24 @@ class Session:
                 return sign, (f"{owner.replace('_', ' ')} {verb} {words}: ", Symbol(name), relation)
         return 0, ()
 
+    def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
+        """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""
+        passage = self.history.passages.get(interval)
+        wanted = "line" if kind == "displacement" else "turn"
+        travel = next((item for item in passage.travels if item.body == owner and item.kind == wanted), None) if passage else None
+        if travel is None:
+            return 0, ()
+        for value in (travel.before, self._push(travel.acceleration), travel.after):
+            size = self.number(self.solver._with_answers(value)) if value is not None else None
+            if size:
+                return (1 if size > 0 else -1), ("the way in which it starts to move",)
+        return 0, ()
+
     def _push(self, acceleration: Formula) -> Formula | None:
         """The acceleration that starts the motion, found aside."""
         if not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
             return acceleration
-        aside = Session(self.history, ("", NEWTON))
+        aside = Session(self.history, (NEWTON,))
         try:
             return aside.value_of(acceleration.name)
         except NoAnswer:
@@ -269,5 +294,5 @@ def is_angle(given: Given) -> bool:
 
 def families_for(law: str | None) -> tuple[str, ...]:
     """The equation families that a law may use; all for none."""
-    return LAWS if law is None else (law,)
+    return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
 

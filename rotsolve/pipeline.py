@@ -90,7 +90,7 @@ def by_law(session: Session, find: Find) -> None:
     try:
         session.answer(question)
     except NoAnswer as error:
-        if len(session.families) > 1 or NEWTON in session.families:
+        if NEWTON in session.families:
             raise
         laws = session.families
         session.families = (*laws, NEWTON)
@@ -145,7 +145,7 @@ def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
     told = [f"{name_to_text(letters.get(name, name))} ({told_quantity(name, session)})" for name in open_]
     count = len([index for index in error.shortage.equations if session.planner.pool[index].label])
     message = f"too little is known to find `{find.name}`: {plural(count, 'equation')} for {plural(len(told), 'unknown')}: {', '.join(told)}"
-    law = "" if len(session.families) > 1 else f"by {SAID[session.families[0]]} alone, "
+    law = "" if NEWTON in session.families else f"by {SAID[session.families[0]]} alone, "
     return law + message, "give one of them, or say more about the states"
 
 

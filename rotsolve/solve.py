@@ -195,7 +195,7 @@ class Solver:
         value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
         if value is None and alone:
             roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
-            choice = self.choose(name, roots) if roots else None
+            choice = self.choose(name, [self._with_answers(root) for root in roots]) if roots else None
             return roots[choice[0]] if choice else None
         return value
 

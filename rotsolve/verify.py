@@ -9,7 +9,7 @@ from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.dimension import DimensionError, dimension_of
 from rotsolve.algebra.exact import equal, length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
-from rotsolve.answering import Answered, NoAnswer, Session
+from rotsolve.answering import Answered, NoAnswer, Session, families_for
 from rotsolve.compose import Composer, spoken
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
@@ -39,7 +39,7 @@ def second_law(session: Session, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [answered for answered in session.answered if answered.found.formula is not None and depends(answered, session)]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
-        other = Session(session.history, (law,), spare=True)
+        other = Session(session.history, families_for(law), spare=True)
         agreed = []
         for answered in list(pending):
             if law in families(answered, session):
@@ -161,7 +161,7 @@ def limit(formula: Formula, name: str, session: Session) -> Formula | None:
 
 def requirements(session: Session, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
-    aside = Session(session.history, (NEWTON,))
+    aside = Session(session.history, families_for(NEWTON))
     told: set[str] = set()
     for state in session.history.arrangement.timeline.states:
         for need in session.history.facts(state.name).requirements:

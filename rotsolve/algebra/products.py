@@ -42,7 +42,6 @@ class Parts:
                     return
         self.sums.append((poly, power))
 
-
     def unite_squares(self) -> None:
         """(a + b) (a − b) as a² − b²; but a⁴ − b⁴ stays in factors."""
         for k, (first, power) in enumerate(self.sums):
@@ -87,12 +86,12 @@ def share_number(number: Fraction, root: int, symbols: bool) -> tuple[Fraction, 
     return Fraction(number.numerator, out), Fraction(under.numerator, rest)
 
 
-def written_fraction(number: Fraction, items: list[tuple[Rank, Formula, int]]) -> Formula:
-    """number · base^power · …, negative powers below the line; ½, ⅖ and 1/12 go in front where nothing else is below."""
+def written_fraction(number: Fraction, items: list[tuple[Rank, Formula, int]], *, rooted: bool = False) -> Formula:
+    """number · base^power · …, negative powers below the line; ½, ⅖, 1/12 in front if nothing else is below (no root)."""
     above = _product([item for item in items if item[2] > 0])
     below = _product([(rank, base, -e) for rank, base, e in items if e < 0])
     p, q = number.numerator, number.denominator
-    leads = p == 1 or number in GLYPHS
+    leads = not rooted and (p == 1 or number in GLYPHS)
     if below == ONE and above != ONE and leads and (isinstance(above, Sum) or above.symbols()):
         return _times(Number(number), above)
     return divide(_times(Number(Fraction(p)), above), _times(Number(Fraction(q)), below))

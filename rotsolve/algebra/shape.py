@@ -1,6 +1,7 @@
 """Shape: polynomials and fractions of a field written as a textbook would, e.g. `2 m g/(2 m + M)`.
 
-Factors go: number, root of a number, symbols in the given order, brackets, functions, roots. Other roots are gathered into one: √a √b/√c is √(a b/c).
+Factors go: number, root of a number, symbols in the given order, brackets, functions, roots.
+The last are gathered into one: √a √b/√c is √(a b/c).
 """
 
 from __future__ import annotations
@@ -24,11 +25,11 @@ from rotsolve.algebra.formula import (
     negate,
     total,
 )
+from rotsolve.algebra.letters import GLYPHS
 from rotsolve.algebra.products import Parts, Rank, share_number, written_fraction
 from rotsolve.algebra.signs import Signs
 
-
-FUNCTION_ORDER = "sin cos tan abs"  # of one argument
+LAST = {"sin": 1, "cos": 2, "tan": 3}  # the order of functions of one argument
 
 
 class Shaper:
@@ -58,8 +59,7 @@ class Shaper:
             kind = {"sqrt": 5, "exp": 4}.get(atom.function, 3)
             names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
             first = places.get(names[0], len(places)) if names else 0
-            last = FUNCTION_ORDER.find(atom.function)
-            return (kind, first, " ".join(names), f"{atom.arguments}{last:03}")
+            return (kind, first, " ".join(names), f"{atom.arguments}{LAST.get(atom.function, '')}")
         return (2, 0, "", repr(atom))
 
     # polynomials
@@ -113,9 +113,29 @@ class Shaper:
         q = parts.number.denominator
         if power != 1 or q == 1:
             return False
+        terms = list(self.field.terms(poly))
         pi = self.field.index.get(PI)
-        spreads = any(c % q == 0 and any(e) for c, e in self.field.terms(poly))
-        return spreads or (pi is not None and poly.degrees()[pi] == 1)
+        if any(c % q == 0 and any(e) for c, e in terms) or (pi is not None and poly.degrees()[pi] == 1):
+            return True
+        return self._fractions(terms, q) < 2 + sum(abs(c) != 1 for c, _ in terms)
+
+    def _shared(self, parts: Parts) -> int:
+        """The number below a product that goes into its bracket: M (g + ½ L α), but ¼ M g (1 + 3 sin² θ)."""
+        q = parts.number.denominator
+        if q == 1 or parts.root != 1 or len(parts.sums) != 1 or parts.sums[0][1] != 1:
+            return 1
+        if any(e < 0 or e.denominator != 1 for e in parts.gens.values()):
+            return 1
+        terms = list(self.field.terms(parts.sums[0][0]))
+        lettered = all(any(e) for _, e in terms)  # 1 + 3 sin² θ has a term without a letter
+        cancels = any(c % q == 0 for c, _ in terms)
+        return q if lettered and cancels and self._fractions(terms, q) <= sum(abs(c) != 1 for c, _ in terms) else 1
+
+    @staticmethod
+    def _fractions(terms: list[tuple[int, tuple[int, ...]]], q: int) -> int:
+        """How much there is to read of the coefficients over q: none for 1, one for ½ and 3, two for 5/12."""
+        values = [abs(Fraction(c, q)) for c, _ in terms]
+        return sum(0 if v == 1 else 1 if v.denominator == 1 or v.numerator == 1 or v in GLYPHS else 2 for v in values)
 
     def parts(self, ratio: Ratio) -> Parts:
         """The factors of a fraction, gathered."""
@@ -182,8 +202,9 @@ class Shaper:
         flip = 1
         items = [(self.ranks[i], self.field.atoms[i], e) for i, e in self._with_tan(parts, outer).items()]
         parts.unite_squares()
+        shared = self._shared(parts)
         for poly, e in parts.sums:
-            shown, sign = self._oriented(poly, e, flip * parts.number < 0)
+            shown, sign = self._oriented(poly, e, flip * parts.number < 0, shared)
             flip *= sign
             items.append(((2, 0, repr(shown) if len(parts.sums) > 1 else "", ""), shown, e))
         for rank, base, e in items:
@@ -192,7 +213,7 @@ class Shaper:
                 outer.append((rank, base, whole))
             if e != whole:
                 inner.append((rank, base, 1 if e > 0 else -1))
-        return self._assemble(parts.number * flip, parts.root, self._with_exp(outer), inner)
+        return self._assemble(parts.number * flip * shared, parts.root, self._with_exp(outer), inner)
 
     def _with_tan(self, parts: Parts, outer: list[tuple[Rank, Formula, int]]) -> dict[int, Fraction]:
         """The powers of generators with sin/cos taken out as tan."""
@@ -215,8 +236,8 @@ class Shaper:
         exponent = total([multiply(Number(Fraction(e)), base.children()[0]) for _, base, e in found])
         return [item for item in items if item not in found] + [(found[0][0], call("exp", exponent), 1)]
 
-    def _oriented(self, poly: Poly, power: Fraction, negative: bool) -> tuple[Formula, int]:
-        """A bracket with its sign chosen: leading term positive, but turned round to absorb a minus before the product."""
+    def _oriented(self, poly: Poly, power: Fraction, negative: bool, below: int = 1) -> tuple[Formula, int]:
+        """A bracket (over a number) with its sign: leading term positive, but turned to absorb a minus before the product."""
         if power.denominator != 1:
             return self._radicand(poly), 1
         odd = power % 2 == 1
@@ -224,7 +245,7 @@ class Shaper:
         mixed = len({coefficient > 0 for coefficient, _ in self.field.terms(poly)}) == 2
         if odd and mixed and (negative != turn):
             turn = not turn
-        return self.poly(-poly if turn else poly), -1 if turn and odd else 1
+        return self.poly(-poly if turn else poly, below), -1 if turn and odd else 1
 
     def _radicand(self, poly: Poly) -> Formula:
         """What stands under a root, in factors where it has any."""
@@ -249,11 +270,12 @@ class Shaper:
     ) -> Formula:
         sign, number = (-1, -number) if number < 0 else (1, number)
         number, under = share_number(number, root, bool(inner))
-        inside = written_fraction(under, inner) if inner or under != 1 else ONE
+        inside = written_fraction(under, inner, rooted=True) if inner or under != 1 else ONE
         above = [(rank, base, e) for rank, base, e in outer if e > 0]
         below = [(rank, base, -e) for rank, base, e in outer if e < 0]
         if inner and all(e < 0 for _, _, e in inner) and under == 1:
-            below.append(((5, 0, "", ""), call("sqrt", written_fraction(under, [(r, b, -e) for r, b, e in inner])), 1))
+            upright = written_fraction(under, [(r, b, -e) for r, b, e in inner], rooted=True)
+            below.append(((5, 0, "", ""), call("sqrt", upright), 1))
         elif inside != ONE:
             above.append(((5 if inner else -1, 0, "", ""), call("sqrt", inside), 1))
         result = written_fraction(number, above + [(r, b, -e) for r, b, e in below])

@@ -8,6 +8,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 
 NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
+KINEMATICS = "kinematics"  # motion in time: used with every law, but not where only one moment is looked at
 LAWS = (NEWTON, ENERGY, ANGULAR_MOMENTUM)  # what `--law` may name; an equation without a law serves them all
 
 

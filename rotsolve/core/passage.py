@@ -74,6 +74,7 @@ class Meeting:
     spin_after: Formula
     place: Vector | None
     blows: tuple[Force, ...]  # impulses on it, as forces with impulse for size, arms from its reference
+    twists: tuple[Formula, ...] = ()  # angular impulses of couples on it, counterclockwise
 
 
 @dataclass(frozen=True, slots=True)

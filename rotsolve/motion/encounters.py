@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula
+from dataclasses import replace
+
+from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.passage import Encounter, Meeting
@@ -26,7 +28,10 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     involved = [body for body in first_facts.bodies if any(body.name in group for group in merged)]
     blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
     places = common_places(involved, points, first)
-    meetings = tuple(meeting(body, first, last, blows[body.name], places.get(body.name)) for body in involved)
+    meetings = tuple(
+        replace(meeting(body, first, last, blows[body.name], places.get(body.name)), twists=twists_on(body, event, points, first))
+        for body in involved
+    )
     supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
     words = getattr(event, "about", "")
     return Encounter(interval.name, words, meetings, merged, supports, bounce(event, points, first, last))
@@ -118,6 +123,17 @@ def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instan
                 push = unit(direction if index == 1 else direction.turned(180))
                 blows.append(Force(event.name, "contact", body.name, size, push, arm, ("blow ", size), internal=True))
     return blows
+
+
+def twists_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instant: Instant) -> tuple[Formula, ...]:
+    """Bodies that stick together also twist each other until they turn as one."""
+    if not isinstance(event, Joins):
+        return ()
+    owners = [instant.host(ref.owner) for ref in points]
+    if body.name not in owners:
+        return ()
+    twist = instant.ask("angular_impulse", event.name)
+    return (twist if owners.index(body.name) == 1 else negate(twist),)
 
 
 def outside_blow(event: Impulse, body: BodyFacts, arm: Vector, instant: Instant) -> Force:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rotsolve.algebra.exact import is_zero
@@ -23,6 +23,14 @@ from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, kinematics, momentum, newton, rotation as turning
 from rotsolve.scene.model import Condition, Path, State
 
+RATE_OF = {  # what is zero where a quantity is largest or smallest
+    "angle": "angular_velocity",
+    "rotation": "angular_velocity",
+    "angular_velocity": "angular_acceleration",
+    "displacement": "velocity",
+    "height": "velocity",
+    "velocity": "acceleration",
+}
 RATES = ("velocity", "angular_velocity")
 
 
@@ -77,6 +85,10 @@ class History:
             self._set(fresh.time(), last.time())
             said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
             touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
+            for item in self.arrangement.connections(state.name):
+                if item.word == "spring":
+                    self._set(fresh.ask("elongation", item.name), last.ask("elongation", item.name))
+                    self._set(fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when))
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
                 if old is not None and new is not None:
@@ -114,6 +126,10 @@ class History:
             self._rest(state.name, condition.owner or "all")
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
+        elif condition.path is not None and condition.word in ("largest", "smallest"):
+            rate = RATE_OF.get(condition.path.quantity)
+            if rate is not None:
+                self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
         elif condition.path is not None and condition.value is not None:
             letter = self._letter(state.name, condition.path)
             if isinstance(letter, Symbol) and SEPARATOR in letter.name:

@@ -12,9 +12,10 @@ from fractions import Fraction
 from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.exact import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Product, Symbol, sqrt, total
-from rotsolve.core.facts import BodyFacts, Facts, signed, square
+from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.elements.connections.strings import String
 from rotsolve.motion.instant import Instant, locate
 from rotsolve.motion.rigid import mass_of, moment_about, tidy
 from rotsolve.principles.energy import kinetic
@@ -253,12 +254,7 @@ class Reader:
         couples = [(body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner]
         match path.quantity:
             case "tension":
-                near = [force for body, force in forces if path.point in (None, body.name)]
-                sizes = {force.size: None for force in near or [force for _, force in forces]}
-                if len(sizes) != 1:
-                    ends = ", ".join(f"`{path.owner}.{body.name}.tension`" for body, _ in forces)
-                    raise NotYet(f"the tension is not the same along `{path.owner}`: ask for {ends}")
-                return next(iter(sizes))
+                return self._tension(path, [force for _, force in forces])
             case "normal_force" | "friction_force":
                 role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
                 return next((force.size for _, force in forces if force.role == role), ZERO)
@@ -278,6 +274,22 @@ class Reader:
                 held = next(item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner)
                 return self._of_body(replace(path, owner=held.touches()[-1].owner), None)  # type: ignore[return-value]
         raise NotYet(f"`{path.quantity}` of `{path.owner}` is not worked out at one moment")
+
+    def _tension(self, path: Path, forces: list[Force]) -> Formula:
+        """The tension of a string, or of the part that leaves the body that the path names."""
+        item = next((item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner), None)
+        if isinstance(item, String) and path.point:
+            tension = item.tension_at(path.point, self.instant)
+            if tension is not None:
+                return tension
+        sizes = {force.size: None for force in forces}
+        if not sizes:
+            raise NotYet(f"`{path.owner}` does not pull at this moment")
+        if len(sizes) > 1:
+            names = dict.fromkeys(ref.owner for ref in item.touches()) if item is not None else {}
+            ends = ", ".join(f"`{path.owner}.{name}.tension`" for name in names)
+            raise NotYet(f"the tension is not the same along `{path.owner}`: ask for that of one part, {ends}")
+        return next(iter(sizes))
 
     def _element_force(self, path: Path, forces: list[tuple[BodyFacts, object]]) -> Formula | Meaning:
         """The force on the last-named body: its components, or its size."""

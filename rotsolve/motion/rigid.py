@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.exact import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, negate, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
 from rotsolve.core.signs import is_negative
@@ -122,9 +122,12 @@ def direction_of(arm: Vector) -> Heading:
         return direction.turned(180) if is_negative(size) else direction
     if not arm.parts:
         return RIGHT
-    from rotsolve.algebra.formula import call
-
-    return heading(simplify(call("atan2", arm.along(UP), arm.along(RIGHT))))
+    x, y = arm.along(RIGHT), arm.along(UP)
+    slope = simplify(y / x) if x != ZERO else None
+    if isinstance(slope, Number):  # sizes are positive, so the signs as written tell the quadrant
+        x = Number(Fraction(-1 if is_negative(x) else 1))
+        y = slope * x
+    return heading(simplify(call("atan2", y, x)))
 
 
 def centre_of_mass(items: tuple[Piece, ...]) -> Vector:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.facts import Facts, Rule
 
 
@@ -26,7 +27,7 @@ def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str
     for rule in facts.rules:
         if rule.linear:
             left, right = (side.substitute(dict(changes)) for side in rule.velocity)
-            yield written(rule, (left, right), section)
+            yield replace(written(rule, (left, right), section), family=KINEMATICS)
 
 
 def written(rule: Rule, sides: tuple[Formula, Formula], section: str) -> Equation:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
 from rotsolve.algebra.linear import NotLinear, Singular, solve_system
 from rotsolve.core.derivation import Words
@@ -119,7 +119,7 @@ def one_motion(rates: list[str], rules: list[Rule]) -> dict[str, Formula] | None
         return None
     if any(set(value.symbols()) & set(others) for value in solved.values()):
         return None
-    return solved
+    return solved if all(is_zero(equation.substitute(solved)) for equation in equations) else None
 
 
 def gain(body: BodyFacts) -> list[Formula]:

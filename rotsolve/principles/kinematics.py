@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rotsolve.algebra.formula import Formula, Integral, Number, Symbol
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
 from rotsolve.core.facts import square
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.writing import spoken
@@ -26,12 +26,12 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None:
             change = travel.end - travel.start
-            yield equation(travel.change, change, "angle turned", travel, section, "", 1)
+            yield equation(travel.change, change, "angle turned", travel, section, cost=1)
     if passage.times[0] != passage.times[1]:
-        yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, "", 1)
+        yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, KINEMATICS, 1)
 
 
-def equation(left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = "", cost: int = 2) -> Equation:
+def equation(left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = KINEMATICS, cost: int = 2) -> Equation:
     return Equation(left, right, f"{words}, {spoken(travel.body)}", section, family, cost, bodies=(travel.body,))
 
 
@@ -40,7 +40,7 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
     before, after, rate, change, time = travel.before, travel.after, travel.acceleration, travel.change, passage.duration
     words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
     yield equation(after, before + rate * time, words, travel, section)
-    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, NEWTON, 3)
+    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
     yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
     yield equation(change, HALF * (before + after) * time, words, travel, section, cost=3)
 

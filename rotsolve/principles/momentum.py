@@ -26,35 +26,32 @@ def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) 
 
 def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Iterator[Equation]:
     """I α + Σ R m a = τ: a body on a string that runs off the wheel has the rim's radius for its arm."""
-    sense, rates, pushes = wheel.motion.sense, [response(wheel)], outside_torques(wheel)
+    sense, rates = wheel.motion.sense, [response(wheel)]
+    pushes: list[Formula] = []
+    between: set[tuple[str, Formula]] = set()  # tensions between the wheel and what hangs from it
     for body in others:
-        arm = arm_of_string(body, wheel)
-        if arm is None or body.motion.kind != "line" or body.motion.turns or body.motion.heading is None:
+        held = string_between(body, wheel)
+        if held is None or body.motion.kind != "line" or body.motion.turns or body.motion.heading is None:
             return
-        along = body.motion.heading
-        rates.append(signed(arm.cross(body.motion.acceleration.scaled(body.mass)), sense))
+        between.add((held.owner, held.size))
+        rates.append(signed(held.arm.cross(body.motion.acceleration.scaled(body.mass)), sense))
         for force in body.forces:
-            if not force.internal:
-                pull = Vector(((force.vector.along(along), along),))
-                pushes.append(signed(arm.cross(pull), sense))
+            if (force.owner, force.size) not in between:
+                pull = Vector(((force.vector.along(body.motion.heading), body.motion.heading),))
+                pushes.append(signed(held.arm.cross(pull), sense))
+    pushes += [signed(force.torque, sense) for force in wheel.forces if (force.owner, force.size) not in between]
+    pushes += [signed(couple.torque, sense) for couple in wheel.couples]
     label = f"angular momentum about the {'pivot' if wheel.cm.parts else 'axle'}: its rate is the torque"
     yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(wheel.name,))
 
 
-def outside_torques(wheel: BodyFacts) -> list[Formula]:
-    """Torques on a wheel that do not come from what moves with it."""
-    sense = wheel.motion.sense
-    forces = [signed(force.torque, sense) for force in wheel.forces if not force.internal]
-    return [*forces, *(signed(couple.torque, sense) for couple in wheel.couples if not couple.internal)]
-
-
-def arm_of_string(body: BodyFacts, wheel: BodyFacts) -> Vector | None:
-    """Where the string that pulls a body leaves the wheel: the wheel feels the same tension the other way."""
+def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
+    """The pull on the wheel of the string that holds a body: the same tension the other way, at the rim's arm."""
     for force in body.forces:
         for other in wheel.forces:
             same = force.role == "tension" and (force.owner, force.size) == (other.owner, other.size)
             if same and force.direction == -other.direction:
-                return other.arm
+                return other
     return None
 
 
@@ -159,6 +156,7 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
     if body.motion.turns:
         sense = body.motion.sense
         pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
+        pushes += [signed(twist, sense) for twist in item.twists]
         before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
         if flat(pushes) or flat([before, after]):
             label = f"angular impulse = change of angular momentum, {spoken(body.name)}"

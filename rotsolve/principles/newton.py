@@ -22,6 +22,8 @@ def second_law(facts: Facts, section: str) -> Iterator[Equation]:
 
 def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     """The component along one axis; None where nothing acts along it."""
+    if body.motion.kind == "line" and axis != body.motion.heading and not any(force.role == "normal" for force in body.forces):
+        return None  # whatever holds it on its line takes what acts across
     forces = [force.vector.along(axis) for force in body.forces]
     acceleration = body.centre_acceleration.along(axis)
     response = multiply(body.mass, acceleration) if body.mass != ZERO else ZERO

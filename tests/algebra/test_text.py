@@ -176,6 +176,10 @@ TABLE = [
     (Fraction(1, 3) * big_m * length**2, "⅓ M L²", "1/3*M*L^2"),
     (Fraction(1, 12) * big_m * length**2, "1/12 M L²", "1/12*M*L^2"),
     (Product((Quotient(n(1), n(2)), m)), "1/2 m", "1/2*m"),
+    (Fraction(2, 5) * m * radius**2, "⅖ m R²", "2/5*m*R^2"),
+    (Fraction(3, 4) * big_m * g * call("sin", theta), "¾ M g sin θ", "3/4*M*g*sin(theta)"),
+    (Fraction(1, 3) * call("sqrt", n(3)) * length, "⅓ √3 L", "1/3*sqrt(3)*L"),
+    (call("sqrt", n(3)) * g / (4 * length), "√3 g/(4 L)", "sqrt(3)*g/(4*L)"),
     (3 * g * call("cos", theta0) / (2 * length), "3 g cos θ₀/(2 L)", "3*g*cos(theta0)/(2*L)"),
     (
         -call("sqrt", 3 * g * (1 + call("sin", theta0)) / length),

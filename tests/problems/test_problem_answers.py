@@ -6,7 +6,9 @@ from fractions import Fraction
 from functools import cache
 from pathlib import Path
 
+import jsonschema
 import pytest
+import yaml
 
 from rotsolve.algebra.ball import evaluate
 from rotsolve.algebra.exact import equal
@@ -17,6 +19,7 @@ from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 from rotsolve.scene.model import Published
+from rotsolve.scene.schema import json_schema
 from rotsolve.solution import AnswerView, Solution
 
 ACCURACY = Fraction(1, 10**9)
@@ -39,7 +42,11 @@ def published_formula(entry: Published, solution: Solution) -> Formula | None:
     others = {item.name: item.formula for item in solution.problem.answers if item.formula is not None}
     givens = {given.name for given in solution.problem.givens if not given.asked}
     for _ in others:
-        used = {} if formula is None else {name: others[name] for name in formula.symbols() if name in others and name not in givens}
+        used = (
+            {}
+            if formula is None
+            else {name: others[name] for name in formula.symbols() if name in others and name not in givens}
+        )
         if not used or formula is None:
             break
         formula = formula.substitute(used)
@@ -105,6 +112,10 @@ def test_printed_formulas_read_back_as_the_answers(problem_file: Path) -> None:
         if answer.formula is not None:
             printed = to_text(answer.formula)
             assert equal(parse(printed, answer.formula.symbols()), answer.formula), printed
+
+
+def test_scene_fits_the_schema(problem_file: Path) -> None:
+    jsonschema.validate(yaml.load(problem_file.read_text(encoding="utf-8"), yaml.BaseLoader), json_schema())
 
 
 def test_nothing_objects_to_the_answers(problem_file: Path) -> None:

@@ -82,6 +82,15 @@ class String(Connection):
                 yield from self.pulls_of(leg, tension, instant)
             yield from self.rules(strand, instant, number)
 
+    def tension_at(self, name: str, instant: Instant) -> Formula | None:
+        """Tension of the part that leaves a body or support towards the next one in the list; at the last one, of the part that arrives."""
+        index = next((k for k, ref in enumerate(self.string) if ref.owner == name), None)
+        if index is None:
+            return None
+        legs = self.legs(instant)
+        wanted = legs[min(index, len(legs) - 1)]
+        return next(self.tension(strand, legs, instant) for strand in self.strands(legs, instant) if wanted in strand)
+
     def legs(self, instant: Instant) -> tuple[Leg, ...]:
         """All legs, with the points where they meet the bodies."""
         pairs = list(zip(self.string, self.string[1:], strict=False))
