@@ -10,22 +10,22 @@ from pathlib import Path
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
-from rotsolve.answering import NoAnswer, Session, families_for
-from rotsolve.compose import Composer, spoken
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.friction import decide, limiting
+from rotsolve.inquiry.answering import NoAnswer, Session, families_for
+from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.finds import Unclear, asked
+from rotsolve.inquiry.friction import decide, limiting
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
-from rotsolve.motion.finds import Unclear, asked
-from rotsolve.motion.history import History
-from rotsolve.motion.questions import NotYet
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
-from rotsolve.verify import SAID, checks
 
 
 def solve(source: str | os.PathLike[str], *, law: str | None = None, settings: Mapping[str, str] | None = None, digits: int = 4) -> Solution:

@@ -95,8 +95,22 @@ class Planner:
             seen.update(fresh)
             pending.extend(fresh)
         if open_:
-            return Shortage(asked, tuple(sorted(needed)), tuple(sorted(seen)))
+            return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
+
+    def _shortage(self, asked: str, open_: list[str], unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> Shortage:
+        """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
+        matched = {index: name for name, index in owner.items()}
+        names, equations, pending = set(open_) | {asked}, set[int](), list(open_)
+        while pending:
+            name = pending.pop()
+            for index, held in unknowns.items():
+                if name in held and index in matched and index not in equations:
+                    equations.add(index)
+                    if matched[index] not in names:
+                        names.add(matched[index])
+                        pending.append(matched[index])
+        return Shortage(asked, tuple(sorted(equations)), tuple(sorted(names)))
 
     def _improved(self, best: Plan, unknowns: Mapping[int, tuple[str, ...]]) -> Plan:
         """Leave out one equation at a time while that makes the plan cheaper."""

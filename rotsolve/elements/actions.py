@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt
 from rotsolve.core import facts
+from rotsolve.core.directions import along_text
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
+from rotsolve.elements.rims import rim_radius
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
@@ -93,7 +95,6 @@ class Force(Action):
 
     def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
-        from rotsolve.motion.instant import rim_radius
 
         name, motion = instant.host(on.owner), instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
@@ -124,7 +125,6 @@ class Force(Action):
 
     def told(self, push: Vector, arm: Vector, instant: Instant) -> str:
         """Direction in words."""
-        from rotsolve.motion.instant import along_text
 
         if isinstance(self.direction, str):
             return f", {self.direction}"

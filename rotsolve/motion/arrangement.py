@@ -7,25 +7,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO
+from rotsolve.core.directions import WORDS
+from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection
 from rotsolve.elements.events import Cuts, Joins, Removes
-from rotsolve.motion.rigid import shape_of
+from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import Body, PointRef, Problem
-
-WORDS = {"right": RIGHT, "up": UP, "left": LEFT, "down": DOWN}
-OPPOSITE = {
-    "right": "left",
-    "left": "right",
-    "up": "down",
-    "down": "up",
-    "clockwise": "counterclockwise",
-    "counterclockwise": "clockwise",
-}
 
 
 @dataclass(frozen=True)

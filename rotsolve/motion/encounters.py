@@ -10,8 +10,9 @@ from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.elements.actions import pointing
 from rotsolve.elements.events import Collides, Cuts, Event, Impulse, Joins, Removes
+from rotsolve.elements.rims import rim_radius
 from rotsolve.motion.freebody import free_body
-from rotsolve.motion.instant import Instant, rim_radius
+from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import PointRef
 
@@ -23,9 +24,10 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         return None
     (first, first_facts), (last, _) = before, after
     points = participants(event)
-    groups = tuple({first.arrangement.component(ref.owner, last.state) | first.arrangement.component(ref.owner, first.state): None for ref in points})
-    merged = merge(groups)
-    involved = [body for body in first_facts.bodies if any(body.name in group for group in merged)]
+    group: frozenset[str] = frozenset()
+    for ref in points:
+        group |= first.arrangement.component(ref.owner, last.state) | first.arrangement.component(ref.owner, first.state)
+    involved = [body for body in first_facts.bodies if body.name in group]
     blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
     places = common_places(involved, points, first)
     meetings = tuple(
@@ -34,17 +36,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     )
     supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
     words = getattr(event, "about", "")
-    return Encounter(interval.name, words, meetings, merged, supports, bounce(event, points, first, last))
-
-
-def merge(groups: tuple[frozenset[str], ...]) -> tuple[frozenset[str], ...]:
-    """Groups that share a body are one."""
-    merged: list[frozenset[str]] = []
-    for group in groups:
-        touching = [other for other in merged if other & group]
-        merged = [other for other in merged if not other & group]
-        merged.append(group.union(*touching) if touching else group)
-    return tuple(merged)
+    return Encounter(interval.name, words, meetings, (group,), supports, bounce(event, points, first, last))
 
 
 def participants(event: Event) -> tuple[PointRef, ...]:

@@ -7,8 +7,9 @@ from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Potent
 from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
+from rotsolve.elements.rims import shape_of
 from rotsolve.motion.instant import Frame, Instant
-from rotsolve.motion.rigid import mass_of, moment_about, shape_of
+from rotsolve.motion.rigid import mass_of, moment_about
 from rotsolve.scene.model import Body, PointRef
 
 

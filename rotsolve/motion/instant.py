@@ -6,13 +6,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.directions import opposite
 from rotsolve.core.facts import Motion, signed
-from rotsolve.core.heading import LEFT, NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
+from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity, Registry
-from rotsolve.motion.arrangement import OPPOSITE, Arrangement
-from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, shape_of, tidy
+from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, tidy
 from rotsolve.scene.model import Body, PointRef
 
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
@@ -58,21 +60,6 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
             return part_frame(part)[1]
     return place(shape_of(body).locate(ref.point or "", ref.argument))
 
-
-def rim_radius(body: Body, point: str | None) -> Formula | None:
-    """Radius of the rim that a point names: a name of `radii`, else the shape's rim, else the last named of a stepped drum."""
-    for name, radius in body.radii:
-        if name == point:
-            return radius
-    shape = shape_of(body)
-    for name, radius in getattr(shape, "radii", ()):
-        if name == point:
-            return radius  # type: ignore[no-any-return]
-    if shape.outer is not None:
-        return shape.outer
-    if body.radius is not None:
-        return body.radius
-    return body.radii[-1][1] if body.radii else None
 
 
 @dataclass(frozen=True)
@@ -252,18 +239,4 @@ class Instant:
         return Symbol("time") if self.generic else self.ask("time", "")
 
 
-def opposite(words: str) -> str:
-    """The words for the other way along a line: "down the slope" -> "up the slope"."""
-    first, _, rest = words.partition(" ")
-    return " ".join(part for part in (OPPOSITE.get(first, first), rest) if part)
 
-
-def along_text(direction: Heading) -> str:
-    """A heading in words: right, up, left, down, or at its angle."""
-    names = {0: "right", 90: "up", 180: "left", 270: "down"}
-    if not direction.terms and direction.degrees % 360 in names:
-        return names[int(direction.degrees % 360)]
-    return ""
-
-
-__all__ = ["LEFT", "Frame", "Instant", "along_text", "frame", "locate", "negate", "opposite", "rim_radius"]

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
+from rotsolve.core.directions import opposite
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.instant import Instant, opposite
+from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
 
 

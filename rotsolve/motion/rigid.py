@@ -13,7 +13,8 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, nega
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
 from rotsolve.core.signs import is_negative
-from rotsolve.elements.shapes import Particle, Place, Rod, Shape
+from rotsolve.elements.rims import shape_of
+from rotsolve.elements.shapes import Place, Rod, Shape
 from rotsolve.scene.model import Body, Part
 
 
@@ -26,9 +27,6 @@ class Piece:
     moment: Formula
     at: Vector
 
-
-def shape_of(body: Body) -> Shape:
-    return body.shape if isinstance(body.shape, Shape) else Particle()
 
 
 def mass_of(body: Body) -> Formula:

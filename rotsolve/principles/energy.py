@@ -10,8 +10,8 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Q
 from rotsolve.algebra.linear import NotLinear, Singular, solve_system
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ENERGY, Equation
-from rotsolve.core.heading import UP
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
+from rotsolve.core.heading import UP
 from rotsolve.core.passage import Passage
 from rotsolve.core.signs import is_negative
 from rotsolve.core.writing import flat, moved, positive_first

@@ -10,8 +10,8 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage
-from rotsolve.principles.rotation import about, response, torques
 from rotsolve.core.writing import flat, law, moved, positive_first, spoken
+from rotsolve.principles.rotation import about, response, torques
 
 
 def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:

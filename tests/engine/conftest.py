@@ -28,12 +28,12 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.answering import Session, families_for
-from rotsolve.friction import decide, open_contacts
+from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.friction import decide, open_contacts
+from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
-from rotsolve.motion.finds import asked
-from rotsolve.motion.history import History
+from rotsolve.pipeline import answer
 from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 
@@ -75,7 +75,7 @@ def solved(path: Path, law: str | None = None) -> Session:
     history = History(arrangement, decide(arrangement).modes)
     session = Session(history, families_for(law), spare=law is not None)
     for find in load(path).finds:
-        session.answer(asked(find, history))
+        answer(session, find)
     return session
 
 

@@ -16,8 +16,8 @@ from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.heading import UP
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import CONNECTIONS
+from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.history import History
 from rotsolve.principles import energy
 from rotsolve.scene.model import Problem, State
 

@@ -17,7 +17,7 @@ import sympy
 from sympy import cos, sin, symbols
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.answering import Session
+from rotsolve.inquiry.answering import Session
 from rotsolve.scene.model import Problem
 
 HERE = Path(__file__).resolve().parent / "scenes"
@@ -53,7 +53,9 @@ def speed_squared(x_place: Expression, y_place: Expression) -> Expression:
     return sum((sympy.diff(place, X) * VX + sympy.diff(place, Y) * VY) ** 2 for place in (x_place, y_place))
 
 
-def rod_in_plane(mass: Expression, length: Expression, centre: tuple[Expression, Expression], angle: Expression) -> Expression:
+def rod_in_plane(
+    mass: Expression, length: Expression, centre: tuple[Expression, Expression], angle: Expression
+) -> Expression:
     """½ m v² + ½ (m l²/12) ω² of a rod."""
     turning = sympy.diff(angle, X) * VX + sympy.diff(angle, Y) * VY
     return mass * speed_squared(*centre) / 2 + mass * length**2 * turning**2 / 24
@@ -68,19 +70,30 @@ HANGING_BOB = M * L**2 / 3 + m * r**2 / 2 + m * L**2
 SPOOL = (I + M * R**2) / R**2
 
 CASES = (
-    Case("string-block-on-disc", m * VX**2 / 2 + wheel(DISC, M, VX), -m * g * X, {"a": AX, "alpha": AX / R, "T": m * (g - AX)}),
+    Case(
+        "string-block-on-disc",
+        m * VX**2 / 2 + wheel(DISC, M, VX),
+        -m * g * X,
+        {"a": AX, "alpha": AX / R, "T": m * (g - AX)},
+    ),
     Case(
         "string-atwood-heavy",
         (m + n) * VX**2 / 2 + wheel(DISC, M, VX),
         (m - n) * g * X,
         {"a": AX, "T": m * (g + AX), "S": n * (g - AX), "Fy": M * g + m * (g + AX) + n * (g - AX)},
     ),
-    Case("string-atwood-senses-mixed", (m + n) * VX**2 / 2 + wheel(1, M, VX), (n - m) * g * X, {"a": AX, "alpha": AX / R}),
+    Case(
+        "string-atwood-senses-mixed", (m + n) * VX**2 / 2 + wheel(1, M, VX), (n - m) * g * X, {"a": AX, "alpha": AX / R}
+    ),
     Case("string-atwood-light", (m + n) * VX**2 / 2, (m - n) * g * X, {"a": AX, "T": m * (g + AX)}),
     Case(
         "string-double-atwood",  # X: the third block down; Y: turn of the low pulley, clockwise
-        p * VX**2 / 2 + wheel(DISC, M, VX) + K * VX**2 / 2 + wheel(DISC, K, r * VY)
-        + m * (-VX - r * VY) ** 2 / 2 + n * (-VX + r * VY) ** 2 / 2,
+        p * VX**2 / 2
+        + wheel(DISC, M, VX)
+        + K * VX**2 / 2
+        + wheel(DISC, K, r * VY)
+        + m * (-VX - r * VY) ** 2 / 2
+        + n * (-VX + r * VY) ** 2 / 2,
         -g * (p * X - K * X + m * (-X - r * Y) + n * (-X + r * Y)),
         {"a": AX, "b": -AX - r * AY, "c": -AX + r * AY, "T": m * (g + AX + r * AY)},
         degrees=2,
@@ -91,8 +104,18 @@ CASES = (
         m * g * X * sin(beta) - n * g * X,
         {"a": AX, "T": m * (AX + g * sin(beta)), "S": n * (g - AX), "Fx": m * (AX + g * sin(beta)) * cos(beta)},
     ),
-    Case("string-slope-right", (m + n) * VX**2 / 2 + wheel(DISC, M, VX), (n - m * sin(beta)) * g * X, {"a": AX, "alpha": AX / R}),
-    Case("string-two-slopes", (m + n) * VX**2 / 2 + wheel(DISC, M, VX), (m * sin(beta) - n * sin(gamma)) * g * X, {"a": AX}),
+    Case(
+        "string-slope-right",
+        (m + n) * VX**2 / 2 + wheel(DISC, M, VX),
+        (n - m * sin(beta)) * g * X,
+        {"a": AX, "alpha": AX / R},
+    ),
+    Case(
+        "string-two-slopes",
+        (m + n) * VX**2 / 2 + wheel(DISC, M, VX),
+        (m * sin(beta) - n * sin(gamma)) * g * X,
+        {"a": AX},
+    ),
     Case(
         "string-stepped-drum",
         m * (r * VX) ** 2 / 2 + n * (R * VX) ** 2 / 2 + I * VX**2 / 2,
@@ -117,7 +140,9 @@ CASES = (
         (K + m) * g * X - n * g * 2 * X,
         {"a": 2 * AX, "b": AX, "T": m * (g + AX)},
     ),
-    Case("string-moving-pulley-light", m * VX**2 / 2 + n * (2 * VX) ** 2 / 2, (m - 2 * n) * g * X, {"a": 2 * AX, "b": AX}),
+    Case(
+        "string-moving-pulley-light", m * VX**2 / 2 + n * (2 * VX) ** 2 / 2, (m - 2 * n) * g * X, {"a": 2 * AX, "b": AX}
+    ),
     Case("string-yoyo", M * VX**2 / 2 + wheel(DISC, M, VX), -M * g * X, {"a": AX, "alpha": AX / R, "T": M * (g - AX)}),
     Case("string-yoyo-hub", M * VX**2 / 2 + I * (VX / r) ** 2 / 2, -M * g * X, {"a": AX, "T": M * (g - AX)}),
     Case(
@@ -146,10 +171,20 @@ CASES = (
         {"a": AX, "T": M * (g * sin(beta) - AX)},
     ),
     Case("contact-ball-slope-any", m * VX**2 / 2 + wheel(SPHERE, m, VX), -m * g * sin(beta) * X, {"a": AX}),
-    Case("rolls-slope-left-down", M * VX**2 / 2 + wheel(DISC, M, VX), -M * g * sin(beta) * X, {"a": AX, "alpha": AX / R}),
-    Case("rolls-slope-right-up", M * VX**2 / 2 + wheel(SPHERE, M, VX), M * g * sin(beta) * X, {"a": AX, "alpha": -AX / R}),
+    Case(
+        "rolls-slope-left-down", M * VX**2 / 2 + wheel(DISC, M, VX), -M * g * sin(beta) * X, {"a": AX, "alpha": AX / R}
+    ),
+    Case(
+        "rolls-slope-right-up", M * VX**2 / 2 + wheel(SPHERE, M, VX), M * g * sin(beta) * X, {"a": AX, "alpha": -AX / R}
+    ),
     Case("rolls-level-pulled-at-centre", M * VX**2 / 2 + wheel(1, M, VX), 0, {"a": AX, "f": F - M * AX}, force=(F, 0)),
-    Case("rolls-spool-pulled", SPOOL * VX**2 / 2, 0, {"a": AX, "f": F * cos(phi) - M * AX}, force=(F * cos(phi) - F * r / R, 0)),
+    Case(
+        "rolls-spool-pulled",
+        SPOOL * VX**2 / 2,
+        0,
+        {"a": AX, "f": F * cos(phi) - M * AX},
+        force=(F * cos(phi) - F * r / R, 0),
+    ),
     Case("hinge-rod-at-end", M * L**2 * VX**2 / 6, M * g * L / 2 * sin(X), {"alpha": AX}, place=(theta, 0)),
     Case(
         "hinge-rod-off-centre-clockwise",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 
@@ -12,17 +13,18 @@ import pytest
 from rotsolve.algebra.exact import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.text import to_text
-from rotsolve.answering import NoAnswer, Session, families_for
 from rotsolve.core.equation import LAWS
-from rotsolve.friction import decide
-from rotsolve.motion.arrangement import OPPOSITE, Arrangement
-from rotsolve.motion.finds import Unclear, asked
-from rotsolve.motion.history import History
-from rotsolve.motion.questions import NotYet
-from rotsolve.pipeline import solve_problem
+from rotsolve.core.faults import Unsolvable
+from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.friction import decide
+from rotsolve.inquiry.history import History
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.pipeline import answer, solve_problem
 from rotsolve.scene.model import Body, Problem
 
 ProblemOf = Callable[[Path], Problem]
+PAIRS = (("left", "right"), ("up", "down"), ("clockwise", "counterclockwise"))
+OPPOSITE = {one: other for pair in PAIRS for one, other in (pair, pair[::-1])}
 BY_ENERGY = {  # scenes in which energy, asked for, must answer something
     "axle-friction-torque", "belt-crossed", "belt-plain", "contact-ladder", "gear-inside", "gear-plain", "hinge-rod-at-end",
     "hinge-rod-falls", "rolls-down-in-two-states", "rolls-slope-left-down", "rolls-spool-pulled", "spring-level",
@@ -38,19 +40,14 @@ BY_ANGULAR_MOMENTUM = {
 
 
 def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
-    """The closed forms of all questions that a law can answer."""
+    """The closed forms of all questions that a law can answer, with Newton's help where that is given."""
     arrangement = Arrangement(problem)
-    history = History(arrangement, decide(arrangement).modes)
-    session = Session(history, families_for(law), spare=law is not None)
-    found = {}
+    session = Session(History(arrangement, decide(arrangement).modes), families_for(law), spare=law is not None)
     for find in problem.finds:
-        try:
-            formula = session.answer(asked(find, history)).found.formula
-        except (NoAnswer, NotYet, Unclear):
-            continue
-        if formula is not None:
-            found[find.name] = formula
-    return found
+        with suppress(Unsolvable):
+            answer(session, find)
+    found = {answered.asked.find.name: answered.found.formula for answered in session.answered}
+    return {name: formula for name, formula in found.items() if formula is not None}
 
 
 def test_all_laws_give_the_same_answers(
@@ -73,20 +70,30 @@ def near(one: float, other: float) -> bool:
     return abs(one - other) <= 1e-9 * max(1.0, abs(one), abs(other))
 
 
-@pytest.mark.parametrize(
-    ("law", "names"), [("energy", BY_ENERGY), ("angular-momentum", BY_ANGULAR_MOMENTUM)], ids=["energy", "angular-momentum"]
-)
-def test_a_law_serves_where_it_must(law: str, names: set[str], scenes: list[Path], problem_of: ProblemOf) -> None:
-    by_name = {path.stem: path for path in scenes}
-    silent = [name for name in sorted(names) if not answers(problem_of(by_name[name]), law)]
-    assert not silent, f"{law} gives nothing for {', '.join(silent)}"
+def unanswered(path: Path, law: str, problem_of: ProblemOf) -> str:
+    """Why a law does not answer all that a scene asks; '' where it does and has a part in it."""
+    try:
+        solve_problem(problem_of(path), law=law)
+    except Unsolvable as error:
+        return f"{path.stem}: {error}"
+    return ""
 
 
-def test_newton_answers_every_scene_without_events(scene: Path, problem_of: ProblemOf) -> None:
+@pytest.mark.parametrize("name", sorted(BY_ENERGY))
+def test_energy_serves_where_it_must(name: str, scenes: list[Path], problem_of: ProblemOf) -> None:
+    assert not unanswered(scenes[0].with_stem(name), "energy", problem_of)
+
+
+@pytest.mark.parametrize("name", sorted(BY_ANGULAR_MOMENTUM))
+def test_angular_momentum_serves_where_it_must(name: str, scenes: list[Path], problem_of: ProblemOf) -> None:
+    assert not unanswered(scenes[0].with_stem(name), "angular-momentum", problem_of)
+
+
+def test_newton_serves_every_scene_without_events(scene: Path, problem_of: ProblemOf) -> None:
     problem = problem_of(scene)
-    if not problem.events:
-        found = answers(problem, "newton")
-        assert set(found) == {find.name for find in problem.finds}
+    springs = any(item.word == "spring" for item in problem.connections) and len(problem.states) > 1
+    if not problem.events and not springs:  # a sum of spring forces over the way is left to energy
+        assert not unanswered(scene, "newton", problem_of)
 
 
 # declared senses
@@ -97,7 +104,9 @@ def signed_in_words(problem: Problem) -> bool:
     along = any(getattr(item, "direction", "") is None for item in (*problem.actions, *problem.events))
     driven = any(getattr(item, "angular_acceleration", None) is not None for item in problem.connections)
     lines = [line for state in problem.states for line in state.conditions if not line.rest]
-    return along or driven or any(line.path is None or line.path.quantity not in ("angle", "elongation") for line in lines)
+    return (
+        along or driven or any(line.path is None or line.path.quantity not in ("angle", "elongation") for line in lines)
+    )
 
 
 def turned_round(body: Body, index: int, which: int) -> Body:

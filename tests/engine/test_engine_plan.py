@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.parse import parse
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan, Planner, Shortage
-from rotsolve.solve import Choice, Contradiction, Redundant, Solver
+from rotsolve.solver import Choice, Contradiction, Redundant, Solver
 
 
 def pool(*lines: str, costs: tuple[int, ...] = ()) -> list[Equation]:

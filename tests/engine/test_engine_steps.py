@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum
 from rotsolve.algebra.text import to_text
-from rotsolve.answering import Session
+from rotsolve.inquiry.answering import Session
 from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Problem
 

@@ -126,6 +126,7 @@ def test_golden_derivation_is_unchanged(problem_file: Path, regenerate: bool) ->
     golden = problem_file.parent / "golden" / f"{problem_file.stem}.txt"
     text = solved(problem_file).to("text", width=WIDTH)
     if regenerate:
+        assert not check_answers(solved(problem_file)), "wrong answers are not written as golden"
         golden.parent.mkdir(exist_ok=True)
         golden.write_text(text, encoding="utf-8")
         return

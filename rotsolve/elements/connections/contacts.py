@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
+from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
 from rotsolve.core.heading import NOWHERE, Heading, Vector, unit, vector
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.scene.keys import key
+from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Surface
+from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:
@@ -129,7 +131,6 @@ def away(surface: Surface) -> str:
 
 def travel_words(direction: Heading | None, surface: Surface, instant: Instant, name: str) -> tuple[str, str]:
     """Words for the way along a surface that a body counts as positive, and for the other way."""
-    from rotsolve.motion.instant import along_text, opposite
 
     if direction is None:
         words = along_text(surface.normal.turned(-90)) or "along the surface"
@@ -141,7 +142,6 @@ def travel_words(direction: Heading | None, surface: Surface, instant: Instant, 
 
 def contact_arm(ref: PointRef, surface: Surface, instant: Instant) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
-    from rotsolve.motion.instant import rim_radius
 
     radius = rim_radius(instant.body(ref.owner), ref.point)
     if radius is not None and instant.is_round(ref.owner):

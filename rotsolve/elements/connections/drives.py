@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, negate
 from rotsolve.core.facts import Couple, Rule
-from rotsolve.elements.connections.strings import balance
 from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.connections.strings import balance
+from rotsolve.elements.rims import rim_radius
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
@@ -51,7 +52,6 @@ def coupling(
     element: Connection, first: PointRef, second: PointRef, sense: int, component: str, words: tuple[str, str], instant: Instant
 ) -> Iterator[Fact]:
     """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
-    from rotsolve.motion.instant import rim_radius
 
     names = [instant.host(ref.owner) for ref in (first, second)]
     radii = [rim_radius(instant.body(ref.owner), ref.point) or ZERO for ref in (first, second)]

@@ -8,6 +8,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
+from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -101,6 +102,5 @@ class Torsion(Connection):
 
 def along_words(push: Vector) -> str:
     """Direction of a spring's pull in words."""
-    from rotsolve.motion.instant import along_text
 
     return (along_text(push.parts[0][1]) if len(push.parts) == 1 else "") or "along the spring"

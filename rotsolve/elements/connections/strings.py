@@ -13,11 +13,13 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, negate
+from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Force, Requirement, Rule
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import moved
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.contacts import spoken
+from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Surface, Wall
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
@@ -165,7 +167,6 @@ class String(Connection):
 
     def meeting(self, station: int, along: list[Vector], leg: int, instant: Instant) -> Vector:
         """Where a leg meets a body: the tangent point of a rim, on the left of the running string when it turns clockwise."""
-        from rotsolve.motion.instant import rim_radius
 
         ref = self.string[station]
         if ref.owner not in instant.arrangement.bodies:
@@ -216,7 +217,7 @@ class String(Connection):
             index = self.string.index(ref)
             if ref.owner in instant.arrangement.bodies and not self.wraps(index, instant):
                 return ref.owner
-        return next((leg.first.owner for leg in strand if leg.first.owner in instant.arrangement.bodies), strand[0].second.owner)
+        return strand[0].first.owner or strand[0].second.owner
 
     def pulls_of(self, leg: Leg, tension: Formula, instant: Instant) -> Iterator[Force]:
         """The tension on the bodies at both ends of a leg."""
@@ -290,7 +291,6 @@ def where(ref: PointRef, instant: Instant) -> Vector | None:
 
 def said(push: Vector, arm: Vector, kind: str) -> str:
     """How a pull is told: its direction for what travels, its turn for what is held on an axis."""
-    from rotsolve.motion.instant import along_text
 
     direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
     if kind == "axis" and arm.parts:

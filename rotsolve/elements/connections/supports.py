@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Couple, Force, Rule, signed
 from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -14,6 +14,7 @@ from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
 if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
 
@@ -47,12 +48,26 @@ class Driven(Connection):
             name = instant.host(ref.owner)
             sense = instant.sense(name)
             if self.friction_torque is not None:
-                size = self.friction_torque.substitute({"time": instant.time()})
-                words = ("friction torque ", size, f", {instant.turn_words(name)[1]}")
-                yield Couple(self.name, "friction", name, signed(negate(size), sense), words)
+                yield from self.friction(instant, name, sense)
             elif self.driven or instant.arrangement.asks(self.name, "torque"):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
+
+    def friction(self, instant: Instant, name: str, sense: int) -> Iterator[Fact]:
+        """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
+        mode = instant.mode(self.name)
+        forward, back = instant.turn_words(name)
+        if mode == "holds":
+            size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
+            yield Couple(self.name, "friction", name, signed(size, sense), ("friction torque ", size))
+            rates = (instant.motion(name).spin, instant.motion(name).spin_rate)
+            label = f"friction holds {name.replace('_', ' ')}"
+            yield Rule(self.name, label, (name,), (rates[0], ZERO), (rates[1], ZERO))
+            return
+        size = (self.friction_torque or ZERO).substitute({"time": instant.time()})
+        against = back if mode != "turns back" else forward
+        turn = -sense if mode != "turns back" else sense
+        yield Couple(self.name, "friction", name, signed(size, turn), ("friction torque ", size, f", {against}"))
 
     @property
     def driven(self) -> bool:

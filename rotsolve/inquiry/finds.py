@@ -9,9 +9,9 @@ from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add
 from rotsolve.core.heading import Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.motion.history import History
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Meaning, NotYet
 from rotsolve.motion.passages import displacement, rotation
-from rotsolve.motion.questions import Meaning, NotYet
 from rotsolve.scene.model import Find, Path, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")

@@ -13,15 +13,16 @@ from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.motion.finds import Asked
-from rotsolve.motion.history import History
+from rotsolve.inquiry.finds import Asked
+from rotsolve.inquiry.history import History
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find, Given
-from rotsolve.solve import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 TRIES = 12
 TINY = 1e-14
+OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
@@ -130,12 +131,23 @@ class Session:
             for index, equation in enumerate(self.planner.pool)
             if index not in banned and index not in self.retired and (not equation.family or equation.family in self.families)
         ]
+        if self._of_one_moment(letter) and NEWTON in self.families and not self.spare:
+            moment = [index for index in allowed if self.planner.pool[index].family in ("", NEWTON)]
+            moment = [index for index in moment if self.planner.pool[index].cost < SECOND_CHOICE]
+            plan = self.planner.plan(letter, self.known, moment)
+            if isinstance(plan, Plan):
+                return plan
         first = allowed if self.spare else [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
         plans = [self.planner.plan(letter, self.known, pool) for pool in self._starts(first)]
         settled = [plan for plan in plans if isinstance(plan, Plan)]
         if settled:
             return min(settled, key=lambda plan: plan.cost)
         return plans[0] if self.spare else self.planner.plan(letter, self.known, allowed)
+
+    def _of_one_moment(self, letter: str) -> bool:
+        """Whether a quantity belongs to one moment, so that Newton's laws are the straight way to it."""
+        quantity = self.history.registry.quantities.get(letter)
+        return quantity is not None and quantity.kind in OF_ONE_MOMENT
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
@@ -261,6 +273,19 @@ class Session:
             return aside.value_of(acceleration.name)
         except NoAnswer:
             return None
+
+    def settled(self, value: Formula) -> Formula | None:
+        """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
+        for name in sorted(value.symbols()):
+            if SEPARATOR in name:
+                try:
+                    found = self.value_of(name)
+                except NoAnswer:
+                    return None
+                if found is None:
+                    return None
+                value = value.substitute({name: found})
+        return value
 
     def value_of(self, letter: str) -> Formula | None:
         """The closed form of a letter, without a derivation."""

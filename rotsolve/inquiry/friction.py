@@ -9,20 +9,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rotsolve.algebra.formula import Formula, Symbol, call, negate
-from rotsolve.answering import Answered, NoAnswer, Session
-from rotsolve.compose import Composer, spoken
 from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.supports import Driven
+from rotsolve.inquiry.answering import Answered, NoAnswer, Session
+from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.finds import Asked
+from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.finds import Asked
-from rotsolve.motion.history import History
 from rotsolve.motion.instant import Instant
 from rotsolve.scene.model import Find
 
 ROUNDS = 6
 FORWARD, BACK = "slips", "slips back"
+TURNS_BACK, HOLDS = "turns back", "holds"
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,10 @@ def decide(arrangement: Arrangement) -> Decision:
         moving = slip_at_start(arrangement, contact, state, modes)
         if moving:
             modes[key] = FORWARD if moving > 0 else BACK
+    for key, (axle, state) in rubbing_axles(arrangement).items():
+        mode = turning(arrangement, axle, state, modes, key)
+        if mode:
+            modes[key] = mode
     for _ in range(ROUNDS):
         changed = False
         for key, (contact, state) in pending.items():
@@ -81,6 +87,37 @@ def open_contacts(arrangement: Arrangement) -> dict[str, tuple[Touch, str]]:
             if isinstance(item, Touch) and item.grip().kind == "coefficient":
                 found[mode_key(item.name, start)] = (item, start)
     return found
+
+
+def rubbing_axles(arrangement: Arrangement) -> dict[str, tuple[Driven, str]]:
+    """Axles and hinges with a friction torque, by name and the state at which their phase starts."""
+    found = {}
+    for state in arrangement.timeline.states:
+        start = arrangement.phase_start(state.name)
+        for item in arrangement.connections(start):
+            if isinstance(item, Driven) and item.friction_torque is not None:
+                found[mode_key(item.name, start)] = (item, start)
+    return found
+
+
+def turning(arrangement: Arrangement, axle: Driven, state: str, modes: dict[str, str], key: str) -> str:
+    """Which way a body on a rubbing axle turns: as it does at the start, else as it is driven; "holds" where friction is too strong."""
+    name = arrangement.host(axle.held()[-1].owner, state)
+    spin = History(arrangement, modes).instant(state).rate("angular_velocity", name)
+    session = Session(History(arrangement, modes), (NEWTON,))
+    start = session.number(spin)
+    if start:
+        return "" if start > 0 else TURNS_BACK
+    for mode, sign in (("", 1), (TURNS_BACK, -1)):
+        trial = Session(History(arrangement, {**modes, key: mode}), (NEWTON,))
+        push = trial.history.instant(state).rate("angular_acceleration", name)
+        value = trial.settled(push)
+        number = trial.number(value) if value is not None else None
+        if number is None:
+            return ""
+        if number * sign > 0:
+            return mode
+    return HOLDS
 
 
 def mode_key(contact: str, state: str) -> str:

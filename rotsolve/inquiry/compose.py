@@ -13,13 +13,13 @@ from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
 from rotsolve.algebra.unit_table import Unit
 from rotsolve.algebra.units import unit_for
-from rotsolve.answering import Answered, Session
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.inquiry.answering import Answered, Session
 from rotsolve.scene.model import Condition, Problem
-from rotsolve.solve import Ref, Step
+from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"

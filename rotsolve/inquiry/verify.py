@@ -9,13 +9,13 @@ from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.dimension import DimensionError, dimension_of
 from rotsolve.algebra.exact import equal, length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
-from rotsolve.answering import Answered, NoAnswer, Session, families_for
-from rotsolve.compose import Composer, spoken
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
 from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
+from rotsolve.inquiry.compose import Composer, spoken
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -168,7 +168,7 @@ def requirements(session: Session, composer: Composer) -> Iterator[Check]:
             key = f"{need.owner}{need.otherwise}{session.history.section(state.name)}"
             if key in told or not concerns(need, session):
                 continue
-            gap = settled(need.left - need.right, aside)
+            gap = aside.settled(need.left - need.right)
             sign = sign_of(gap, session) if gap is not None else None
             if sign is None:
                 continue
@@ -188,20 +188,6 @@ def concerns(need: Requirement, session: Session) -> bool:
     return item is None or any(ref.owner in used for ref in item.touches())  # type: ignore[attr-defined]
 
 
-def settled(value: Formula, aside: Session) -> Formula | None:
-    """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
-    for name in sorted(value.symbols()):
-        if SEPARATOR in name:
-            try:
-                found = aside.value_of(name)
-            except NoAnswer:
-                return None
-            if found is None:
-                return None
-            value = value.substitute({name: found})
-    return value
-
-
 def sign_of(value: Formula, session: Session) -> int | None:
     try:
         return evaluate(value, session.values, digits=6).sign
@@ -214,7 +200,7 @@ def said(need: Requirement, session: Session, composer: Composer, aside: Session
     letters = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
     unnamed = {name: Symbol(session.history.registry.quantities[name].letter) for name in letters if name not in composer.letters}
     if isinstance(need.right, Call):
-        size, limit_ = (decimal(settled(side, aside), session) for side in (need.right, need.left))
+        size, limit_ = (decimal(aside.settled(side), session) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     letter = need.left.substitute({**unnamed, **composer.letters})
     what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"

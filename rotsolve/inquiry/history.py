@@ -13,14 +13,15 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
+from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter, participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import displacement, groups_of, passage, rotation
-from rotsolve.motion.questions import NotYet, Reader
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, energy, kinematics, momentum, newton, rotation as turning
+from rotsolve.principles import constraints, energy, kinematics, momentum, newton
+from rotsolve.principles import rotation as turning
 from rotsolve.scene.model import Condition, Path, State
 
 RATE_OF = {  # what is zero where a quantity is largest or smallest
@@ -110,8 +111,12 @@ class History:
 
     def _rates(self, instant: Instant, name: str) -> list[Formula]:
         """The velocity letters of a body at an instant."""
-        motion = instant.motion(name)
-        rates = [size for size, _ in motion.velocity.parts]
+        motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
+        rates: list[Formula] = []
+        if motion.kind == "line":
+            rates.append(instant.travel("velocity", name, line[1] if line else ""))
+        elif motion.kind == "plane":
+            rates += [instant.component("velocity", name, axis) for axis in "xy"]
         if motion.turns:
             rates.append(instant.rate("angular_velocity", name))
         return rates
@@ -290,11 +295,11 @@ class History:
 
     def _elongations(self) -> Iterator[Equation]:
         """A spring's elongation grows by what its ends move apart."""
-        for name, passage in self.passages.items():
+        for name, phase in self.passages.items():
             for first, last, midst in zip(
-                passage.start.potentials, passage.end.potentials, passage.midst.potentials, strict=False
+                phase.start.potentials, phase.end.potentials, phase.midst.potentials, strict=False
             ):
-                grown = midst.rate.substitute(self.changes(passage))
+                grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown:
                     yield Equation(left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies)

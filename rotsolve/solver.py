@@ -9,8 +9,8 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.ball import Certified, evaluate
+from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.calculus import integrate
 from rotsolve.algebra.exact import coefficients, is_zero, length, simplify, solve_linear
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, negate
@@ -18,8 +18,8 @@ from rotsolve.algebra.rootfind import real_roots
 from rotsolve.algebra.roots import solve_polynomial, solve_trig
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
-from rotsolve.plan import Plan
 from rotsolve.core.writing import flat, positive_first
+from rotsolve.plan import Plan
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 Ref = tuple[str, "int | str"]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
@@ -135,10 +135,17 @@ class Solver:
             self._put_in_functions(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
-            item, name, value, trivial = self._next(items, unknowns, plan.asked)
+            try:
+                item, name, value, trivial = self._next(items, unknowns, plan.asked)
+            except NoClosedForm:
+                item, name = self._eliminate_square(items, unknowns, plan.asked)
+            else:
+                items.remove(item)
+                unknowns.discard(name)
+                self._eliminate(items, item, name, value, trivial, unknowns)
+                continue
             items.remove(item)
             unknowns.discard(name)
-            self._eliminate(items, item, name, value, trivial, unknowns)
         return self._last(items[0], plan.asked)
 
     def _put_in_functions(self, item: Item) -> None:
@@ -218,6 +225,22 @@ class Solver:
                 gap = other.left - other.right
                 if not other.unknowns(unknowns) or (len(items) == 1 and is_zero(gap, self.positive)):
                     self._check_alive(other, set())
+
+    def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
+        """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""
+        for item in items:
+            for name in sorted(item.unknowns(unknowns) - {asked}):
+                parts = coefficients(item.left - item.right, name, order=self.order, positive=self.positive)
+                others = [other for other in items if other is not item and name in other.unknowns({name})]
+                if parts is None or len(parts) != 3 or parts[1] != ZERO or not all(only_squared(other, name) for other in others):
+                    continue
+                square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
+                refs: list[Ref] = [item.ref, *item.sources]
+                for other in others:
+                    other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
+                    other.sources.extend(ref for ref in refs if ref not in other.sources)
+                return item, name
+        raise NoClosedForm(f"no unknown beside {asked} can be isolated")
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         item.left, item.right = item.left.substitute(values), item.right.substitute(values)
@@ -352,6 +375,17 @@ def moved_alone(item: Item, name: str) -> Formula | None:
         return None
     sign = own[0][1] * (1 if own[0][0] == letter else -1)
     return positive_first([negate(term) if side == sign else term for term, side in terms if (term, side) != own[0]])
+
+
+def put_square(value: Formula, square: Formula, into: Formula) -> Formula:
+    """A formula with a square replaced."""
+    return value.transform(lambda node: into if node == square else node)
+
+
+def only_squared(item: Item, name: str) -> bool:
+    """Whether a letter occurs in an equation as its square alone."""
+    square = Symbol(name) ** 2
+    return not any(name in put_square(side, square, ZERO).symbols() for side in (item.left, item.right))
 
 
 def monomial(value: Formula) -> bool:
