@@ -95,6 +95,8 @@ class Solver:
     values: Mapping[str, Formula]
     choose: Chooser
     refs: dict[int, Ref] = field(default_factory=dict)
+    running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
+    numeric: bool = False  # whether a root may be found numerically where there is no closed form
     steps: list[Step] = field(default_factory=list)
     solved: dict[str, Found] = field(default_factory=dict)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
@@ -153,7 +155,7 @@ class Solver:
         running = {
             name: found.formula
             for name, found in self.solved.items()
-            if found.formula is not None and "time" in found.formula.symbols()
+            if found.formula is not None and self.running & found.formula.symbols()
         }
         used = {name: value for name, value in running.items() if name in item.left.symbols() | item.right.symbols() | inner(item)}
         if used:
@@ -313,6 +315,8 @@ class Solver:
 
     def _numeric(self, item: Item, asked: str) -> Found:
         """A certified root where there is no closed form."""
+        if not self.numeric:
+            raise NoClosedForm(f"{asked} has no closed form")
         gap = self._with_answers(self._carried_out(item.left) - self._carried_out(item.right))
         if gap.symbols() - set(self.values) - {asked}:
             raise NoClosedForm(f"{asked} has no closed form, and not every given has a number")

@@ -15,6 +15,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
+from rotsolve.motion.instant import GENERIC
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find, Given
 from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
@@ -29,8 +30,11 @@ POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiff
 class NoAnswer(ValueError):
     """Nothing settles an asked quantity; `shortage` tells what is open where that is why."""
 
-    def __init__(self, words: str, shortage: Shortage | None = None, equation: int | None = None) -> None:
+    def __init__(
+        self, words: str, shortage: Shortage | None = None, equation: int | None = None, *, open_form: bool = False
+    ) -> None:
         super().__init__(words)
+        self.open_form = open_form  # whether only a closed form is missing
         self.shortage = shortage
         self.equation = equation
 
@@ -65,8 +69,14 @@ class Session:
         self.pool = [*self.history.equations, *self.extra]
         self.planner = Planner(self.pool)
         self.refs: dict[int, Ref] = {}
-        self.known = {given.name for given in problem.givens if not given.asked} | {"time"}
-        self.solver = Solver(self.planner.pool, self._order(), positive_letters(problem.givens), self.values, self.choose, self.refs)
+        self.running = {"time"} | {
+            travel.coordinate.name
+            for passage in self.history.passages.values()
+            for travel in passage.travels
+            if isinstance(travel.coordinate, Symbol) and SEPARATOR in travel.coordinate.name and GENERIC in travel.coordinate.name
+        }
+        self.known = {given.name for given in problem.givens if not given.asked} | self.running
+        self.solver = Solver(self.planner.pool, self._order(), positive_letters(problem.givens), self.values, self.choose, self.refs, frozenset(self.running))
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -99,6 +109,19 @@ class Session:
         return answered
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """In closed form by some plan, else numerically."""
+        try:
+            return self._attempt(asked)
+        except NoAnswer as error:
+            if not error.open_form:
+                raise
+        self.solver.numeric = True
+        try:
+            return self._attempt(asked)
+        finally:
+            self.solver.numeric = False
+
+    def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """Plan and solve; an equation that says nothing new is left out and the plan made again."""
         banned: set[int] = set()
         problem: ValueError | None = None
@@ -122,7 +145,8 @@ class Session:
             return found, plan.equations
         if isinstance(problem, Contradiction):
             raise NoAnswer("the data contradict each other", None, problem.index)
-        raise NoAnswer(str(problem) if isinstance(problem, (NoClosedForm, Undefined)) else "too little is known")
+        open_form = isinstance(problem, (NoClosedForm, Undefined))
+        raise NoAnswer(str(problem) if open_form else "too little is known", open_form=open_form)
 
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from rotsolve.algebra.ball import Certified, evaluate
 from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.dimension import Dimension
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
 from rotsolve.algebra.unit_table import Unit
@@ -123,12 +124,12 @@ class Composer:
         return Section(self.title(draft.key), self._forces(draft), self._remarks(draft), laws, moves)
 
     def _law(self, index: int) -> LawLine:
-        equation = self.pool[index].renamed(self.letters)
+        equation = self.pool[index]
         remark = () if equation.family in SENTENCES else equation.remark
-        return LawLine(self.numbers[("law", index)], equation.label, Equality(equation.left, equation.right), remark)
+        return LawLine(self.numbers[("law", index)], equation.label, Equality(self.printed(equation.left), self.printed(equation.right)), self.words(remark))
 
     def _move(self, step: Step) -> Move:
-        chain = tuple(Equality(one.left.substitute(self.letters), one.right.substitute(self.letters)) for one in step.chain)
+        chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in step.chain)
         number = self.numbers.get(("step", step.number))
         return Move(self._sources(step), chain, number, self.words(step.reason))
 
@@ -210,15 +211,20 @@ class Composer:
         for name in self._occurring():
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
-        return self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+        names = self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+        if "t" not in taken | set(names.values()):
+            names["time"] = "t"  # the running time is an ordinary t where nothing else is
+        return names
 
     def _occurring(self) -> Iterable[str]:
         for draft in self.drafts:
             for index in draft.laws:
                 yield from sorted(self.pool[index].symbols())
+                yield from sorted(bound(self.pool[index].left) | bound(self.pool[index].right))
             for step in draft.steps:
                 for one in step.chain:
                     yield from sorted(one.left.symbols() | one.right.symbols())
+                    yield from sorted(bound(one.left) | bound(one.right))
             yield from self._in_forces(draft)
         for answered in self.session.answered:
             yield from sorted(answered.asked.formula.symbols())
@@ -234,13 +240,25 @@ class Composer:
                     if item.role != "reaction":
                         yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
 
-    @property
+    @cached_property
     def letters(self) -> dict[str, Formula]:
         return {key: Symbol(name) for key, name in self.names.items()}
 
     def words(self, words: Words) -> Words:
         """Words with the letters of the printed derivation."""
-        return tuple(part.substitute(self.letters) if isinstance(part, Formula) else part for part in words)
+        return tuple(self.printed(part) if isinstance(part, Formula) else part for part in words)
+
+    def printed(self, formula: Formula) -> Formula:
+        """A formula in printed letters, the variables of integration too."""
+
+        def change(node: Formula) -> Formula:
+            if isinstance(node, Symbol):
+                return self.letters.get(node.name, node)
+            if isinstance(node, Integral) and node.variable in self.names:
+                return Integral(node.integrand, self.names[node.variable], node.lower, node.upper)
+            return node
+
+        return formula.transform(change)
 
     def _spoken_of(self, name: str) -> bool:
         """Whether a given is the scene's own or occurs in what is printed."""
@@ -275,7 +293,7 @@ class Composer:
     def answer(self, answered: Answered) -> Answer:
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
-        formula = found.formula.substitute(self.letters) if found.formula is not None else None
+        formula = self.printed(found.formula) if found.formula is not None else None
         value = found.number if found.formula is None else self.value(found.formula)
         unit = asked.find.unit or unit_of(asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else "")
         direction, signed = self._direction(answered, value)
@@ -321,6 +339,12 @@ class Composer:
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
+
+
+def bound(formula: Formula) -> set[str]:
+    """Letters inside integrals, bound ones too."""
+    inside = [node for node in formula.walk() if isinstance(node, Integral)]
+    return {name for node in inside for name in {node.variable, *node.integrand.symbols()}}
 
 
 def without_torque(silent: list[str]) -> tuple[Words, ...]:

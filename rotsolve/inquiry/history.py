@@ -214,9 +214,9 @@ class History:
     @cached_property
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
-        written: dict[tuple[Formula, Formula], Equation] = {}
+        written: dict[tuple[Formula, Formula, str], Equation] = {}
         for equation in self._written():
-            key = (equation.left, equation.right)
+            key = (equation.left, equation.right, equation.family)
             if equation.left != equation.right and key not in written and not self._empty(equation):
                 written[key] = equation
         return list(written.values())

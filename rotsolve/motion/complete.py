@@ -34,8 +34,6 @@ def completed(problem: Problem) -> Problem:
     wheels = {ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()}
     wheels |= {ref.owner for item in problem.connections if item.word == "string" for ref in item.touches()[1:-1] if not ref.point}
     bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
-    if not letters.made:
-        return problem
     return replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
 
 

@@ -65,10 +65,10 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
         source = middle if pace != "constant" else first
         acceleration = source.rate("angular_acceleration", name)
         angles = tuple(moment.angle(name) for moment in (first, last, middle))
-        start, end, coordinate = (None if angle is None else signed(angle, first.sense(name)) for angle in angles)
-        if first.sense(name) < 0:
-            coordinate = None  # the sum over the angle is written for counterclockwise angles only
-        yield Travel(name, "turn", before, after, acceleration, rotation(name, interval, first), pace, moving, start, end, coordinate)
+        sense = first.sense(name)
+        start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
+        change = rotation(name, interval, first)
+        yield Travel(name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], sense)
 
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:

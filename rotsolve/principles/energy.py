@@ -82,13 +82,14 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     connections give no power, so their forces do not occur.
     """
     bodies = [body for body in facts.bodies if body.name in group]
-    rates = sorted({name for body in bodies for name in rates_of(body)})
     rules = [rule for rule in facts.rules if group & set(rule.bodies)]
+    gains, supplies = [term for body in bodies for term in gain(body)], [term for body in bodies for term in supply(body)]
+    spoken_of = {name for term in (*gains, *supplies, *(rule.velocity[0] - rule.velocity[1] for rule in rules)) for name in term.symbols()}
+    rates = sorted({name for body in bodies for name in rates_of(body)} & spoken_of)
     allowed = one_motion(rates, rules)
     if allowed is None:
         return
-    gained = [term.substitute(allowed) for body in bodies for term in gain(body)]
-    given = [term.substitute(allowed) for body in bodies for term in supply(body)]
+    gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
     free = next(name for name in rates if allowed.get(name) is None)
     left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
     if (left, right) != (ZERO, ZERO):

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.formula import Formula, Integral, Number, Symbol
 from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
-from rotsolve.core.facts import square
+from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.writing import spoken
 
@@ -61,5 +61,6 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
     if travel.start is None or travel.end is None or not isinstance(travel.coordinate, Symbol):
         return
     gained = HALF * square(travel.after) - HALF * square(travel.before)
-    integral = Integral(travel.acceleration, travel.coordinate.name, travel.start, travel.end)
+    start, end = (signed(angle, travel.sense) for angle in (travel.start, travel.end))
+    integral = Integral(signed(travel.acceleration, travel.sense), travel.coordinate.name, start, end)
     yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)

@@ -64,6 +64,13 @@ def check_answers(solution: Solution) -> list[str]:
     return wrong
 
 
+def in_si(answer: AnswerView) -> float | None:
+    """The number that is printed beside the unit, in SI units."""
+    if answer.float is None or answer.answer.unit is None:
+        return answer.float
+    return answer.float * evaluate(answer.answer.unit.factor, {}, digits=20).float
+
+
 def differences(entry: Published, answer: AnswerView, solution: Solution) -> list[str]:
     wrong = []
     expected = published_formula(entry, solution)
@@ -74,11 +81,11 @@ def differences(entry: Published, answer: AnswerView, solution: Solution) -> lis
             wrong.append(f"{entry.name} = {to_text(answer.formula)}; published {entry.text}")
     if entry.value is not None:
         value = evaluate(entry.value, {}, digits=20).float
-        found = answer.answer.value
+        found = in_si(answer)
         if found is None:
             wrong.append(f"{entry.name}: no number; published {entry.text}")
-        elif abs(found.float - value) > ACCURACY * max(abs(value), abs(found.float)):
-            wrong.append(f"{entry.name}: {found.float!r} in SI units; published {value!r}")
+        elif abs(found - value) > ACCURACY * max(abs(value), abs(found)):
+            wrong.append(f"{entry.name} = {answer.value} {answer.unit}; published {entry.text}")
     if entry.formula is None and entry.value is None and entry.text not in (answer.word, answer.direction):
         wrong.append(f"{entry.name}: {answer.word or answer.direction!r}; published {entry.text!r}")
     return wrong

@@ -111,7 +111,12 @@ def formula_of(expression: Formula, solution: Solution) -> Formula | None:
 
 
 def number_of(expression: Formula, solution: Solution) -> float:
-    values = {name: Number(Fraction(solution.answers[name].answer.value.float)) for name in expression.symbols()}  # type: ignore[union-attr]
+    """The value of an expression of answers, in SI units."""
+    values = {}
+    for name in expression.symbols():
+        answer = solution.answers[name]
+        number: Formula = Number(Fraction(answer.answer.value.float))  # type: ignore[union-attr]
+        values[name] = number if answer.answer.unit is None else number * answer.answer.unit.factor
     return evaluate(expression.substitute(values), {}, digits=15).float
 
 

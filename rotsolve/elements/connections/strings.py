@@ -147,7 +147,7 @@ class String(Connection):
             return unit(RIGHT if other > index else LEFT)
         if self.wraps(index, instant):
             if index in (0, len(self.string) - 1):
-                return None if neighbour.owner in instant.arrangement.bodies or neighbour.owner == "ceiling" else unit(UP)
+                return None if neighbour.owner == "ceiling" else unit(UP)
             return unit(UP if ref.owner in self.under else DOWN)
         lower = other > index and neighbour.owner in instant.arrangement.bodies and self.same_line(other, instant)
         return unit(DOWN if lower else UP)
