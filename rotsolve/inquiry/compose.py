@@ -9,7 +9,7 @@ from functools import cached_property
 from rotsolve.algebra.ball import Certified, evaluate
 from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.dimension import Dimension
-from rotsolve.algebra.formula import Formula, Integral, Symbol
+from rotsolve.algebra.formula import ONE, Formula, Integral, Symbol
 from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
 from rotsolve.algebra.unit_table import Unit
@@ -20,7 +20,7 @@ from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import Answered, Session
 from rotsolve.scene.model import Condition, Problem
-from rotsolve.solver import Ref, Step
+from rotsolve.solver import Found, Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"
@@ -294,10 +294,21 @@ class Composer:
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
         formula = self.printed(found.formula) if found.formula is not None else None
-        value = found.number if found.formula is None else self.value(found.formula)
         unit = asked.find.unit or unit_of(asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else "")
+        value = self._value_in(found, unit)
         direction, signed = self._direction(answered, value)
         return Answer(asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed)
+
+    def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:
+        """The certified value in a unit."""
+        factor = unit.factor if unit is not None else ONE
+        if found.formula is not None:
+            return self.value(found.formula / factor)
+        number = found.number
+        if number is None or factor == ONE:
+            return number
+        scale = evaluate(factor, {}, digits=30)
+        return Certified(number.ball / scale.ball, lambda digits: number.refine(digits + 3) / scale.refine(digits + 3), lambda _: False)
 
     def value(self, formula: Formula) -> Certified | None:
         if formula.symbols() - set(self.session.values):

@@ -131,6 +131,8 @@ class Arrangement:
     def line(self, name: str, state: str) -> tuple[Heading, str] | None:
         """Direction of travel of a body that moves along a line, and the words for its positive sense."""
         body = self.bodies[name]
+        if self.pivot(name, state) is not None:
+            return None
         for item in self.connections(state):
             track = item.track(body, self, state)
             if track is not None:

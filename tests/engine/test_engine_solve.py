@@ -255,3 +255,26 @@ find: {a: block.acceleration}
 """
     solution = solved(text, law)
     assert solution.answers["a"].exact == "2 m g/(2 m + M)"
+
+
+@pytest.mark.parametrize("start", [75, 10, -30])
+@pytest.mark.parametrize("end", [-45, -80, -90])
+def test_the_force_at_the_pivot_of_a_falling_rod(start: int, end: int) -> None:
+    """m a of the centre of mass, with its centripetal part, less the weight."""
+    text = f"""
+title: Rod let go
+given: {{M: 2 kg, L: 1.5 m}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pivot: {{hinge: rod.start}}}}
+states:
+  high: {{rod.angle: {start} deg, at rest: all}}
+  low: {{rod.angle: {end} deg}}
+find: {{Fx: pivot.force.x at low, Fy: pivot.force.y at low}}
+"""
+    solution, angle = solved(text), math.radians(end)
+    spin_squared = 3 * G * (math.sin(math.radians(start)) - math.sin(angle)) / 1.5
+    rate = -1.5 * G * math.cos(angle) / 1.5
+    sideways = 2 * 0.75 * (-rate * math.sin(angle) - spin_squared * math.cos(angle))
+    upwards = 2 * 0.75 * (rate * math.cos(angle) - spin_squared * math.sin(angle)) + 2 * G
+    assert math.isclose(value(solution, "Fx"), sideways, rel_tol=1e-9, abs_tol=1e-9)
+    assert close(value(solution, "Fy"), upwards)

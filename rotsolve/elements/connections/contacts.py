@@ -48,7 +48,8 @@ class Touch(Connection):
     def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a surface travels along it; one that leans on it with an end does not."""
         ref, surface = self.pair()[0], self.surface(arrangement)
-        if ref.owner != body.name or surface is None or not (ref.point is None or ref.point in ("bottom", "rim", "center")):
+        rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
+        if ref.owner != body.name or surface is None or not (ref.point is None or ref.point in rims):
             return None
         return surface.travel(body.moves)
 
