@@ -11,11 +11,12 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.letters import name_to_text
 from rotsolve.algebra.text import to_text
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import LAWS, NEWTON
+from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import NoAnswer, Session, families_for
 from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.finds import Unclear, asked
 from rotsolve.inquiry.friction import decide, limiting
 from rotsolve.inquiry.history import History
@@ -26,6 +27,8 @@ from rotsolve.motion.complete import completed
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
+
+CHECK_DATA = "check the givens and what the states say"
 
 
 def solve(source: str | os.PathLike[str], *, law: str | None = None, settings: Mapping[str, str] | None = None, digits: int = 4) -> Solution:
@@ -50,6 +53,9 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     session = Session(history, families_for(law), spare=law is not None)
     for find in arrangement.problem.finds:
         answer(session, find)
+    clash = contradiction(session)
+    if clash is not None:
+        raise Unsolvable(contradicted(clash, history), lines=problem.lines, file=problem.file, help=CHECK_DATA)
     if law is not None:
         check_law(session, law)
     composer = Composer(session, decision.numbered + 1)
@@ -136,8 +142,7 @@ def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
     """What is missing or contradictory, in the scene's words, and what may help."""
     registry = session.history.registry
     if error.equation is not None:
-        equation = session.planner.pool[error.equation]
-        return f"the data contradict each other: {equation.label} can not hold", "check the states and givens"
+        return contradicted(session.planner.pool[error.equation], session.history), CHECK_DATA
     if error.shortage is None:
         return f"`{find.name}` can not be found: {error}", ""
     open_ = [name for name in error.shortage.unknowns if not name.startswith("asked" + SEPARATOR)]
@@ -147,6 +152,15 @@ def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
     message = f"too little is known to find `{find.name}`: {plural(count, 'equation')} for {plural(len(told), 'unknown')}: {', '.join(told)}"
     law = "" if NEWTON in session.families else f"by {SAID[session.families[0]]} alone, "
     return law + message, "give one of them, or say more about the states"
+
+
+def contradicted(equation: Equation, history: History) -> str:
+    """Which law the data break; over a phase, that its end is never reached."""
+    interval = history.arrangement.timeline.interval(equation.section)
+    if interval is not None and interval.event is None:
+        return f"`{interval.end}` is never reached from `{interval.start}`: {equation.label} can not hold"
+    where = f" at `{equation.section}`" if equation.section else ""
+    return f"the data contradict each other: {equation.label} can not hold{where}"
 
 
 def plural(number: int, noun: str) -> str:

@@ -80,7 +80,8 @@ def attempt(file: str, request: Request) -> Outcome:
         return Outcome(file, BAD, None, f"error: cannot read {name_of(file)}: {error.strerror or error}", "file")
     except Exception as error:
         return Outcome(file, UNSOLVED, None, internal_error(name_of(file), error), "internal")
-    return Outcome(file, SOLVED, solution)
+    objects = any(check.holds is False for check in solution.derivation.checks)
+    return Outcome(file, UNSOLVED if objects else SOLVED, solution)
 
 
 def source(file: str) -> Path | str:

@@ -310,6 +310,8 @@ class Solver:
             pure = len(parts) == 3 and parts[1] == ZERO
             more = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
             return roots, more, ()
+        if is_zero(self._with_answers(gap), self.positive):
+            raise Redundant(item.index)
         trig = solve_trig(self._with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], [], ()
 

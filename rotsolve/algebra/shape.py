@@ -182,7 +182,7 @@ class Shaper:
             return
         if radicand.is_constant():
             n = int(radicand.leading_coefficient())
-            if n < 0:
+            if n < 0 or power.denominator != 1:  # √√2 stays a root of a root
                 parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
                 return
             parts.number *= Fraction(n) ** int(power // 2)

@@ -189,9 +189,10 @@ class Power(Action):
             return
         name, power = instant.host(self.on.owner), self.now(instant)
         torque = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
-        yield facts.Couple(self.name, "applied", name, facts.signed(torque, instant.sense(name)), ("torque ", torque))
+        yield facts.Couple(self.name, "power", name, facts.signed(torque, instant.sense(name)), ("torque ", torque))
         spin = facts.signed(instant.motion(name).spin, instant.sense(name))
-        yield facts.Rule(
+        if spin != ZERO:  # from rest a constant power means an endless torque at first
+            yield facts.Rule(
             self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
         )
 

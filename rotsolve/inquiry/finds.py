@@ -143,8 +143,8 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     intervals = timeline.between(start, end)
     if path.quantity == "time":
         duration = history.instant(end).time() - history.instant(start).time()
-        if len(intervals) == 1 and start != names[0] and intervals[0].event is None:
-            duration = history.instant(start).ask("time", "", when=intervals[0].name)
+        if len(intervals) == 1 and intervals[0].name in history.passages:
+            duration = history.passages[intervals[0].name].duration
         return Meaning(duration, kind.dimension), intervals[-1].name
     result: Formula = ZERO
     for interval in intervals:

@@ -8,20 +8,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Formula, Symbol, call, negate
+from rotsolve.algebra.formula import ONE, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.supports import Driven
-from rotsolve.inquiry.answering import Answered, NoAnswer, Session
+from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
 from rotsolve.inquiry.compose import Composer, spoken
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
+from rotsolve.principles.energy import one_motion
 from rotsolve.scene.model import Find
 
+Contacts = dict[str, tuple[Touch, str]]
+RATES = ("velocity|", "angular_velocity|")
 ROUNDS = 6
 FORWARD, BACK = "slips", "slips back"
 TURNS_BACK, HOLDS = "turns back", "holds"
@@ -57,8 +60,8 @@ def decide(arrangement: Arrangement) -> Decision:
         moving = slip_at_start(arrangement, contact, state, modes)
         if moving:
             modes[key] = FORWARD if moving > 0 else BACK
-    for key, (axle, state) in rubbing_axles(arrangement).items():
-        mode = turning(arrangement, axle, state, modes, key)
+    for key, (wheel, state) in rubbing_wheels(arrangement).items():
+        mode = turning(arrangement, wheel, state, modes, key)
         if mode:
             modes[key] = mode
     for _ in range(ROUNDS):
@@ -75,7 +78,19 @@ def decide(arrangement: Arrangement) -> Decision:
                     sections.append(section)
         if not changed:
             break
+    unsettled = {key: entry for key, entry in pending.items() if key not in modes}
+    for group in together(arrangement, unsettled):
+        modes.update(by_motion(arrangement, group, modes))
     return Decision({key: mode for key, mode in modes.items() if mode != "sticks"}, tuple(sections), number - 1)
+
+
+def together(arrangement: Arrangement, contacts: Contacts) -> list[Contacts]:
+    """Contacts of bodies that move together in the same phase, group by group."""
+    groups: dict[tuple[str, frozenset[str]], Contacts] = {}
+    for key, (contact, state) in contacts.items():
+        component = arrangement.component(contact.pair()[0].owner, state)
+        groups.setdefault((state, component), {})[key] = (contact, state)
+    return list(groups.values())
 
 
 def open_contacts(arrangement: Arrangement) -> dict[str, tuple[Touch, str]]:
@@ -89,29 +104,31 @@ def open_contacts(arrangement: Arrangement) -> dict[str, tuple[Touch, str]]:
     return found
 
 
-def rubbing_axles(arrangement: Arrangement) -> dict[str, tuple[Driven, str]]:
-    """Axles and hinges with a friction torque, by name and the state at which their phase starts."""
+def rubbing_wheels(arrangement: Arrangement) -> dict[str, tuple[str, str]]:
+    """Wheels on axles and hinges with a friction torque: mode key -> (wheel, state at which its phase starts)."""
     found = {}
     for state in arrangement.timeline.states:
+        if arrangement.timeline.phase_of(state.name) is None and len(arrangement.timeline.states) > 1:
+            continue  # in an event alone a finite torque does nothing
         start = arrangement.phase_start(state.name)
         for item in arrangement.connections(start):
             if isinstance(item, Driven) and item.friction_torque is not None:
-                found[mode_key(item.name, start)] = (item, start)
+                for ref in item.held():
+                    name = arrangement.host(ref.owner, start)
+                    found[mode_key(f"{item.name}.{name}", start)] = (name, start)
     return found
 
 
-def turning(arrangement: Arrangement, axle: Driven, state: str, modes: dict[str, str], key: str) -> str:
-    """Which way a body on a rubbing axle turns: as it does at the start, else as it is driven; "holds" where friction is too strong."""
-    name = arrangement.host(axle.held()[-1].owner, state)
-    spin = History(arrangement, modes).instant(state).rate("angular_velocity", name)
-    session = Session(History(arrangement, modes), (NEWTON,))
-    start = session.number(spin)
+def turning(arrangement: Arrangement, name: str, state: str, modes: dict[str, str], key: str) -> str:
+    """Which way a wheel on a rubbing axle turns: as it does at the start, else as it is driven; "holds" where friction is too strong."""
+    session = Session(History(arrangement, modes), families_for(None))
+    moving = session.settled(session.history.instant(state).rate("angular_velocity", name))
+    start = session.number(moving) if moving is not None else None
     if start:
         return "" if start > 0 else TURNS_BACK
     for mode, sign in (("", 1), (TURNS_BACK, -1)):
         trial = Session(History(arrangement, {**modes, key: mode}), (NEWTON,))
-        push = trial.history.instant(state).rate("angular_acceleration", name)
-        value = trial.settled(push)
+        value = trial.settled(trial.history.instant(state).rate("angular_acceleration", name))
         number = trial.number(value) if value is not None else None
         if number is None:
             return ""
@@ -160,7 +177,7 @@ def tried(
         friction = session.answer(question(forces["friction"].size, f"f_{contact.name}"))
         normal = session.answer(question(forces["normal"].size, f"N_{contact.name}"))
     except NoAnswer:
-        return by_motion(arrangement, contact, state, modes, key)
+        return None
     needed = session.number(friction.found.formula) if friction.found.formula is not None else None
     limit = allowed(session, contact, normal)
     if needed is None or limit is None:
@@ -204,27 +221,56 @@ def question(size: Formula, name: str) -> Asked:
     return Asked(Find(name, size, ()), size, letter, None)
 
 
-def by_motion(
-    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str
-) -> tuple[str, Trial | None] | None:
-    """Where stick contradicts the data: the way in which the body is then known to move."""
-    for mode, sign in ((FORWARD, 1), (BACK, -1)):
-        history = History(arrangement, {**modes, key: mode})
-        instant = history.instant(state)
-        motion = instant.motion(contact.pair()[0].owner)
-        if motion.heading is None:
-            return None
-        session = Session(history, (NEWTON,))
-        value: Formula | None = motion.acceleration.along(motion.heading)
-        names = [name for name in value.symbols() if SEPARATOR in name] if value is not None else []
-        try:
-            value = session.value_of(names[0]) if names else value
-        except NoAnswer:
-            continue
-        number = session.number(value) if value is not None else None
-        if number is not None and number * sign > 0:
-            return mode, None
-    return None
+def by_motion(arrangement: Arrangement, open_: Contacts, modes: dict[str, str]) -> dict[str, str]:
+    """Contacts whose friction can not be told one by one: they slip the way in which the bodies then move, or all stick.
+
+    All of them are tried slipping, one way round and the other, with the senses that the strings and joints allow; a way is right
+    where it accelerates the bodies along itself.
+    """
+    for way in (1, -1):
+        trial = {**modes, **slipping(arrangement, open_, modes, way)}
+        speeds = [accelerating(arrangement, contact, state, trial, key) for key, (contact, state) in open_.items()]
+        if speeds and all(speed is not None and speed > 0 for speed in speeds):
+            return {key: trial[key] for key in open_}
+    known = all(accelerating(arrangement, contact, state, {**modes, **slipping(arrangement, open_, modes, 1)}, key) is not None
+                for key, (contact, state) in open_.items())
+    return dict.fromkeys(open_, "sticks") if known else {}
+
+
+def slipping(arrangement: Arrangement, open_: Contacts, modes: dict[str, str], way: int) -> dict[str, str]:
+    """The modes of contacts that slip together, the first of them forward or back, the others as the rules make them go with it."""
+    result = dict.fromkeys(open_, FORWARD)
+    state = next(iter(open_.values()))[1]
+    history = History(arrangement, {**modes, **result})
+    facts, session = history.facts(state, virtual=True), Session(history, (NEWTON,))
+    letters = {key: travel_letter(history.instant(state, virtual=True), contact) for key, (contact, _) in open_.items()}
+    rates = sorted({name for rule in facts.rules for side in rule.velocity for name in side.symbols() if name.startswith(RATES)})
+    allowed = one_motion(sorted({*rates, *(name for name in letters.values() if name)}), list(facts.rules)) or {}
+    senses = {}
+    for key, name in letters.items():
+        value = allowed.get(name or "", Symbol(name or ""))
+        number = session.number(value.substitute({free: ONE for free in value.symbols() if free.startswith(RATES)}))
+        senses[key] = 1 if number is None or number >= 0 else -1
+    first = next(iter(senses.values()))
+    return {key: FORWARD if sense * first * way > 0 else BACK for key, sense in senses.items()}
+
+
+def travel_letter(instant: Instant, contact: Touch) -> str | None:
+    """The letter of a body's velocity along its line."""
+    motion = instant.motion(contact.pair()[0].owner)
+    return next((name for size, _ in motion.velocity.parts for name in size.symbols()), None)
+
+
+def accelerating(arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str) -> float | None:
+    """Acceleration of a slipping body along the way in which it is taken to slip; None where the numbers do not tell."""
+    history = History(arrangement, modes)
+    motion = history.instant(state).motion(contact.pair()[0].owner)
+    if motion.heading is None:
+        return None
+    session = Session(history, (NEWTON,))
+    value = session.settled(motion.acceleration.along(motion.heading))
+    number = session.number(value) if value is not None else None
+    return None if number is None else number * (1 if modes[key] == FORWARD else -1)
 
 
 def shown(trial: Trial, first: int) -> tuple[Section, int]:

@@ -257,7 +257,11 @@ class Reader:
                 return self._tension(path, [force for _, force in forces])
             case "normal_force" | "friction_force":
                 role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
-                return next((force.size for _, force in forces if force.role == role), ZERO)
+                force = next((force for _, force in forces if force.role == role), None)
+                if force is None:
+                    return ZERO
+                way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
+                return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
             case "torque":
                 parts = [signed(couple.torque, body.motion.sense) for body, couple in couples[-1:]]
                 parts += [signed(force.torque, body.motion.sense) for body, force in forces]

@@ -118,10 +118,18 @@ def works_on(
         amount = work_of_force(force.vector, force.arm, body, interval, first, last, middle)
         yield named_work(force.owner, amount, (name,), interval, first)
     for couple in body.couples:
-        if not couple.internal and couple.role != "torsion":
+        if couple.role == "power":
+            yield named_work(couple.owner, power_of(couple.owner, first) * duration, (name,), interval, first)
+        elif not couple.internal and couple.role != "torsion":
             turned = signed(rotation(name, interval, first), first.sense(name))
             amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
             yield named_work(couple.owner, amount, (name,), interval, first)
+
+
+def power_of(owner: str, instant: Instant) -> Formula:
+    """The constant power of a motor."""
+    item = next(item for item in instant.arrangement.actions(instant.state) if item.name == owner)
+    return item.now(instant)
 
 
 def named_work(owner: str, amount: Formula, bodies: tuple[str, ...], interval: Interval, first: Instant) -> Work:

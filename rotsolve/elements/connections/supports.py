@@ -44,8 +44,7 @@ class Driven(Connection):
 
     def couples(self, instant: Instant) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
-        for ref in self.held():
-            name = instant.host(ref.owner)
+        for name in dict.fromkeys(instant.host(ref.owner) for ref in self.held()):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
@@ -55,7 +54,7 @@ class Driven(Connection):
 
     def friction(self, instant: Instant, name: str, sense: int) -> Iterator[Fact]:
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
-        mode = instant.mode(self.name)
+        mode = instant.mode(f"{self.name}.{name}")
         forward, back = instant.turn_words(name)
         if mode == "holds":
             size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))

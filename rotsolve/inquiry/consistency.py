@@ -1,0 +1,93 @@
+"""Consistency: whether everything that the laws write holds at the answers, also what no plan used.
+
+A scene that says too much (a state that is never reached, a block that sticks yet is said to fall) shows here.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+from rotsolve.algebra.ball import evaluate
+from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.formula import ONE, Formula, Integral, Number
+from rotsolve.core.equation import Equation
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.inquiry.answering import Session
+
+TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
+ROUNDS = 8
+POINTS = (Fraction(0), Fraction(1), Fraction(2))
+
+
+def contradiction(session: Session) -> Equation | None:
+    """The first equation that can not hold with what is known and found, or None."""
+    numbers = known_numbers(session)
+    pending = [equation for equation in session.history.equations if not runs(equation, session)]
+    for _ in range(ROUNDS):
+        rest = []
+        for equation in pending:
+            unknown = [name for name in equation.symbols() if SEPARATOR in name and name not in numbers]
+            if not unknown:
+                if clashes(equation, session, numbers):
+                    return equation
+            elif len(unknown) > 1 or not settle(equation, unknown[0], session, numbers):
+                rest.append(equation)
+        if len(rest) == len(pending):
+            return None
+        pending = rest
+    return None
+
+
+def runs(equation: Equation, session: Session) -> bool:
+    """Whether an equation is about any moment of a phase, or sums over one."""
+    sides = (equation.left, equation.right)
+    return bool(session.running & equation.symbols()) or any(isinstance(node, Integral) for side in sides for node in side.walk())
+
+
+def known_numbers(session: Session) -> dict[str, Formula]:
+    """Values of the letters that the session found, in closed form."""
+    return {name: found.formula for name, found in session.solver.solved.items() if found.formula is not None}
+
+
+def settle(equation: Equation, name: str, session: Session, numbers: dict[str, Formula]) -> bool:
+    """Find the one unknown of an equation that is linear in it; whether that could be done."""
+    gap = equation.left - equation.right
+    at = [size(gap.substitute({**numbers, name: Number(value)}), session) for value in POINTS]
+    if at[0] is None or at[1] is None or at[2] is None:
+        return False
+    slope = at[1] - at[0]
+    if not slope or abs(at[2] - at[0] - 2 * slope) > 1e-9 * (abs(at[2]) + abs(at[0]) + abs(slope)):
+        return False
+    numbers[name] = exact(-at[0] / slope)
+    return True
+
+
+def clashes(equation: Equation, session: Session, numbers: dict[str, Formula]) -> bool:
+    """Whether both sides are numbers that differ."""
+    left, right = (size(side.substitute(numbers), session) for side in (equation.left, equation.right))
+    if left is None or right is None:
+        return False
+    scale = max(abs(left), abs(right), *(abs(term) for term in terms(equation, session, numbers)), 1e-300)
+    return abs(left - right) > TOLERANCE * scale
+
+
+def terms(equation: Equation, session: Session, numbers: dict[str, Formula]) -> list[float]:
+    """Sizes of the single terms, against which a difference is measured."""
+    found = [size(term.substitute(numbers), session) for side in (equation.left, equation.right) for term in side.children()]
+    return [value for value in found if value is not None]
+
+
+def size(value: Formula, session: Session) -> float | None:
+    """A number, None where it has letters of the laws or is not real; givens without a number are taken as 1."""
+    names = value.symbols() - set(session.values)
+    if not all(name in session.givens and not session.givens[name].asked for name in names):
+        return None
+    try:
+        return evaluate(value, {**session.values, **dict.fromkeys(names, ONE)}, digits=10).float
+    except (Undefined, ValueError, ZeroDivisionError):
+        return None
+
+
+def exact(value: float) -> Formula:
+    return Number(Fraction(value))
+
