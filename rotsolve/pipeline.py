@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.letters import name_to_text
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import Unsolvable

@@ -47,7 +47,7 @@ class AnswerView:
     @property
     def exact(self) -> str | None:
         """The exact form as a textbook prints it."""
-        from rotsolve.algebra.text import to_text
+        from rotsolve.algebra.notation.text import to_text
 
         return None if self.answer.formula is None else to_text(self.answer.formula)
 

@@ -9,13 +9,13 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rotsolve.algebra.ball import Certified, evaluate
-from rotsolve.algebra.balls import Undefined
 from rotsolve.algebra.calculus import integrate
-from rotsolve.algebra.exact import coefficients, is_zero, length, simplify, solve_linear
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.rootfind import real_roots
+from rotsolve.algebra.exact.normal import coefficients, is_zero, length, simplify, solve_linear
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, negate
-from rotsolve.algebra.rootfind import real_roots
-from rotsolve.algebra.roots import solve_polynomial, solve_trig
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import flat, positive_first

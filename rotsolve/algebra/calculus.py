@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Collection
 from fractions import Fraction
 
-from rotsolve.algebra.exact import Problem, simplify
-from rotsolve.algebra.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.normal import Problem, simplify
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,

@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.ball import Certified
-    from rotsolve.algebra.dimension import Dimension
-    from rotsolve.algebra.units import Unit
+    from rotsolve.algebra.certified.ball import Certified
+    from rotsolve.algebra.units.dimension import Dimension
+    from rotsolve.algebra.units.quantities import Unit
     from rotsolve.scene.model import Given
 
 Words = tuple["str | Formula", ...]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, Heading, Vector

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import DIMENSIONS
 
 RANKS = (  # m g, F R, M R², I ω, m v L, ½ k x², M g L cos θ

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotsolve.algebra import dimension as base
-from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.units import dimension as base
+from rotsolve.algebra.units.dimension import Dimension
 
 NUMBER = base.NONE
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension
 
 # Quantities are symbols whose internal name is the key itself; letters are given when it is known which ones are printed.
 SEPARATOR = "|"

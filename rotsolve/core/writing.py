@@ -4,8 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.algebra.formula import ZERO, Formula, Sum, negate, total
-from rotsolve.core.signs import is_negative
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Quotient, Sum, negate, total
+
+
+def is_negative(term: Formula) -> bool:
+    """Whether a term is written with a minus sign in front."""
+    if isinstance(term, Negative):
+        return True
+    if isinstance(term, Number):
+        return term.value < 0
+    if isinstance(term, (Product, Quotient)):
+        return is_negative(term.children()[0])
+    return False
 
 
 def flat(terms: Iterable[Formula]) -> list[Formula]:

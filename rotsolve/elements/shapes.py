@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call, total
 from rotsolve.scene.keys import key
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation

@@ -6,14 +6,14 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
-from rotsolve.algebra.ball import Certified, evaluate
-from rotsolve.algebra.balls import Undefined
-from rotsolve.algebra.dimension import Dimension
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ONE, Formula, Integral, Symbol
-from rotsolve.algebra.letters import name_to_text
-from rotsolve.algebra.text import to_text
-from rotsolve.algebra.unit_table import Unit
-from rotsolve.algebra.units import unit_for
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import unit_for
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import RIGHT, UP, Vector, heading

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ONE, Formula, Integral, Number
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rotsolve.algebra.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rotsolve.algebra.exact import is_zero
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts

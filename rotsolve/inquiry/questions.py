@@ -9,9 +9,9 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
-from rotsolve.algebra.dimension import Dimension
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Product, Symbol, sqrt, total
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.balls import Undefined
-from rotsolve.algebra.dimension import DimensionError, dimension_of
-from rotsolve.algebra.exact import equal, length
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import equal, length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
 from rotsolve.core.facts import Requirement

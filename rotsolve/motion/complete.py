@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import fields, replace
 
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.shapes import Shape

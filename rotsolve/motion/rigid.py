@@ -8,11 +8,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.exact import simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
-from rotsolve.core.signs import is_negative
+from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Place, Rod, Shape
 from rotsolve.scene.model import Body, Part

@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.exact import is_zero, simplify
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_system
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
-from rotsolve.algebra.linear import NotLinear, Singular, solve_system
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
 from rotsolve.core.heading import UP
 from rotsolve.core.passage import Passage
-from rotsolve.core.signs import is_negative
-from rotsolve.core.writing import flat, moved, positive_first
+from rotsolve.core.writing import flat, is_negative, moved, positive_first
 
 HALF = Number(Fraction(1, 2))
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Derivation, Equality, LawLine, Move, Section, Words
 from rotsolve.render.layout import release
 from rotsolve.render.options import Options

@@ -9,14 +9,14 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
-from rotsolve.algebra.text import to_latex, to_text
-from rotsolve.algebra.units import in_unit
+from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.render.layout import hold
 from rotsolve.render.prose import latex_prose, markdown_prose
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units import Unit
+    from rotsolve.algebra.units.quantities import Unit
     from rotsolve.scene.model import Given
 
 WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
@@ -92,7 +92,7 @@ class Voice:
 
 def certified(answer: Answer, digits: int) -> tuple[str, str]:
     """The digits of an answer, and a note where fewer of them can be certified than were asked for."""
-    from rotsolve.algebra.balls import Undefined
+    from rotsolve.algebra.certified.balls import Undefined
 
     if answer.value is None:
         return "", ""

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.faults import Span as Span
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units import Unit
+    from rotsolve.algebra.units.quantities import Unit
 
 
 @dataclass(frozen=True, slots=True)

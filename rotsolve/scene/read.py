@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units import parse_quantity
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem

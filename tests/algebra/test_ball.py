@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.ball import Undefined, decimal_text, evaluate
+from rotsolve.algebra.certified.ball import Undefined, decimal_text, evaluate
+from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
-from rotsolve.algebra.rootfind import NotCertified, find_root, real_roots
 
 X, M1, M2, G = (Symbol(name) for name in ("x", "m1", "m2", "g"))
 

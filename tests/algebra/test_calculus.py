@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.ball import evaluate
 from rotsolve.algebra.calculus import differentiate, integrate, integrate_polynomial
-from rotsolve.algebra.exact import equal
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
 
 X, A, K, L = (Symbol(name) for name in ("x", "a", "k", "L"))

@@ -6,7 +6,8 @@ from fractions import Fraction
 
 import pytest
 
-from rotsolve.algebra.dimension import (
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.units.dimension import (
     ACCELERATION,
     ANGLE,
     ANGULAR_ACCELERATION,
@@ -30,7 +31,6 @@ from rotsolve.algebra.dimension import (
     describe,
     dimension_of,
 )
-from rotsolve.algebra.parse import parse
 
 SYMBOLS = {
     "m": MASS,

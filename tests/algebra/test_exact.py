@@ -9,8 +9,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.exact import coefficients, equal, is_zero, simplify, solve_linear
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_system
+from rotsolve.algebra.exact.normal import coefficients, equal, is_zero, simplify, solve_linear
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     ONE,
@@ -27,8 +29,6 @@ from rotsolve.algebra.formula import (
     Symbol,
     call,
 )
-from rotsolve.algebra.linear import NotLinear, Singular, solve_system
-from rotsolve.algebra.roots import solve_polynomial, solve_trig
 
 ORDER = ("m", "M", "L", "R", "theta0", "g")
 POSITIVE = frozenset({"m", "M", "m1", "m2", "R", "L", "g", "h", "k", "a", "b"})

@@ -22,8 +22,8 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.parse import FormulaError, parse
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.notation.text import to_text
 
 LETTERS = "m M g a b c d T L R I E N S x alpha beta lambda theta theta0 omega m1 m2 a_end H_x t1 time"
 NAMES = frozenset(LETTERS.split())

@@ -9,7 +9,9 @@ from fractions import Fraction
 
 import pytest
 
-from rotsolve.algebra.dimension import (
+from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Number, Product, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import (
     ACCELERATION,
     ANGULAR_ACCELERATION,
     ANGULAR_MOMENTUM,
@@ -29,10 +31,8 @@ from rotsolve.algebra.dimension import (
     TORSION_STIFFNESS,
     Dimension,
 )
-from rotsolve.algebra.formula import PI, ZERO, Formula, Negative, Number, Product, Symbol
-from rotsolve.algebra.text import to_text
-from rotsolve.algebra.unit_table import UNITS
-from rotsolve.algebra.units import UnitError, in_unit, parse_quantity, parse_unit, unit_for
+from rotsolve.algebra.units.quantities import UnitError, in_unit, parse_quantity, parse_unit, unit_for
+from rotsolve.algebra.units.unit_table import UNITS
 
 
 def n(value: int | str) -> Number:

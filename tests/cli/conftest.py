@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from rotsolve import cli
-from rotsolve.algebra.parse import parse
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.core import faults
 from rotsolve.core.derivation import Answer, Derivation, Equality, LawLine, Section
 from rotsolve.solution import Solution, Trace

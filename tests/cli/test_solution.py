@@ -8,9 +8,9 @@ from typing import Any
 
 import pytest
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.parse import parse
-from rotsolve.algebra.units import parse_unit
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
 from rotsolve.solution import Solution, Trace
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.ball import evaluate
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.inquiry.answering import Session, families_for
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement

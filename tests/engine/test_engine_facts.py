@@ -6,12 +6,12 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from rotsolve.algebra import dimension as dims
 from rotsolve.algebra.calculus import differentiate
-from rotsolve.algebra.dimension import TIME, Dimension, DimensionError, dimension_of
-from rotsolve.algebra.exact import is_zero, simplify, solve_linear
+from rotsolve.algebra.exact.normal import is_zero, simplify, solve_linear
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, total
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units import dimension as dims
+from rotsolve.algebra.units.dimension import TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.heading import UP
 from rotsolve.core.registry import SEPARATOR

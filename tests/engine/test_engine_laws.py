@@ -10,9 +10,9 @@ from pathlib import Path
 
 import pytest
 
-from rotsolve.algebra.exact import equal
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.answering import Session, families_for

@@ -6,9 +6,9 @@ import random
 
 import pytest
 
-from rotsolve.algebra.exact import equal
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.parse import parse
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.solver import Choice, Contradiction, Redundant, Solver

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.inquiry.answering import Session
 from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Problem

@@ -10,11 +10,11 @@ import jsonschema
 import pytest
 import yaml
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.exact import equal
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.parse import parse
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve

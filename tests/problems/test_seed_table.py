@@ -17,12 +17,12 @@ from typing import Any
 import pytest
 import yaml
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.exact import equal
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula, Number, Symbol
-from rotsolve.algebra.parse import parse
-from rotsolve.algebra.text import to_text
-from rotsolve.algebra.units import parse_quantity
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_file
 from rotsolve.solution import Solution

@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from rotsolve.algebra.balls import Undefined
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.parse import parse
-from rotsolve.algebra.units import parse_quantity, parse_unit
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.units.quantities import parse_quantity, parse_unit
 from rotsolve.core.derivation import (
     Answer,
     Check,

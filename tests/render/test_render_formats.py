@@ -15,7 +15,7 @@ from typing import Any
 
 import pytest
 
-from rotsolve.algebra.parse import parse
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer, Check, Derivation
 from rotsolve.render import FORMATS, format_named, format_of_file
 from rotsolve.render.options import Options

@@ -271,7 +271,7 @@ def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | Non
     places = [where(ref, instant) for ref in (first, second)]
     if places[0] is None or places[1] is None or not (first.place or second.place):
         return None
-    from rotsolve.algebra.exact import simplify
+    from rotsolve.algebra.exact.normal import simplify
     from rotsolve.algebra.formula import sqrt
 
     gap = places[1] - places[0]
@@ -302,7 +302,7 @@ def said(push: Vector, arm: Vector, kind: str) -> str:
 
 def rough(value: Formula) -> float:
     """A rough value with every letter set to a small positive number, to tell left from right."""
-    from rotsolve.algebra.ball import evaluate
+    from rotsolve.algebra.certified.ball import evaluate
 
     names = sorted(value.symbols())
     try:

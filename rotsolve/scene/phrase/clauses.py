@@ -6,7 +6,7 @@ from dataclasses import replace
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units import Unit, UnitError, parse_unit
+from rotsolve.algebra.units.quantities import Unit, UnitError, parse_unit
 from rotsolve.scene.model import Condition, Path, PointRef, Term
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.reader.points import read_point

@@ -11,9 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from rotsolve.algebra.dimension import DimensionError, dimension_of
 from rotsolve.algebra.formula import Formula, Symbol, call
-from rotsolve.algebra.units import Unit
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.parse import FormulaError, parse
-from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
+from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Fault
 from rotsolve.scene.model import Published
 from rotsolve.scene.tree.nodes import List, Node, Text

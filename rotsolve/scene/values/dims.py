@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from rotsolve.algebra.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
 
 
 def an(word: str) -> str:

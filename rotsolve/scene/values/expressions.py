@@ -6,8 +6,8 @@ import re
 from collections.abc import Callable, Collection, Mapping
 
 from rotsolve.algebra.formula import Formula, Quotient
-from rotsolve.algebra.parse import FormulaError, parse
-from rotsolve.algebra.units import UnitError, parse_quantity
+from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.tree.nodes import Text

@@ -6,9 +6,9 @@ import re
 from collections.abc import Mapping
 from dataclasses import replace
 
-from rotsolve.algebra.dimension import DimensionError, dimension_of
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units import UnitError, parse_quantity, parse_unit
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.scene.model import Given

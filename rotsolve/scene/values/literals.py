@@ -11,9 +11,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Symbol
-from rotsolve.algebra.units import Quantity, UnitError, parse_quantity
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS, NUMBER
 from rotsolve.scene.model import Given

@@ -9,7 +9,7 @@ import re
 from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 
-from rotsolve.algebra.units import UnitError, parse_unit
+from rotsolve.algebra.units.quantities import UnitError, parse_unit
 
 NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"
 NAME = r"[^\W\d]\w*"

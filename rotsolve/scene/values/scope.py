@@ -5,9 +5,9 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from rotsolve.algebra.dimension import Dimension
 from rotsolve.algebra.formula import FUNCTIONS, Symbol
-from rotsolve.algebra.units import Quantity
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import Quantity
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.quantity import BY_WORD, SYSTEM
 from rotsolve.scene.model import Body, Given

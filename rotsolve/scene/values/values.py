@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.dimension import DimensionError, dimension_of
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.algebra.text import to_text
-from rotsolve.algebra.units import UnitError, parse_quantity
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.tree.nodes import List, Node, Text
 from rotsolve.scene.values.dims import infer

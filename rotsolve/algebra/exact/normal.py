@@ -7,10 +7,10 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
 
-from rotsolve.algebra.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.rewrite import Rewriter
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
-from rotsolve.algebra.rewrite import Rewriter
-from rotsolve.algebra.shape import Shaper
 
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 

@@ -10,9 +10,12 @@ from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
 from math import lcm
 
-from rotsolve.algebra import angles
-from rotsolve.algebra.angles import SinCos, Vector
-from rotsolve.algebra.field import Field, is_integer_power
+from rotsolve.algebra.exact import angles
+from rotsolve.algebra.exact.angles import SinCos, Vector
+from rotsolve.algebra.exact.field import Field, is_integer_power
+from rotsolve.algebra.exact.inverses import exact_inverse, known_pair
+from rotsolve.algebra.exact.radicals import Radicals
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -29,9 +32,6 @@ from rotsolve.algebra.formula import (
     multiply,
     negate,
 )
-from rotsolve.algebra.inverses import exact_inverse, known_pair
-from rotsolve.algebra.radicals import Radicals
-from rotsolve.algebra.shape import Shaper
 
 TRIG = ("sin", "cos", "tan")
 INVERSE = ("asin", "acos", "atan", "atan2")

@@ -5,7 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.dimension import (
+from rotsolve.algebra.formula import PI, Formula, Number, divide, multiply
+from rotsolve.algebra.units.dimension import (
     ANGLE,
     ANGULAR_VELOCITY,
     ENERGY,
@@ -21,7 +22,6 @@ from rotsolve.algebra.dimension import (
     VOLUME,
     Dimension,
 )
-from rotsolve.algebra.formula import PI, Formula, Number, divide, multiply
 
 
 def times_pi(value: Fraction, power: int) -> Formula:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
-from rotsolve.algebra.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.calculus import differentiate
-from rotsolve.algebra.exact import is_zero
+from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Formula, Number, formula
 

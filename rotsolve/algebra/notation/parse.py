@@ -15,7 +15,6 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from rotsolve.algebra.cursor import CLOSERS, STARTS, Cursor
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     PI,
@@ -30,10 +29,11 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.letters import FRACTIONS, from_superscript
-from rotsolve.algebra.limits import check_depth, check_power, rational
-from rotsolve.algebra.text import to_text
-from rotsolve.algebra.tokens import FormulaError, Token, read_number, resolve, tokenize
+from rotsolve.algebra.notation.cursor import CLOSERS, STARTS, Cursor
+from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
+from rotsolve.algebra.notation.limits import check_depth, check_power, rational
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.tokens import FormulaError, Token, read_number, resolve, tokenize
 
 __all__ = ["FormulaError", "parse", "rational"]
 

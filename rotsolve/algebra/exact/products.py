@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
 
-from rotsolve.algebra.field import Poly
+from rotsolve.algebra.exact.field import Poly
 from rotsolve.algebra.formula import (
     ONE,
     Formula,
@@ -17,7 +17,7 @@ from rotsolve.algebra.formula import (
     divide,
     multiply,
 )
-from rotsolve.algebra.letters import GLYPHS
+from rotsolve.algebra.notation.letters import GLYPHS
 
 Rank = tuple[int, int, str, str]
 

@@ -14,8 +14,8 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.letters import name_to_latex
-from rotsolve.algebra.text import (
+from rotsolve.algebra.notation.letters import name_to_latex
+from rotsolve.algebra.notation.text import (
     ATOM,
     BARE,
     BARE_NAMES,

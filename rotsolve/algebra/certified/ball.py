@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Any
 
-from rotsolve.algebra.balls import Ball, RealBalls, Undefined
-from rotsolve.algebra.exact import is_zero
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
 

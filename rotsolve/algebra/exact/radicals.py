@@ -8,7 +8,10 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.exact.field import Field, Poly
+from rotsolve.algebra.exact.products import square_part
+from rotsolve.algebra.exact.shape import Shaper
+from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -19,9 +22,6 @@ from rotsolve.algebra.formula import (
     call,
     multiply,
 )
-from rotsolve.algebra.products import square_part
-from rotsolve.algebra.shape import Shaper
-from rotsolve.algebra.signs import Signs
 
 Factor = tuple[Poly, int]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from rotsolve.algebra.tokens import FormulaError, Token, resolve
+from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 
 MAX_NESTING = 60
 

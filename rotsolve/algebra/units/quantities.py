@@ -14,11 +14,11 @@ import re
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.dimension import NONE, Dimension, base_unit_text, kind_of
 from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
-from rotsolve.algebra.letters import FRACTIONS, from_superscript, superscripted
-from rotsolve.algebra.tokens import NUMBER, FormulaError, read_number, suggest
-from rotsolve.algebra.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, times_pi
+from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript, superscripted
+from rotsolve.algebra.notation.tokens import NUMBER, FormulaError, read_number, suggest
+from rotsolve.algebra.units.dimension import NONE, Dimension, base_unit_text, kind_of
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, times_pi
 
 __all__ = ["Quantity", "Unit", "UnitError", "in_unit", "parse_quantity", "parse_unit", "unit_for"]
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from rotsolve.algebra.exact import Problem
-from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.exact.field import Field, Poly
+from rotsolve.algebra.exact.normal import Problem
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest

@@ -6,9 +6,9 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from math import isqrt
 
-from rotsolve.algebra.ball import evaluate
-from rotsolve.algebra.exact import Problem, polynomial, simplify
-from rotsolve.algebra.field import Poly
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.field import Poly
+from rotsolve.algebra.exact.normal import Problem, polynomial, simplify
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, call, divide, multiply, negate, sqrt
 
 

@@ -10,7 +10,9 @@ import re
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.products import Parts, Rank, share_number, written_fraction
+from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -25,9 +27,7 @@ from rotsolve.algebra.formula import (
     negate,
     total,
 )
-from rotsolve.algebra.letters import GLYPHS
-from rotsolve.algebra.products import Parts, Rank, share_number, written_fraction
-from rotsolve.algebra.signs import Signs
+from rotsolve.algebra.notation.letters import GLYPHS
 
 LAST = {"sin": 1, "cos": 2, "tan": 3}  # the order of functions of one argument
 

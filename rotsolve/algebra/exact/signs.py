@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from rotsolve.algebra.field import Field, Poly
+from rotsolve.algebra.exact.field import Field, Poly
 from rotsolve.algebra.formula import Call, Constant, Formula, Symbol
 
 

@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 from math import comb
 
-from rotsolve.algebra.field import Field
+from rotsolve.algebra.exact.field import Field
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -28,7 +29,6 @@ from rotsolve.algebra.formula import (
     negate,
     total,
 )
-from rotsolve.algebra.shape import Shaper
 
 Vector = dict[Formula, Fraction]  # term -> coefficient; PI stands for pure multiples of π
 SinCos = tuple[Formula, Formula]

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import FUNCTIONS
-from rotsolve.algebra.letters import FRACTIONS, RUN, SEGMENT, spellings
+from rotsolve.algebra.notation.letters import FRACTIONS, RUN, SEGMENT, spellings
 
 MAX_LENGTH = 2000
 MAX_RUN = 100

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from fractions import Fraction
 
-from rotsolve.algebra.field import Field
+from rotsolve.algebra.exact.field import Field
+from rotsolve.algebra.exact.radicals import Radicals
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -19,7 +20,6 @@ from rotsolve.algebra.formula import (
     multiply,
     negate,
 )
-from rotsolve.algebra.radicals import Radicals
 
 _ASIN = {
     Fraction(0): Fraction(0),

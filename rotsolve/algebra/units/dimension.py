@@ -24,9 +24,9 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.letters import superscripted
-from rotsolve.algebra.limits import rational
-from rotsolve.algebra.text import to_text
+from rotsolve.algebra.notation.letters import superscripted
+from rotsolve.algebra.notation.limits import rational
+from rotsolve.algebra.notation.text import to_text
 
 Exponent = int | Fraction
 

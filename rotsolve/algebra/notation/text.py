@@ -22,7 +22,7 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.letters import GLYPHS, name_to_latex, name_to_text, superscripted
+from rotsolve.algebra.notation.letters import GLYPHS, name_to_latex, name_to_text, superscripted
 
 __all__ = ["name_to_latex", "name_to_text", "number_to_text", "to_latex", "to_text"]
 
@@ -265,6 +265,6 @@ def _unicode_power(base: Formula, exponent: Formula) -> Piece:
 
 def to_latex(formula: Formula) -> str:
     """The formula in LaTeX, without dollar signs."""
-    from rotsolve.algebra.latex import latex  # few runs print LaTeX
+    from rotsolve.algebra.notation.latex import latex  # few runs print LaTeX
 
     return latex(formula)

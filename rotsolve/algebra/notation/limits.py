@@ -5,7 +5,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rotsolve.algebra.formula import Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
-from rotsolve.algebra.tokens import FormulaError
+from rotsolve.algebra.notation.tokens import FormulaError
 
 MAX_TREE_DEPTH = 120
 MAX_POWER = 64

@@ -1,0 +1,1 @@
+"""Certified: numbers in ball arithmetic, and roots found with them."""

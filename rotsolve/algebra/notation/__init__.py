@@ -1,0 +1,1 @@
+"""Notation: formulas read from text and written as text."""
