@@ -151,11 +151,11 @@ class Solver:
         return self._last(items[0], plan.asked)
 
     def _put_in_functions(self, item: Item) -> None:
-        """Answers that are functions of the running time are put in at once: a letter would hide what is integrated."""
+        """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros."""
         running = {
             name: found.formula
             for name, found in self.solved.items()
-            if found.formula is not None and self.running & found.formula.symbols()
+            if found.formula is not None and (self.running & found.formula.symbols() or found.formula == ZERO)
         }
         used = {name: value for name, value in running.items() if name in item.left.symbols() | item.right.symbols() | inner(item)}
         if used:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Quotient, Sum, negate, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Sum, negate, total
 
 
 def is_negative(term: Formula) -> bool:
@@ -31,7 +31,22 @@ def _single(terms: Iterable[Formula]) -> Iterator[Formula]:
         if isinstance(term, Sum):
             yield from _single(term.terms)
         elif term != ZERO:
-            yield term
+            yield with_powers(term)
+
+
+def with_powers(term: Formula) -> Formula:
+    """A product with its repeated letters as powers: m L ω L is m L² ω."""
+    if isinstance(term, Negative):
+        return negate(with_powers(term.operand))
+    if not isinstance(term, Product) or len(set(term.factors)) == len(term.factors):
+        return term
+    counted: dict[Formula, int] = {}
+    for factor in term.factors:
+        counted[factor] = counted.get(factor, 0) + 1
+    result: Formula = ONE
+    for factor, number in counted.items():
+        result = result * (factor if number == 1 else factor**number)
+    return result
 
 
 def positive_first(terms: Iterable[Formula]) -> Formula:

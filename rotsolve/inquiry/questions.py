@@ -398,4 +398,5 @@ def label_of(path: Path, term: Term | None) -> str:
 def spoken_point(path: Path) -> str:
     """The owner and point of a path in words."""
     name = path.owner.replace("_", " ")
-    return f"the {name}'s {path.point}" if path.point else name
+    point = {"cm": "centre of mass", None: ""}.get(path.point, path.point)
+    return f"the {name}'s {point}" if point else name

@@ -14,7 +14,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, tidy
+from rotsolve.motion.rigid import centre_of_mass, direction_of, part_frame, Piece, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
@@ -43,7 +43,7 @@ def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
     reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
-    return Frame(tuple(items), reference, tidy(centre - reference))
+    return Frame(tuple(items), reference, polar(tidy(centre - reference)))
 
 
 def locate(body: Body, ref: PointRef | None) -> Vector:
@@ -175,7 +175,7 @@ class Instant:
         return self._from_reference(host, locate(self.body(host), ref))
 
     def _from_reference(self, name: str, place_in_body: Vector) -> Vector:
-        return tidy(place_in_body - self.frame(name).reference).rotated(self.orientation(name))
+        return polar(tidy(place_in_body - self.frame(name).reference)).rotated(self.orientation(name))
 
     def motion(self, name: str) -> Motion:
         """How a body moves at this moment."""

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, negate, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
 from rotsolve.core.writing import is_negative
@@ -110,6 +110,17 @@ def tidy(arm: Vector) -> Vector:
 def positive_part(size: Formula, direction: Heading) -> tuple[Formula, Heading]:
     """A part of a vector with its minus sign turned into the opposite heading."""
     return (negate(size), direction.turned(180)) if is_negative(size) else (size, direction)
+
+
+def polar(arm: Vector) -> Vector:
+    """A slanted vector as one size along one direction, where the direction is a plain angle: d at 45°, not s/2 right and s/2 up."""
+    if len(arm.parts) < 2:
+        return arm
+    direction = direction_of(arm)
+    if direction.terms:
+        return arm
+    x, y = arm.along(RIGHT), arm.along(UP)
+    return Vector(((simplify(sqrt(x**2 + y**2), positive=(x + y).symbols()), direction),))
 
 
 def direction_of(arm: Vector) -> Heading:

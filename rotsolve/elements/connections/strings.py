@@ -13,7 +13,7 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, negate
-from rotsolve.core.directions import along_text
+from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import moved
@@ -223,7 +223,7 @@ class String(Connection):
         """The tension on the bodies at both ends of a leg."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
             if ref.owner in instant.arrangement.bodies:
-                words = ("tension ", tension, said(push, arm, instant.motion(ref.owner).kind))
+                words = ("tension ", tension, told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind))
                 yield Force(self.name, "tension", instant.host(ref.owner), tension, push, arm, words, internal=True)
 
     def rules(self, strand: tuple[Leg, ...], instant: Instant, number: int) -> Iterator[Rule]:
@@ -287,6 +287,17 @@ def where(ref: PointRef, instant: Instant) -> Vector | None:
     if ref.owner in instant.arrangement.bodies and instant.motion(ref.owner).kind == "axis":
         return instant.point(ref)
     return None
+
+
+def told_along(push: Vector, name: str, instant: Instant) -> str:
+    """A pull along the line on which a body travels, in the words of that line: ", up the slope"."""
+    line = instant.arrangement.line(instant.host(name), instant.state)
+    if line is None or len(push.parts) != 1:
+        return ""
+    gap = push.parts[0][1] - line[0]
+    if gap.terms or gap.degrees % 180:
+        return ""
+    return f", {line[1]}" if gap.degrees % 360 == 0 else f", {opposite(line[1])}"
 
 
 def said(push: Vector, arm: Vector, kind: str) -> str:
