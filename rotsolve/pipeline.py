@@ -31,7 +31,13 @@ from rotsolve.solution import Solution, Trace
 CHECK_DATA = "check the givens and what the states say"
 
 
-def solve(source: str | os.PathLike[str], *, law: str | None = None, settings: Mapping[str, str] | None = None, digits: int = 4) -> Solution:
+def solve(
+    source: str | os.PathLike[str],
+    *,
+    law: str | None = None,
+    settings: Mapping[str, str] | None = None,
+    digits: int = 4,
+) -> Solution:
     """Solve a scene: a path, or YAML text (text with a line break).
 
     Raises SceneError for a scene that can't be read, Unsolvable for one without an answer.
@@ -60,7 +66,9 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
         check_law(session, law)
     composer = Composer(session, decision.numbered + 1)
     derivation = composer.derivation(checks(session, composer), decision.sections)
-    trace = Trace(lambda: facts_text(history), lambda: equations_text(session, composer), lambda: plan_text(session, composer))
+    trace = Trace(
+        lambda: facts_text(history), lambda: equations_text(session, composer), lambda: plan_text(session, composer)
+    )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
 
@@ -71,7 +79,10 @@ def check_law(session: Session, law: str) -> None:
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
         raise Unsolvable(
-            f"{SAID[law]} does not settle anything that is asked here", help=f"it takes {others}", lines=problem.lines, file=problem.file
+            f"{SAID[law]} does not settle anything that is asked here",
+            help=f"it takes {others}",
+            lines=problem.lines,
+            file=problem.file,
         )
 
 
@@ -149,7 +160,8 @@ def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
     letters = registry.letters(open_, frozenset(), {})
     told = [f"{name_to_text(letters.get(name, name))} ({told_quantity(name, session)})" for name in open_]
     count = len([index for index in error.shortage.equations if session.planner.pool[index].label])
-    message = f"too little is known to find `{find.name}`: {plural(count, 'equation')} for {plural(len(told), 'unknown')}: {', '.join(told)}"
+    counted = f"{plural(count, 'equation')} for {plural(len(told), 'unknown')}"
+    message = f"too little is known to find `{find.name}`: {counted}: {', '.join(told)}"
     law = "" if NEWTON in session.families else f"by {SAID[session.families[0]]} alone, "
     return law + message, "give one of them, or say more about the states"
 
@@ -190,7 +202,7 @@ def facts_text(history: History) -> str:
         lines.append(f"at {spoken(state.name)}" if state.name else "facts")
         for body in facts.bodies:
             lines.append(f"  {spoken(body.name)}: {body.motion.kind}; positive: {body.positive or 'none'}")
-            lines += [f"    {words_to_text(item.words, letters)}" for item in (*body.forces, *body.couples)]
+            lines += [f"    {words_to_text(item.words, letters)}" for item in body.acting]
         for rule in facts.rules:
             left, right = (to_text(side.substitute(letters)) for side in rule.acceleration)
             lines.append(f"  {rule.label}: {left} = {right}")

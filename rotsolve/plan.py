@@ -76,20 +76,23 @@ class Planner:
                     pending.extend(fresh)
         return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
 
-    def _block(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None) -> Plan | Shortage:
+    def _block(
+        self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None
+    ) -> Plan | Shortage:
         """Match greedily, then collect what the asked unknown's equation needs."""
         owner: dict[str, int] = {}
         for index in unknowns:
             if index != skipped:
                 _augment(index, unknowns, owner, set())
         needed: dict[int, str] = {}
-        pending, seen, open_ = [asked], {asked}, []
+        pending, seen = [asked], {asked}
+        open_: list[str] = []
         while pending:
             name = pending.pop()
-            index = owner.get(name)
-            if index is None:
+            if name not in owner:
                 open_.append(name)
                 continue
+            index = owner[name]
             needed[index] = name
             fresh = [other for other in unknowns[index] if other not in seen]
             seen.update(fresh)
@@ -98,7 +101,9 @@ class Planner:
             return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
 
-    def _shortage(self, asked: str, open_: list[str], unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> Shortage:
+    def _shortage(
+        self, asked: str, open_: list[str], unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]
+    ) -> Shortage:
         """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
         matched = {index: name for name, index in owner.items()}
         names, equations, pending = set(open_) | {asked}, set[int](), list(open_)

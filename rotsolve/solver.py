@@ -22,7 +22,9 @@ from rotsolve.core.writing import flat, positive_first
 from rotsolve.plan import Plan
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
-Ref = tuple[str, "int | str"]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
+Ref = tuple[
+    str, "int | str"
+]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
 Choice = tuple[int, Words]
 Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
 
@@ -130,7 +132,13 @@ class Solver:
 
     def _solve(self, plan: Plan) -> Found:
         items = [
-            Item(self.refs.get(index, ("law", index)), index, self.pool[index].left, self.pool[index].right, self.pool[index].section)
+            Item(
+                self.refs.get(index, ("law", index)),
+                index,
+                self.pool[index].left,
+                self.pool[index].right,
+                self.pool[index].section,
+            )
             for index in plan.equations
         ]
         for item in items:
@@ -157,7 +165,11 @@ class Solver:
             for name, found in self.solved.items()
             if found.formula is not None and (self.running & found.formula.symbols() or found.formula == ZERO)
         }
-        used = {name: value for name, value in running.items() if name in item.left.symbols() | item.right.symbols() | inner(item)}
+        used = {
+            name: value
+            for name, value in running.items()
+            if name in item.left.symbols() | item.right.symbols() | inner(item)
+        }
         if used:
             self._substitute(item, used, [("known", name) for name in used])
 
@@ -171,14 +183,24 @@ class Solver:
                 explicit = isolated(item, name)
                 others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
                 plain = monomial(item.left) and monomial(item.right)
-                kind = 0 if explicit and len(names) == 1 else 1 if len(names) == 1 else 2 if plain and len(names) == 2 else 3
+                kind = (
+                    0
+                    if explicit and len(names) == 1
+                    else 1
+                    if len(names) == 1
+                    else 2
+                    if plain and len(names) == 2
+                    else 3
+                )
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
                 away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
         return self._first_linear(ranked, asked)
 
-    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str) -> tuple[Item, str, Formula, bool]:
+    def _first_linear(
+        self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str
+    ) -> tuple[Item, str, Formula, bool]:
         """Of the best-ranked eliminations the one with the shortest result."""
         best: tuple[int, Item, str, Formula, bool] | None = None
         rank: tuple[int, ...] | None = None
@@ -214,7 +236,9 @@ class Solver:
             gap = self._with_answers(item.left - item.right)
             raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
 
-    def _eliminate(self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]) -> None:
+    def _eliminate(
+        self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]
+    ) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
         refs: list[Ref] = [item.ref, *item.sources]
         if not trivial or (item.sources and self.pool[item.index].family):
@@ -234,7 +258,12 @@ class Solver:
             for name in sorted(item.unknowns(unknowns) - {asked}):
                 parts = coefficients(item.left - item.right, name, order=self.order, positive=self.positive)
                 others = [other for other in items if other is not item and name in other.unknowns({name})]
-                if parts is None or len(parts) != 3 or parts[1] != ZERO or not all(only_squared(other, name) for other in others):
+                if (
+                    parts is None
+                    or len(parts) != 3
+                    or parts[1] != ZERO
+                    or not all(only_squared(other, name) for other in others)
+                ):
                     continue
                 square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
                 refs: list[Ref] = [item.ref, *item.sources]
@@ -270,7 +299,9 @@ class Solver:
         candidates, more, reason = self._roots(item, asked)
         if not candidates:
             return self._numeric(item, asked)
-        picked: Choice | None = (0, ()) if len(candidates) == 1 else self.choose(asked, [self._with_answers(c) for c in candidates])
+        picked: Choice | None = (
+            (0, ()) if len(candidates) == 1 else self.choose(asked, [self._with_answers(c) for c in candidates])
+        )
         if picked is None:
             raise Contradiction(item.index)
         value = candidates[picked[0]]
@@ -293,7 +324,9 @@ class Solver:
         if explicit is None and any(ref[0] != "known" for ref in item.sources):
             chain.insert(0, Equality(item.left, item.right))
         chain.append(Equality(Symbol(asked), final))
-        self.steps.append(Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), asked, item.section, reason))
+        self.steps.append(
+            Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), asked, item.section, reason)
+        )
 
     def _roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality], Words]:
         """Closed forms of the asked unknown, with the line before the root where it is one."""
@@ -304,7 +337,9 @@ class Solver:
             return [self.simplify(self._carried_out(written))], [], ()
         parts = coefficients(gap, asked, order=self.order, positive=self.positive)
         if parts is not None and len(parts) < 2:
-            raise Redundant(item.index) if is_zero(self._with_answers(gap), self.positive) else Contradiction(item.index)
+            raise (
+                Redundant(item.index) if is_zero(self._with_answers(gap), self.positive) else Contradiction(item.index)
+            )
         if parts is not None and len(parts) <= 3:
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
             pure = len(parts) == 3 and parts[1] == ZERO
@@ -328,7 +363,15 @@ class Solver:
                 picked = self.choose(asked, [as_formula(root) for root in roots.roots])
                 reason: Words = ("no closed form: solved numerically, with certified digits",)
                 self.steps.append(
-                    Step(len(self.steps) + 1, item.ref, tuple(item.sources), (Equality(item.left, item.right),), asked, item.section, reason)
+                    Step(
+                        len(self.steps) + 1,
+                        item.ref,
+                        tuple(item.sources),
+                        (Equality(item.left, item.right),),
+                        asked,
+                        item.section,
+                        reason,
+                    )
                 )
                 return Found(asked, None, roots.roots[picked[0] if picked else 0])
         raise NoClosedForm(f"no value of {asked} satisfies the equations")

@@ -63,6 +63,9 @@ class Formula:
         exponent = formula(other)
         if exponent == ONE or (self in (ZERO, ONE) and isinstance(exponent, Number) and exponent.value > 0):
             return self
+        if isinstance(exponent, Number) and exponent.value == 2:  # (−x)² = x², (√x)² = x
+            base = self.operand if isinstance(self, Negative) else self
+            return base.arguments[0] if isinstance(base, Call) and base.function == "sqrt" else Power(base, exponent)
         return Power(self, exponent)
 
     def __neg__(self) -> Formula:

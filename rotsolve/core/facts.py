@@ -155,6 +155,11 @@ class BodyFacts:
     round: bool = False
 
     @property
+    def acting(self) -> tuple[Force | Couple, ...]:
+        """All that acts on it, forces before couples."""
+        return (*self.forces, *self.couples)
+
+    @property
     def centre_velocity(self) -> Vector:
         return self.motion.velocity_of(self.cm)
 
@@ -181,5 +186,3 @@ class Facts:
 def signed(value: Formula, sense: int) -> Formula:
     """`value` counted along a sense: itself for +1, its negative for −1."""
     return value if sense > 0 else negate(value)
-
-

@@ -94,7 +94,9 @@ def printable(text: str) -> str:
 class Unsolvable(Exception):
     """A well-formed scene without an answer: what is missing, contradictory or out of reach."""
 
-    def __init__(self, message: str, *, span: Span | None = None, help: str = "", lines: Sequence[str] = (), file: str = "") -> None:
+    def __init__(
+        self, message: str, *, span: Span | None = None, help: str = "", lines: Sequence[str] = (), file: str = ""
+    ) -> None:
         self.fault = Fault(message, span, help, "unsolvable")
         self.lines = tuple(lines)
         self.file = file

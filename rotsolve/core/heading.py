@@ -149,11 +149,19 @@ class Vector:
         return self + (-other)
 
     def times(self, factor: Formula) -> Vector:
-        return Vector(tuple((product(size, factor), direction) for size, direction in self.parts)) if factor != ZERO else NOWHERE
+        return (
+            Vector(tuple((product(size, factor), direction) for size, direction in self.parts))
+            if factor != ZERO
+            else NOWHERE
+        )
 
     def scaled(self, factor: Formula) -> Vector:
         """The vector with a factor in front of its sizes: m v."""
-        return Vector(tuple((product(factor, size), direction) for size, direction in self.parts)) if factor != ZERO else NOWHERE
+        return (
+            Vector(tuple((product(factor, size), direction) for size, direction in self.parts))
+            if factor != ZERO
+            else NOWHERE
+        )
 
     def rotated(self, by: Heading) -> Vector:
         return Vector(tuple((size, direction + by) for size, direction in self.parts))

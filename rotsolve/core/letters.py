@@ -32,5 +32,8 @@ OTHER = RANKS.index("")
 
 def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, ...]:
     """Names in the order of a printed product; equal ranks keep the order in which they come."""
-    ranked = [(OTHER if dimension is None else _RANK.get(dimension, OTHER), index, name) for index, (name, dimension) in enumerate(letters)]
+    ranked = [
+        (OTHER if dimension is None else _RANK.get(dimension, OTHER), index, name)
+        for index, (name, dimension) in enumerate(letters)
+    ]
     return tuple(name for _, _, name in sorted(ranked))

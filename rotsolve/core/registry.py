@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
 
 from rotsolve.algebra.formula import Formula, Symbol
@@ -86,7 +86,7 @@ def _join(*parts: str) -> str:
     return "_".join(part for part in parts if part)
 
 
-def _indices() -> tuple:
+def _indices() -> tuple[Callable[[Quantity], str], ...]:
     """Ways to index a letter, from the plainest on."""
     return (
         lambda q: _join(q.letter, q.component),

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
-Fact = facts.Force | facts.Couple
+Fact = facts.Force | facts.Couple | facts.Rule
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 Direction = str | Formula | tuple[Formula, Formula]
@@ -95,7 +95,6 @@ class Force(Action):
 
     def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
-
         name, motion = instant.host(on.owner), instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
         turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), motion.sense)
@@ -125,10 +124,9 @@ class Force(Action):
 
     def told(self, push: Vector, arm: Vector, instant: Instant) -> str:
         """Direction in words."""
-
         if isinstance(self.direction, str):
             return f", {self.direction}"
-        if instant.motion(self.on.owner).kind == "axis" and self.direction is None:  # type: ignore[union-attr]
+        if self.direction is None and self.on is not None and instant.motion(self.on.owner).kind == "axis":
             return ", along the positive turn"
         text = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
         return f", {text}" if text else ", at its angle"
@@ -193,8 +191,8 @@ class Power(Action):
         spin = facts.signed(instant.motion(name).spin, instant.sense(name))
         if spin != ZERO:  # from rest a constant power means an endless torque at first
             yield facts.Rule(
-            self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
-        )
+                self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
+            )
 
 
 def pointing(direction: Direction) -> Vector:

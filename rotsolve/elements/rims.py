@@ -9,7 +9,7 @@ from rotsolve.scene.model import Body
 
 def shape_of(body: Body) -> Shape:
     """The shape of a body; one without a shape is a particle."""
-    return body.shape if isinstance(body.shape, Shape) else Particle()
+    return body.shape or Particle()
 
 
 def rim_radius(body: Body, point: str | None) -> Formula | None:

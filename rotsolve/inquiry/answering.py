@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -59,13 +59,15 @@ class Session:
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
-    defined: set[str] = field(default_factory=set)
+    defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
         self.givens = {given.name: given for given in problem.givens}
-        self.values: dict[str, Formula] = {given.name: given.value for given in problem.givens if given.value is not None}
+        self.values: dict[str, Formula] = {
+            given.name: given.value for given in problem.givens if given.value is not None
+        }
         self.pool = [*self.history.equations, *self.extra]
         self.planner = Planner(self.pool)
         self.refs: dict[int, Ref] = {}
@@ -73,10 +75,20 @@ class Session:
             travel.coordinate.name
             for passage in self.history.passages.values()
             for travel in passage.travels
-            if isinstance(travel.coordinate, Symbol) and SEPARATOR in travel.coordinate.name and GENERIC in travel.coordinate.name
+            if isinstance(travel.coordinate, Symbol)
+            and SEPARATOR in travel.coordinate.name
+            and GENERIC in travel.coordinate.name
         }
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
-        self.solver = Solver(self.planner.pool, self._order(), positive_letters(problem.givens), self.values, self.choose, self.refs, frozenset(self.running))
+        self.solver = Solver(
+            self.planner.pool,
+            self._order(),
+            positive_letters(problem.givens),
+            self.values,
+            self.choose,
+            self.refs,
+            frozenset(self.running),
+        )
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -95,9 +107,10 @@ class Session:
 
     def _answer(self, asked: Asked) -> Answered:
         if not asked.direct and asked.letter not in self.defined:
-            self.defined.add(asked.letter)
-            definition = Equation(Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked))
-            self.planner.extend(definition)
+            definition = Equation(
+                Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
+            )
+            self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], ())
@@ -106,6 +119,8 @@ class Session:
             answered = Answered(asked, found, used, (first, len(self.solver.steps)))
         self.known.add(asked.letter)
         self.answered.append(answered)
+        if asked.letter in self.defined and has_calls(asked.formula):
+            self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
         return answered
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
@@ -138,7 +153,7 @@ class Session:
                 problem = error if problem is None or isinstance(error, Contradiction) else problem
                 continue
             except (NoClosedForm, Undefined) as error:
-                banned.add(max(plan.equations, key=lambda index: self.planner.pool[index].cost))
+                banned.add(self._hardest(plan))
                 problem = problem or error
                 continue
             self._remember()
@@ -148,12 +163,23 @@ class Session:
         open_form = isinstance(problem, (NoClosedForm, Undefined))
         raise NoAnswer(str(problem) if open_form else "too little is known", open_form=open_form)
 
+    def _hardest(self, plan: Plan) -> int:
+        """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
+
+        def hardness(index: int) -> tuple[bool, int]:
+            equation = self.planner.pool[index]
+            return has_calls(equation.left) or has_calls(equation.right), equation.cost
+
+        return max(plan.equations, key=hardness)
+
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
         allowed = [
             index
             for index, equation in enumerate(self.planner.pool)
-            if index not in banned and index not in self.retired and (not equation.family or equation.family in self.families)
+            if index not in banned
+            and index not in self.retired
+            and (not equation.family or equation.family in self.families)
         ]
         if self._of_one_moment(letter) and NEWTON in self.families and not self.spare:
             moment = [index for index in allowed if self.planner.pool[index].family in ("", NEWTON)]
@@ -176,7 +202,9 @@ class Session:
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
         laws = [law for law in self.families if law in LAWS]
-        alone = [[index for index in allowed if self.planner.pool[index].family in ("", KINEMATICS, law)] for law in laws]
+        alone = [
+            [index for index in allowed if self.planner.pool[index].family in ("", KINEMATICS, law)] for law in laws
+        ]
         return [allowed, *alone] if len(laws) > 1 else [allowed]
 
     def _remember(self) -> None:
@@ -261,7 +289,14 @@ class Session:
         if before is None or before.event is not None:
             return 0, ()
         passage = self.history.passages[before.name]
-        travel = next((item for item in passage.travels if item.body == owner and (item.kind == "turn") == (kind == "angular_velocity")), None)
+        travel = next(
+            (
+                item
+                for item in passage.travels
+                if item.body == owner and (item.kind == "turn") == (kind == "angular_velocity")
+            ),
+            None,
+        )
         if travel is None:
             return 0, ()
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else travel.change
@@ -279,7 +314,11 @@ class Session:
         """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""
         passage = self.history.passages.get(interval)
         wanted = "line" if kind == "displacement" else "turn"
-        travel = next((item for item in passage.travels if item.body == owner and item.kind == wanted), None) if passage else None
+        travel = (
+            next((item for item in passage.travels if item.body == owner and item.kind == wanted), None)
+            if passage
+            else None
+        )
         if travel is None:
             return 0, ()
         for value in (travel.before, self._push(travel.acceleration), travel.after):
@@ -321,6 +360,11 @@ def remark_of(asked: Asked) -> Words:
     return (asked.remark,) if asked.remark else ()
 
 
+def has_calls(value: Formula) -> bool:
+    """Whether a letter of the laws stands inside a function."""
+    return any(isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk())
+
+
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
     """Givens that are positive: masses, lengths, times and the like, and every number that is."""
     result = set()
@@ -330,7 +374,9 @@ def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
             result.add(given.name)
         elif given.value is not None and not given.asked and not is_angle(given):
             try:
-                if (evaluate(given.value, {g.name: g.value for g in givens if g.value is not None}, digits=3).sign or 0) > 0:
+                if (
+                    evaluate(given.value, {g.name: g.value for g in givens if g.value is not None}, digits=3).sign or 0
+                ) > 0:
                     result.add(given.name)
             except (Undefined, ValueError):
                 continue
@@ -344,4 +390,3 @@ def is_angle(given: Given) -> bool:
 def families_for(law: str | None) -> tuple[str, ...]:
     """The equation families that a law may use; all for none."""
     return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
-

@@ -57,7 +57,9 @@ class Composer:
         return Derivation(
             title=self.problem.title,
             source=self.problem.source,
-            givens=tuple(given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)),
+            givens=tuple(
+                given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
+            ),
             finds=tuple(self._find(answered) for answered in self.session.answered),
             states=tuple(self._state(state.name, state.conditions) for state in self.problem.states),
             conventions=self._conventions(),
@@ -82,7 +84,9 @@ class Composer:
             placed.update(laws)
             draft.steps.extend(self.session.solver.steps[slice(*answered.steps)])
         order = {key: place for place, key in enumerate(self._moments())}
-        return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+        return [
+            draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps
+        ]
 
     def _is_law(self, index: int) -> bool:
         """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
@@ -98,7 +102,9 @@ class Composer:
         if not laws:
             return answered.asked.section
         order = {key: place for place, key in enumerate(self._moments())}
-        return max((self.pool[index].cost, order.get(self.pool[index].section, -1), self.pool[index].section) for index in laws)[2]
+        return max(
+            (self.pool[index].cost, order.get(self.pool[index].section, -1), self.pool[index].section) for index in laws
+        )[2]
 
     def _moments(self) -> list[str]:
         timeline = self.history.arrangement.timeline
@@ -126,7 +132,12 @@ class Composer:
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
         remark = () if equation.family in SENTENCES else equation.remark
-        return LawLine(self.numbers[("law", index)], equation.label, Equality(self.printed(equation.left), self.printed(equation.right)), self.words(remark))
+        return LawLine(
+            self.numbers[("law", index)],
+            equation.label,
+            Equality(self.printed(equation.left), self.printed(equation.right)),
+            self.words(remark),
+        )
 
     def _move(self, step: Step) -> Move:
         chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in step.chain)
@@ -170,7 +181,9 @@ class Composer:
         if facts is None:
             return ()
         needed = {name for equation in equations for name in equation.symbols()}
-        return tuple(self._force_line(body.name, facts, needed, draft.laws) for body in facts.bodies if body.name in names)
+        return tuple(
+            self._force_line(body.name, facts, needed, draft.laws) for body in facts.bodies if body.name in names
+        )
 
     def _facts_of(self, key: str) -> Facts | None:
         timeline = self.history.arrangement.timeline
@@ -185,9 +198,11 @@ class Composer:
         """Forces that the equations speak of, and in brackets those that have no say in them."""
         body = facts.body(name)
         assert body is not None
-        pushed = any(self.pool[index].label.startswith(SECOND_LAW) and name in self.pool[index].bodies for index in laws)
+        pushed = any(
+            self.pool[index].label.startswith(SECOND_LAW) and name in self.pool[index].bodies for index in laws
+        )
         spoken_of, silent = [], []
-        for item in (*body.forces, *body.couples):
+        for item in body.acting:
             size = item.size if isinstance(item, Force) else item.torque
             if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
@@ -197,7 +212,11 @@ class Composer:
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
         """Why what is conserved is conserved, as sentences."""
-        remarks = {self.pool[index].remark: None for index in draft.laws if self.pool[index].family in SENTENCES and self.pool[index].remark}
+        remarks = {
+            self.pool[index].remark: None
+            for index in draft.laws
+            if self.pool[index].family in SENTENCES and self.pool[index].remark
+        }
         return tuple(self.words(remark) for remark in remarks)
 
     # letters
@@ -236,7 +255,7 @@ class Composer:
         facts = self._facts_of(draft.key)
         for body in facts.bodies if facts is not None else ():
             if body.name in names:
-                for item in (*body.forces, *body.couples):
+                for item in body.acting:
                     if item.role != "reaction":
                         yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
 
@@ -266,7 +285,9 @@ class Composer:
         if given.span is not None and not given.automatic:
             return True
         printed = set(self._occurring())
-        return name in printed or any(name in (a.found.formula.symbols() if a.found.formula else ()) for a in self.session.answered)
+        return name in printed or any(
+            name in (a.found.formula.symbols() if a.found.formula else ()) for a in self.session.answered
+        )
 
     # head
 
@@ -294,10 +315,14 @@ class Composer:
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
         formula = self.printed(found.formula) if found.formula is not None else None
-        unit = asked.find.unit or unit_of(asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else "")
+        unit = asked.find.unit or unit_of(
+            asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
+        )
         value = self._value_in(found, unit)
         direction, signed = self._direction(answered, value)
-        return Answer(asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed)
+        return Answer(
+            asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed
+        )
 
     def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:
         """The certified value in a unit."""
@@ -308,7 +333,11 @@ class Composer:
         if number is None or factor == ONE:
             return number
         scale = evaluate(factor, {}, digits=30)
-        return Certified(number.ball / scale.ball, lambda digits: number.refine(digits + 3) / scale.refine(digits + 3), lambda _: False)
+        return Certified(
+            number.ball / scale.ball,
+            lambda digits: number.refine(digits + 3) / scale.refine(digits + 3),
+            lambda _: False,
+        )
 
     def value(self, formula: Formula) -> Certified | None:
         if formula.symbols() - set(self.session.values):
@@ -370,7 +399,7 @@ def without_torque(silent: list[str]) -> tuple[Words, ...]:
 
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
     """The unit that the field uses for a dimension; none for a pure number."""
-    return None if dimension is None else unit_for(dimension, "torque" if quantity == "torque" else None)
+    return None if dimension is None else unit_for(dimension, quantity if quantity in ("torque", "impulse") else None)
 
 
 def stated(value: Formula) -> str:

@@ -41,7 +41,9 @@ def contradiction(session: Session) -> Equation | None:
 def runs(equation: Equation, session: Session) -> bool:
     """Whether an equation is about any moment of a phase, or sums over one."""
     sides = (equation.left, equation.right)
-    return bool(session.running & equation.symbols()) or any(isinstance(node, Integral) for side in sides for node in side.walk())
+    return bool(session.running & equation.symbols()) or any(
+        isinstance(node, Integral) for side in sides for node in side.walk()
+    )
 
 
 def known_numbers(session: Session) -> dict[str, Formula]:
@@ -73,7 +75,9 @@ def clashes(equation: Equation, session: Session, numbers: dict[str, Formula]) -
 
 def terms(equation: Equation, session: Session, numbers: dict[str, Formula]) -> list[float]:
     """Sizes of the single terms, against which a difference is measured."""
-    found = [size(term.substitute(numbers), session) for side in (equation.left, equation.right) for term in side.children()]
+    found = [
+        size(term.substitute(numbers), session) for side in (equation.left, equation.right) for term in side.children()
+    ]
     return [value for value in found if value is not None]
 
 
@@ -90,4 +94,3 @@ def size(value: Formula, session: Session) -> float | None:
 
 def exact(value: float) -> Formula:
     return Number(Fraction(value))
-

@@ -59,7 +59,15 @@ def asked(find: Find, history: History) -> Asked:
     dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history)
     if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
         words = first.words if single and first else ("", "")
-        return Asked(find, formula, formula.name, dimension, first.vector if single and first else None, section=section, words=words)
+        return Asked(
+            find,
+            formula,
+            formula.name,
+            dimension,
+            first.vector if single and first else None,
+            section=section,
+            words=words,
+        )
     vector = first.vector if single and first is not None else None
     letter = f"asked{SEPARATOR}{find.name}"
     if not single or first is None:
@@ -125,7 +133,10 @@ def at_state(term: Term, history: History) -> tuple[Meaning, str]:
 def section_of(path: Path, meaning: Meaning, state: str, history: History) -> str:
     """Where a definition is written: with the accelerations of a phase, or at its state."""
     moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
-    if BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum") or state in moments:
+    if (
+        BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
+        or state in moments
+    ):
         return state
     return history.section(state)
 
@@ -198,7 +209,13 @@ def work(path: Path, interval: str, history: History) -> Formula:
     works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
     if path.component == "gravity":
         heights = passage.heights.get(path.owner)
-        weights = [force.size for body in passage.start.bodies if body.name == path.owner for force in body.forces if force.role == "weight"]
+        weights = [
+            force.size
+            for body in passage.start.bodies
+            if body.name == path.owner
+            for force in body.forces
+            if force.role == "weight"
+        ]
         return weights[0] * (heights[0] - heights[1]) if heights and weights else ZERO
     if not works:
         raise NotYet(f"`{path.owner}` does no work that can be told apart in this phase")
@@ -220,14 +237,21 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
 
 def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
     """Mean over time: work over time for a power, angle or way over time for a rate."""
-    whole = {"power": "work", "angular_velocity": "rotation", "velocity": "displacement", "angular_acceleration": "angular_velocity"}
+    whole = {
+        "power": "work",
+        "angular_velocity": "rotation",
+        "velocity": "displacement",
+        "angular_acceleration": "angular_velocity",
+    }
     summed = whole.get(term.path.quantity)
     if summed is None:
         raise NotYet(f"the mean of `{term.path.quantity}` is not worked out")
     duration, section = spanned(Term(Path("", "time")), start, end, history)
-    other = replace(term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else "")
+    other = replace(
+        term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else ""
+    )
     amount, _ = meaning_of(replace(other, start=start, end=end), history)
     word = term.path.quantity.replace("_", " ")
-    return Meaning(amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, label=f"mean {word}"), section
-
-
+    return Meaning(
+        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, label=f"mean {word}"
+    ), section

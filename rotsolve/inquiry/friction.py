@@ -232,8 +232,10 @@ def by_motion(arrangement: Arrangement, open_: Contacts, modes: dict[str, str]) 
         speeds = [accelerating(arrangement, contact, state, trial, key) for key, (contact, state) in open_.items()]
         if speeds and all(speed is not None and speed > 0 for speed in speeds):
             return {key: trial[key] for key in open_}
-    known = all(accelerating(arrangement, contact, state, {**modes, **slipping(arrangement, open_, modes, 1)}, key) is not None
-                for key, (contact, state) in open_.items())
+    known = all(
+        accelerating(arrangement, contact, state, {**modes, **slipping(arrangement, open_, modes, 1)}, key) is not None
+        for key, (contact, state) in open_.items()
+    )
     return dict.fromkeys(open_, "sticks") if known else {}
 
 
@@ -244,7 +246,9 @@ def slipping(arrangement: Arrangement, open_: Contacts, modes: dict[str, str], w
     history = History(arrangement, {**modes, **result})
     facts, session = history.facts(state, virtual=True), Session(history, (NEWTON,))
     letters = {key: travel_letter(history.instant(state, virtual=True), contact) for key, (contact, _) in open_.items()}
-    rates = sorted({name for rule in facts.rules for side in rule.velocity for name in side.symbols() if name.startswith(RATES)})
+    rates = sorted(
+        {name for rule in facts.rules for side in rule.velocity for name in side.symbols() if name.startswith(RATES)}
+    )
     allowed = one_motion(sorted({*rates, *(name for name in letters.values() if name)}), list(facts.rules)) or {}
     senses = {}
     for key, name in letters.items():
@@ -284,8 +288,17 @@ def shown(trial: Trial, first: int) -> tuple[Section, int]:
     needed, normal = trial.friction.found.formula, trial.normal.found.formula
     assert static is not None and needed is not None and normal is not None
     limit = trial.session.solver.simplify(static * normal)
-    sizes = [certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None]
+    sizes = [
+        certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None
+    ]
     letter = Symbol(composer.names[trial.friction.asked.letter])
     words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
-    move = Move("", (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),), None, words)
-    return Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move)), first + len(composer.numbers)
+    move = Move(
+        "",
+        (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),),
+        None,
+        words,
+    )
+    return Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move)), first + len(
+        composer.numbers
+    )

@@ -89,7 +89,9 @@ class History:
             for item in self.arrangement.connections(state.name):
                 if item.word == "spring":
                     self._set(fresh.ask("elongation", item.name), last.ask("elongation", item.name))
-                    self._set(fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when))
+                    self._set(
+                        fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when)
+                    )
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
                 if old is not None and new is not None:
@@ -151,7 +153,11 @@ class History:
             if before is None:
                 return ZERO
             name = instant.host(path.owner)
-            return displacement(name, before, instant) if path.quantity == "displacement" else rotation(name, before, instant)
+            return (
+                displacement(name, before, instant)
+                if path.quantity == "displacement"
+                else rotation(name, before, instant)
+            )
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: str, owner: str) -> None:
@@ -241,7 +247,11 @@ class History:
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
         for state in self.arrangement.timeline.states:
-            said = {line.path.owner for line in state.conditions if line.path is not None and line.word in ("rolls", "sticks")}
+            said = {
+                line.path.owner
+                for line in state.conditions
+                if line.path is not None and line.word in ("rolls", "sticks")
+            }
             for item in self.arrangement.connections(state.name):
                 if item.name in said and isinstance(item, Touch):
                     rule = item.grip_rule(self.instant(state.name))
@@ -302,7 +312,9 @@ class History:
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown:
-                    yield Equation(left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies)
+                    yield Equation(
+                        left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
+                    )
 
 
 __all__ = ["History", "NotYet"]

@@ -72,13 +72,20 @@ class Reader:
 
     def _turned_by(self, owner: str) -> str:
         """The body on which a connection or action acts."""
-        items = (*self.instant.arrangement.connections(self.instant.state), *self.instant.arrangement.actions(self.instant.state))
-        refs = [ref for item in items if item.name == owner for ref in item.touches() if ref.owner in self.instant.arrangement.bodies]
+        refs = [
+            ref
+            for item in self.instant.arrangement.acting(self.instant.state)
+            if item.name == owner
+            for ref in item.touches()
+            if ref.owner in self.instant.arrangement.bodies
+        ]
         return refs[-1].owner if refs else ""
 
     def _at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("velocity", "speed", "acceleration") and (path.point is not None or not self._travels(path))
+        return path.quantity in ("velocity", "speed", "acceleration") and (
+            path.point is not None or not self._travels(path)
+        )
 
     def _travels(self, path: Path) -> bool:
         motion = self.instant.motion(path.owner)
@@ -105,7 +112,11 @@ class Reader:
             part = turned if path.component == "tangential" else inward
             return Meaning(size_of(part, signed_by=motion.sense), dimension, part)
         label = f"{path.quantity} of {spoken_point(path)}"
-        remark = "at rest: no centripetal part" if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns else ""
+        remark = (
+            "at rest: no centripetal part"
+            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns
+            else ""
+        )
         return Meaning(size_of(vector), dimension, vector, remark, label)
 
     def _of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
@@ -167,7 +178,9 @@ class Reader:
         point = own.reference + own.cm
         if term is not None and term.about is not None:
             about = term.about
-            support = next((item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None)
+            support = next(
+                (item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None
+            )
             ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
             point = locate(instant.body(name), ref)
         facts = self.body(name).inertia if instant.host(name) == name else None
@@ -232,7 +245,9 @@ class Reader:
         body = self.body(name)
         parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces]
         if component == "gravity":
-            parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role == "weight"]
+            parts = [
+                force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role == "weight"
+            ]
         else:
             parts += [couple.torque * body.motion.spin for couple in body.couples]
         return total([part for part in parts if part != ZERO])
@@ -251,7 +266,9 @@ class Reader:
     def _of_element(self, path: Path) -> Formula | Meaning:
         """A force, tension, torque or power of a connection or action."""
         forces = [(body, force) for body in self.facts().bodies for force in body.forces if force.owner == path.owner]
-        couples = [(body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner]
+        couples = [
+            (body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+        ]
         match path.quantity:
             case "tension":
                 return self._tension(path, [force for _, force in forces])
@@ -275,13 +292,17 @@ class Reader:
             case "elongation":
                 return self.instant.ask("elongation", path.owner)
             case "angle" | "angular_velocity" | "angular_acceleration":
-                held = next(item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner)
-                return self._of_body(replace(path, owner=held.touches()[-1].owner), None)  # type: ignore[return-value]
+                held = next(
+                    item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner
+                )
+                return self._of_body(replace(path, owner=held.touches()[-1].owner), None)
         raise NotYet(f"`{path.quantity}` of `{path.owner}` is not worked out at one moment")
 
     def _tension(self, path: Path, forces: list[Force]) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
-        item = next((item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner), None)
+        item = next(
+            (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner), None
+        )
         if isinstance(item, String) and path.point:
             tension = item.tension_at(path.point, self.instant)
             if tension is not None:
@@ -295,10 +316,12 @@ class Reader:
             raise NotYet(f"the tension is not the same along `{path.owner}`: ask for that of one part, {ends}")
         return next(iter(sizes))
 
-    def _element_force(self, path: Path, forces: list[tuple[BodyFacts, object]]) -> Formula | Meaning:
+    def _element_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
         """The force on the last-named body: its components, or its size."""
         if not forces:
-            couplings = [couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner]
+            couplings = [
+                couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+            ]
             letters = [name for couple in couplings for name in couple.torque.symbols() if name.startswith("force|")]
             if letters:
                 return Symbol(letters[0])
@@ -307,7 +330,7 @@ class Reader:
         vector = Vector()
         for body, force in forces:
             if body.name == last:
-                vector = vector + force.vector  # type: ignore[attr-defined]
+                vector = vector + force.vector
         if path.component in ("x", "y"):
             return vector.along(RIGHT if path.component == "x" else UP)
         if path.component in ("tangential", "normal"):
@@ -320,12 +343,20 @@ class Reader:
         if not body.cm.parts:
             raise NotYet("tangential and normal have no meaning at the centre of mass")
         outward = body.cm.parts[0][1]
-        return vector.along(outward.turned(180)) if component == "normal" else vector.along(outward.turned(90 * body.motion.sense))
+        return (
+            vector.along(outward.turned(180))
+            if component == "normal"
+            else vector.along(outward.turned(90 * body.motion.sense))
+        )
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         instant = self.instant
         item = next((item for item in instant.arrangement.connections(instant.state) if item.name == owner), None)
-        named = [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.arrangement.bodies] if item else []
+        named = (
+            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.arrangement.bodies]
+            if item
+            else []
+        )
         return next((name for name in reversed(named) if name in bodies), bodies[-1])
 
 

@@ -23,7 +23,13 @@ SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 def checks(session: Session, composer: Composer) -> tuple[Check, ...]:
     """All checks of a solved session, the second law first."""
-    return (*alone(session), *second_law(session, composer), *dimensions(session), *limits(session, composer), *requirements(session, composer))
+    return (
+        *alone(session),
+        *second_law(session, composer),
+        *dimensions(session),
+        *limits(session, composer),
+        *requirements(session, composer),
+    )
 
 
 def alone(session: Session) -> Iterator[Check]:
@@ -37,7 +43,9 @@ def alone(session: Session) -> Iterator[Check]:
 
 def second_law(session: Session, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
-    pending = [answered for answered in session.answered if answered.found.formula is not None and depends(answered, session)]
+    pending = [
+        answered for answered in session.answered if answered.found.formula is not None and depends(answered, session)
+    ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
         other = Session(session.history, families_for(law), spare=True)
         agreed = []
@@ -78,7 +86,12 @@ def families(answered: Answered, session: Session) -> set[str]:
             if equation.family:
                 found.add(equation.family)
             elif session.refs.get(index, ("law", 0))[0] == "step":
-                found |= {equation.family for other in session.answered for k in other.used if (equation := session.planner.pool[k]).family}
+                found |= {
+                    equation.family
+                    for other in session.answered
+                    for k in other.used
+                    if (equation := session.planner.pool[k]).family
+                }
             for name in equation.symbols():
                 if name in by_letter and name not in seen:
                     seen.add(name)
@@ -183,9 +196,11 @@ def requirements(session: Session, composer: Composer) -> Iterator[Check]:
 
 def concerns(need: Requirement, session: Session) -> bool:
     """Whether the body that the requirement is about takes part in the derivation."""
-    used = {name for answered in session.answered for index in answered.used for name in session.planner.pool[index].bodies}
-    item = next((c for c in session.history.arrangement.problem.connections if getattr(c, "name", "") == need.owner), None)
-    return item is None or any(ref.owner in used for ref in item.touches())  # type: ignore[attr-defined]
+    used = {
+        name for answered in session.answered for index in answered.used for name in session.planner.pool[index].bodies
+    }
+    item = next((item for item in session.history.arrangement.problem.connections if item.name == need.owner), None)
+    return item is None or any(ref.owner in used for ref in item.touches())
 
 
 def sign_of(value: Formula, session: Session) -> int | None:
@@ -198,7 +213,11 @@ def sign_of(value: Formula, session: Session) -> int | None:
 def said(need: Requirement, session: Session, composer: Composer, aside: Session) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"."""
     letters = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
-    unnamed = {name: Symbol(session.history.registry.quantities[name].letter) for name in letters if name not in composer.letters}
+    unnamed = {
+        name: Symbol(session.history.registry.quantities[name].letter)
+        for name in letters
+        if name not in composer.letters
+    }
     if isinstance(need.right, Call):
         size, limit_ = (decimal(aside.settled(side), session) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)

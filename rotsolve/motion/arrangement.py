@@ -11,7 +11,7 @@ from rotsolve.core.directions import WORDS
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection
+from rotsolve.elements.connections import Connection, Weld
 from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
@@ -50,7 +50,7 @@ class Arrangement:
 
     @cached_property
     def surfaces(self) -> dict[str, Surface]:
-        return {surface.name: surface for surface in self.problem.surfaces if isinstance(surface, Surface)}
+        return {surface.name: surface for surface in self.problem.surfaces}
 
     @cached_property
     def _gone(self) -> dict[str, frozenset[str]]:
@@ -70,7 +70,7 @@ class Arrangement:
         """Connections that act at a state."""
         after = self.timeline.after(state)
         absent = self._gone[state] | frozenset(after.without if after and after.event is None else ())
-        return tuple(item for item in self.problem.connections if isinstance(item, Connection) and item.name not in absent)
+        return tuple(item for item in self.problem.connections if item.name not in absent)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -78,13 +78,17 @@ class Arrangement:
         last = self.timeline.after(state) is None
         result = []
         for item in self.problem.actions:
-            if not isinstance(item, Action) or item.name in self._gone[state]:
+            if item.name in self._gone[state]:
                 continue
             begins = order.get(item.from_ or "", 0)
             ends = order.get(item.to or "", len(order))
             if begins <= now < ends or (last and begins <= now <= ends):
                 result.append(item)
         return tuple(result)
+
+    def acting(self, state: str) -> tuple[Connection | Action, ...]:
+        """All that acts on bodies at a state."""
+        return (*self.connections(state), *self.actions(state))
 
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
@@ -94,11 +98,11 @@ class Arrangement:
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state."""
         now = self.timeline.order[state]
-        pairs = [item.weld for item in self.connections(state) if item.word == "weld"]  # type: ignore[attr-defined]
+        pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
         for interval in self.timeline.intervals[:now]:
             if isinstance(interval.event, Joins):
                 pairs.append(interval.event.joins)
-        return tuple(self._member(*pair, state) for pair in pairs)
+        return tuple(self._member(first, second, state) for first, second in pairs)
 
     def _member(self, first: PointRef, second: PointRef, state: str) -> Member:
         """The joined pair as host and member: a body on an axis, else the extended one, else the last-named is the host."""
@@ -163,7 +167,7 @@ class Arrangement:
         """How the acceleration of a body's component varies in the phase of a state: 'constant', 'time' or 'position'."""
         component = self.component(name, state)
         paces = [self._own_pace(member, state) for member in component]
-        for item in (*self.connections(state), *self.actions(state)):
+        for item in self.acting(state):
             if any(self.host(ref.owner, state) in component for ref in item.touches() if ref.owner in self.bodies):
                 paces.append(item.pace(self, state))
         return max(paces, key=("constant", "time", "position").index)

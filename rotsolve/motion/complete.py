@@ -7,8 +7,9 @@ from dataclasses import fields, replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.elements.shapes import Shape
+from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.motion.rigid import place
+from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, Problem
 
 
@@ -31,14 +32,22 @@ class _Letters:
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
     letters = _Letters(problem)
-    wheels = {ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()}
-    wheels |= {ref.owner for item in problem.connections if item.word == "string" for ref in item.touches()[1:-1] if not ref.point}
+    wheels = {
+        ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
+    }
+    wheels |= {
+        ref.owner
+        for item in problem.connections
+        if item.word == "string"
+        for ref in item.touches()[1:-1]
+        if not ref.point
+    }
     bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
     return replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
-    shape = _shape(body.shape, body, letters) if isinstance(body.shape, Shape) else None
+    shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
     parts = tuple(_part(part, letters) for part in body.parts)
     if body.density is not None and shape is not None:
@@ -51,26 +60,28 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
             radius = letters.make("R", body.name, "length")
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
-    shape = shape if shape is not None else body.shape  # type: ignore[assignment]
     return replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia)
 
 
 def _part(part: Part, letters: _Letters) -> Part:
     shape = part.body.shape
-    if isinstance(shape, Shape) and getattr(shape, "length", 0) is None and part.start is not None and part.end is not None:
+    if isinstance(shape, Rod) and shape.length is None and part.start is not None and part.end is not None:
         gap = place(part.end) - place(part.start)
         length = simplify(sqrt(gap.dot(gap)))
-        part = replace(part, body=replace(part.body, shape=replace(shape, length=length)))  # type: ignore[type-var]
+        part = replace(part, body=replace(part.body, shape=replace(shape, length=length)))
     return replace(part, body=_body(part.body, letters, False))
 
 
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
     changes = {}
     for item in fields(shape):
-        declared = item.metadata.get("key")
-        needed = declared is not None and declared.kind == "quantity" and item.name in ("radius", "length")
-        if needed and getattr(shape, item.name) is None and not getattr(shape, "radii", ()):
+        declared: Key | None = item.metadata.get("key")
+        if declared is None or declared.kind != "quantity" or item.name not in ("radius", "length"):
+            continue
+        if getattr(shape, item.name) is None and not getattr(shape, "radii", ()):
             if item.name == "length" and hasattr(shape, "radius"):
                 continue  # the length of a cylinder along its axis is no matter in the plane
-            changes[item.name] = letters.make(declared.letter or item.name[0], body.name, declared.dimension or "length")
+            changes[item.name] = letters.make(
+                declared.letter or item.name[0], body.name, declared.dimension or "length"
+            )
     return replace(shape, **changes) if changes else shape

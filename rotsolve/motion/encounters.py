@@ -26,12 +26,17 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     points = participants(event)
     group: frozenset[str] = frozenset()
     for ref in points:
-        group |= first.arrangement.component(ref.owner, last.state) | first.arrangement.component(ref.owner, first.state)
+        group |= first.arrangement.component(ref.owner, last.state) | first.arrangement.component(
+            ref.owner, first.state
+        )
     involved = [body for body in first_facts.bodies if body.name in group]
     blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
     places = common_places(involved, points, first)
     meetings = tuple(
-        replace(meeting(body, first, last, blows[body.name], places.get(body.name)), twists=twists_on(body, event, points, first))
+        replace(
+            meeting(body, first, last, blows[body.name], places.get(body.name)),
+            twists=twists_on(body, event, points, first),
+        )
         for body in involved
     )
     supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
@@ -52,7 +57,12 @@ def participants(event: Event) -> tuple[PointRef, ...]:
 
 def support(body: BodyFacts, instant: Instant) -> str:
     """What the body's axis is called."""
-    held = (item for item in instant.arrangement.connections(instant.state) for ref in item.fixed_points() if ref.owner == body.name)
+    held = (
+        item
+        for item in instant.arrangement.connections(instant.state)
+        for ref in item.fixed_points()
+        if ref.owner == body.name
+    )
     return "axle" if any(item.word == "axle" for item in held) else "pivot"
 
 
@@ -61,7 +71,7 @@ def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, 
     host = last.host(body.name)
     motion = last.motion(host)
     if host == body.name and not last.arrangement.cluster(host, last.state):
-        centre = motion.velocity_of(body.cm) if body.motion.kind != "axis" else motion.velocity_of(body.cm)
+        centre = motion.velocity_of(body.cm)
     else:
         centre = motion.velocity_of(last.point(PointRef(body.name, "cm")))
     inertia: Formula = body.inertia.letter if body.inertia is not None else own_inertia(body, first)
@@ -102,7 +112,11 @@ def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instan
             axis = "x" if force.direction == unit(RIGHT) else "y"
             words = ("right", "left") if axis == "x" else ("up", "down")
             size = instant.ask("impulse", force.owner, component=axis, words=words)
-            blows.append(Force(force.owner, "reaction", body.name, size, force.direction, force.arm, ("blow ", size), internal=True))
+            blows.append(
+                Force(
+                    force.owner, "reaction", body.name, size, force.direction, force.arm, ("blow ", size), internal=True
+                )
+            )
     for index, ref in enumerate(points):
         if instant.host(ref.owner) != body.name:
             continue
@@ -165,7 +179,9 @@ def approach_heading(points: tuple[PointRef, ...], instant: Instant) -> Heading:
     return RIGHT
 
 
-def bounce(event: Event, points: tuple[PointRef, ...], first: Instant, last: Instant) -> tuple[Formula, Formula, Formula] | None:
+def bounce(
+    event: Event, points: tuple[PointRef, ...], first: Instant, last: Instant
+) -> tuple[Formula, Formula, Formula] | None:
     """(e, approach speed before, separation speed after) along the line of approach."""
     if not isinstance(event, Collides):
         return None

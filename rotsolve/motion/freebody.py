@@ -128,5 +128,3 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
     return f"moment of inertia, {noun} about the pivot"
-
-

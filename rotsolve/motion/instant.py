@@ -14,7 +14,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.rigid import centre_of_mass, direction_of, part_frame, Piece, pieces, place, polar, tidy
+from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
@@ -59,7 +59,6 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
         if part.body.name == ref.point:
             return part_frame(part)[1]
     return place(shape_of(body).locate(ref.point or "", ref.argument))
-
 
 
 @dataclass(frozen=True)
@@ -107,7 +106,14 @@ class Instant:
         return self._frames[name]
 
     def ask(
-        self, word: str, owner: str, *, when: str | None = None, component: str = "", words: tuple[str, str] = ("", ""), letter: str = ""
+        self,
+        word: str,
+        owner: str,
+        *,
+        when: str | None = None,
+        component: str = "",
+        words: tuple[str, str] = ("", ""),
+        letter: str = "",
     ) -> Formula:
         """The letter of a quantity at this moment, or its value where the scene fixes it."""
         kind = BY_WORD[word]
@@ -188,11 +194,15 @@ class Instant:
         arrangement, sense = self.arrangement, self.sense(name)
         if arrangement.pivot(name, self.state) is not None:
             spin, rate = (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
-            return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name))
+            return Motion(
+                "axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name)
+            )
         line = arrangement.line(name, self.state)
         turns = self.can_turn(name, line is not None)
         spin, rate = (
-            (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration")) if turns else (ZERO, ZERO)
+            (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
+            if turns
+            else (ZERO, ZERO)
         )
         if line is not None:
             direction, words = line
@@ -210,7 +220,9 @@ class Instant:
 
     def component(self, word: str, name: str, axis: str) -> Formula:
         when = self.span(name) if word == "acceleration" else self.moving
-        return self.ask(word, name, when=when, component=axis, words=("right", "left") if axis == "x" else ("up", "down"))
+        return self.ask(
+            word, name, when=when, component=axis, words=("right", "left") if axis == "x" else ("up", "down")
+        )
 
     def can_turn(self, name: str, on_line: bool) -> bool:
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
@@ -237,6 +249,3 @@ class Instant:
     def time(self) -> Formula:
         """The running time at this moment: the letter `time` in the midst of a phase."""
         return Symbol("time") if self.generic else self.ask("time", "")
-
-
-

@@ -9,12 +9,16 @@ from rotsolve.core.directions import opposite
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
+from rotsolve.elements.connections import Contact, Hinge
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
+from rotsolve.scene.model import PointRef
 
 
-def passage(interval: Interval, start: tuple[Instant, Facts], end: tuple[Instant, Facts], midst: tuple[Instant, Facts]) -> Passage:
+def passage(
+    interval: Interval, start: tuple[Instant, Facts], end: tuple[Instant, Facts], midst: tuple[Instant, Facts]
+) -> Passage:
     """All that the laws read about one phase."""
     (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
     arrangement = first.arrangement
@@ -22,10 +26,14 @@ def passage(interval: Interval, start: tuple[Instant, Facts], end: tuple[Instant
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
     travels = tuple(travel for body in midst_facts.bodies for travel in travels_of(body, interval, first, last, middle))
     groups = groups_of(arrangement, midst_facts, interval.start)
-    works = tuple(work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration))
+    works = tuple(
+        work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)
+    )
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
-    return Passage(interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle)
+    return Passage(
+        interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle
+    )
 
 
 def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
@@ -89,22 +97,22 @@ def height(name: str, instant: Instant) -> Formula | None:
     if arrangement.pivot(name, instant.state) is not None:
         return ZERO
     for item in arrangement.connections(instant.state):
-        if item.word == "contact":
-            ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)  # type: ignore[attr-defined]
+        if isinstance(item, Contact):
+            ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)
             if ref.owner == name and surface is not None and surface.word == "level":
                 return negate(instant.point(ref).along(UP))
-        if item.word == "hinge" and len(item.hinge) == 2 and item.hinge[1].owner == name:  # type: ignore[attr-defined]
-            carrier, own = item.hinge  # type: ignore[attr-defined]
+        if isinstance(item, Hinge) and len(item.hinge) == 2 and item.hinge[1].owner == name:
+            carrier, own = item.hinge
             base = height_of_point(carrier, instant)
             return None if base is None else base - instant.point(own).along(UP)
     return None
 
 
-def height_of_point(ref: object, instant: Instant) -> Formula | None:
+def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:
     """Height of a point of a body above the same fixed level."""
-    name = instant.host(ref.owner)  # type: ignore[attr-defined]
+    name = instant.host(ref.owner)
     reference = height(name, instant)
-    return None if reference is None else reference + instant.point(ref).along(UP)  # type: ignore[arg-type]
+    return None if reference is None else reference + instant.point(ref).along(UP)
 
 
 def works_on(
@@ -172,8 +180,15 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
     if "reaction" in roles and held:
-        axles = any(str(force.words[0]).startswith("axle") for body in facts.bodies if body.name in group for force in body.forces)
-        parts.append("the axle does no work (it is at rest)" if axles else "the pivot does no work (its point is at rest)")
+        axles = any(
+            str(force.words[0]).startswith("axle")
+            for body in facts.bodies
+            if body.name in group
+            for force in body.forces
+        )
+        parts.append(
+            "the axle does no work (it is at rest)" if axles else "the pivot does no work (its point is at rest)"
+        )
     if "tension" in roles:
         parts.append("the string's tension gives one body what it takes from the other")
     if "friction" in roles:

@@ -28,7 +28,6 @@ class Piece:
     at: Vector
 
 
-
 def mass_of(body: Body) -> Formula:
     """Total mass, identical copies counted."""
     mass = body.mass if body.mass is not None else simplify(total([piece.mass for piece in pieces(body)]))
@@ -49,8 +48,16 @@ def _own_piece(body: Body) -> Piece | None:
     shape = shape_of(body)
     mass = body.mass if body.mass is not None else ZERO
     if body.holes and isinstance(body.shape, Shape):
-        mass = mass / (shape.measure() - total([shape_of(hole.body).measure() for hole in body.holes])) * shape.measure()
-    moment = body.inertia if body.inertia is not None else mass * body.gyration**2 if body.gyration is not None else shape.moment(mass)
+        mass = (
+            mass / (shape.measure() - total([shape_of(hole.body).measure() for hole in body.holes])) * shape.measure()
+        )
+    moment = (
+        body.inertia
+        if body.inertia is not None
+        else mass * body.gyration**2
+        if body.gyration is not None
+        else shape.moment(mass)
+    )
     return Piece(body.name, mass, moment, place(shape.centroid()))
 
 

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import pairwise
 
+from rotsolve.elements.events import Event
 from rotsolve.scene.model import Problem, State
 
 
@@ -15,7 +17,7 @@ class Interval:
     name: str
     start: str
     end: str
-    event: object | None = None
+    event: Event | None = None
     without: tuple[str, ...] = ()
 
 
@@ -60,13 +62,9 @@ def timeline(problem: Problem) -> Timeline:
     """The timeline of a problem: neighbouring states are joined by a phase unless an event joins them."""
     states = problem.states or (State(""),)
     intervals = []
-    for before, after in zip(states, states[1:], strict=False):
-        event = next((event for event in problem.events if _joins(event, before.name, after.name)), None)
+    for before, after in pairwise(states):
+        event = next((item for item in problem.events if (item.from_, item.to) == (before.name, after.name)), None)
         phase = next((phase for phase in problem.phases if (phase.start, phase.end) == (before.name, after.name)), None)
-        name = getattr(event, "name", "") or (phase.name if phase else f"{before.name} to {after.name}")
+        name = (event.name if event else "") or (phase.name if phase else f"{before.name} to {after.name}")
         intervals.append(Interval(name, before.name, after.name, event, phase.without if phase else ()))
     return Timeline(tuple(states), tuple(intervals))
-
-
-def _joins(event: object, before: str, after: str) -> bool:
-    return (getattr(event, "from_", None), getattr(event, "to", None)) == (before, after)

@@ -32,7 +32,9 @@ def conservation(passage: Passage, section: str) -> Iterator[Equation]:
             continue
         sides = arranged(left, right)
         label = "work and energy, K₁ + U₁ + W = K₂ + U₂" if works else "conservation of energy, K₁ + U₁ = K₂ + U₂"
-        yield Equation(*sides, label, section, ENERGY, 4, reason(passage, group, bool(works)), bodies=tuple(sorted(group)))
+        yield Equation(
+            *sides, label, section, ENERGY, 4, reason(passage, group, bool(works)), bodies=tuple(sorted(group))
+        )
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:
@@ -52,7 +54,7 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
 
 def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
     """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone."""
-    terms = []
+    terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
             terms.extend(HALF * body.mass * square(size) for size, _ in body.motion.velocity.parts)
@@ -64,7 +66,7 @@ def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
 def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     """m g h of each body, and the energy of the springs."""
     facts = (passage.start, passage.end)[end]
-    terms = []
+    terms: list[Formula] = []
     for body in facts.bodies:
         heights = passage.heights.get(body.name)
         if body.name in group and heights is not None:
@@ -82,8 +84,15 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     """
     bodies = [body for body in facts.bodies if body.name in group]
     rules = [rule for rule in facts.rules if group & set(rule.bodies)]
-    gains, supplies = [term for body in bodies for term in gain(body)], [term for body in bodies for term in supply(body)]
-    spoken_of = {name for term in (*gains, *supplies, *(rule.velocity[0] - rule.velocity[1] for rule in rules)) for name in term.symbols()}
+    gains, supplies = (
+        [term for body in bodies for term in gain(body)],
+        [term for body in bodies for term in supply(body)],
+    )
+    spoken_of = {
+        name
+        for term in (*gains, *supplies, *(rule.velocity[0] - rule.velocity[1] for rule in rules))
+        for name in term.symbols()
+    }
     rates = sorted({name for body in bodies for name in rates_of(body)} & spoken_of)
     allowed = one_motion(rates, rules)
     if allowed is None:
@@ -92,7 +101,9 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     free = next(name for name in rates if allowed.get(name) is None)
     left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
     if (left, right) != (ZERO, ZERO):
-        words: Words = ("Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",)
+        words: Words = (
+            "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
+        )
         label = "power and kinetic energy"
         yield Equation(positive_first([left]), right, label, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
 

@@ -31,13 +31,21 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
         yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, KINEMATICS, 1)
 
 
-def equation(left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = KINEMATICS, cost: int = 2) -> Equation:
+def equation(
+    left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = KINEMATICS, cost: int = 2
+) -> Equation:
     return Equation(left, right, f"{words}, {spoken(travel.body)}", section, family, cost, bodies=(travel.body,))
 
 
 def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
     """v₂ = v₁ + a t and its three companions."""
-    before, after, rate, change, time = travel.before, travel.after, travel.acceleration, travel.change, passage.duration
+    before, after, rate, change, time = (
+        travel.before,
+        travel.after,
+        travel.acceleration,
+        travel.change,
+        passage.duration,
+    )
     words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
     yield equation(after, before + rate * time, words, travel, section)
     yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
@@ -49,9 +57,13 @@ def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation
     """v₂ = v₁ + ∫ a dt, and the change of the coordinate as ∫ v dt."""
     start, end = passage.times
     words = "velocity from acceleration" if travel.kind == "line" else "angular velocity from angular acceleration"
-    yield equation(travel.after, travel.before + Integral(travel.acceleration, TIME, start, end), words, travel, section)
+    yield equation(
+        travel.after, travel.before + Integral(travel.acceleration, TIME, start, end), words, travel, section
+    )
     words = f"{words}, at any time"
-    yield equation(travel.moving, travel.before + Integral(travel.acceleration, TIME, start, Symbol(TIME)), words, travel, section)
+    yield equation(
+        travel.moving, travel.before + Integral(travel.acceleration, TIME, start, Symbol(TIME)), words, travel, section
+    )
     words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
     yield equation(travel.change, Integral(travel.moving, TIME, start, end), words, travel, section)
 

@@ -42,7 +42,9 @@ def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Itera
     pushes += [signed(force.torque, sense) for force in wheel.forces if (force.owner, force.size) not in between]
     pushes += [signed(couple.torque, sense) for couple in wheel.couples]
     label = f"angular momentum about the {'pivot' if wheel.cm.parts else 'axle'}: its rate is the torque"
-    yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(wheel.name,))
+    yield Equation(
+        positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(wheel.name,)
+    )
 
 
 def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
@@ -66,14 +68,22 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     orbital = signed((-point).cross(body.motion.acceleration.scaled(body.mass)), sense)
     rates = [term for term in (response(body), orbital) if term != ZERO]
     label = f"angular momentum about the point of contact of {spoken(body.name)}: its rate is the torque"
-    yield Equation(positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(body.name,))
+    yield Equation(
+        positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(body.name,)
+    )
 
 
 def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
     """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant: angular impulse = change of angular momentum."""
     for travel in passage.travels:
         body = passage.midst.body(travel.body)
-        if body is None or travel.kind != "turn" or travel.pace != "constant" or body.motion.kind != "axis" or body.inertia is None:
+        if (
+            body is None
+            or travel.kind != "turn"
+            or travel.pace != "constant"
+            or body.motion.kind != "axis"
+            or body.inertia is None
+        ):
             continue
         pushes = [torque * passage.duration for torque in flat(torques(body))]
         change = body.inertia.letter * travel.after - body.inertia.letter * travel.before
@@ -103,10 +113,21 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         sense = next((item.body.motion.sense for item in members if item.body.motion.turns), 1)
         before = [term for item in members for term in spin_terms(item, sense, after=False)]
         after = [term for item in members for term in spin_terms(item, sense, after=True)]
-        torque = [signed(arm_from_point(item, blow).cross(blow.vector), sense) for item in members for blow in item.blows if not blow.internal]
+        torque = [
+            signed(arm_from_point(item, blow).cross(blow.vector), sense)
+            for item in members
+            for blow in item.blows
+            if not blow.internal
+        ]
         point = f"about the {pivot}" if pivot else "about the meeting point"
-        label = f"angular momentum {point} is conserved" if not outside else f"angular impulse = change of angular momentum, {point}"
-        words: Words = (f"No outside torque acts {point}: the blow at the support has no arm.",) if pivot and not outside else ()
+        label = (
+            f"angular momentum {point} is conserved"
+            if not outside
+            else f"angular impulse = change of angular momentum, {point}"
+        )
+        words: Words = (
+            (f"No outside torque acts {point}: the blow at the support has no arm.",) if pivot and not outside else ()
+        )
         if flat(before) or flat(after):
             yield Equation(*moved([*before, *torque], after), label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
     if pivot is None:
@@ -161,5 +182,3 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
         if flat(pushes) or flat([before, after]):
             label = f"angular impulse = change of angular momentum, {spoken(body.name)}"
             yield Equation(*moved([*pushes, before], [after]), label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
-
-

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, multiply
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Sum, multiply
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.heading import Heading
@@ -22,15 +23,29 @@ def second_law(facts: Facts, section: str) -> Iterator[Equation]:
 
 def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     """The component along one axis; None where nothing acts along it."""
-    if body.motion.kind == "line" and axis != body.motion.heading and not any(force.role == "normal" for force in body.forces):
+    if (
+        body.motion.kind == "line"
+        and axis != body.motion.heading
+        and not any(force.role == "normal" for force in body.forces)
+    ):
         return None  # whatever holds it on its line takes what acts across
     forces = [force.vector.along(axis) for force in body.forces]
     acceleration = body.centre_acceleration.along(axis)
     response = multiply(body.mass, acceleration) if body.mass != ZERO else ZERO
+    if isinstance(body.mass, Sum):
+        response = simplify(response)  # of joined bodies the common mass cancels in the place of the centre of mass
     if all(force == ZERO for force in forces) and response == ZERO:
         return None
     left, right = law(forces, response)
-    return Equation(left, right, f"Newton's second law, {spoken(body.name)}{axis_words(body, axis)}", section, NEWTON, 3, bodies=(body.name,))
+    return Equation(
+        left,
+        right,
+        f"Newton's second law, {spoken(body.name)}{axis_words(body, axis)}",
+        section,
+        NEWTON,
+        3,
+        bodies=(body.name,),
+    )
 
 
 def axis_words(body: BodyFacts, axis: Heading) -> str:

@@ -48,5 +48,13 @@ def moments_of_inertia(facts: Facts, section: str) -> Iterator[Equation]:
         if inertia is not None and inertia.letter not in (ZERO, inertia.formula):
             defines = next(iter(inertia.letter.symbols()), "")
             yield Equation(
-                inertia.letter, inertia.formula, inertia.label, section, "", 1, inertia.remark, defines, bodies=(body.name,)
+                inertia.letter,
+                inertia.formula,
+                inertia.label,
+                section,
+                "",
+                1,
+                inertia.remark,
+                defines,
+                bodies=(body.name,),
             )

@@ -11,6 +11,11 @@ from rotsolve.core.faults import Span as Span
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.quantities import Unit
+    from rotsolve.elements.actions import Action
+    from rotsolve.elements.connections import Connection
+    from rotsolve.elements.events import Event
+    from rotsolve.elements.shapes import Shape
+    from rotsolve.elements.surfaces import Surface
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +86,7 @@ class Body:
     """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later)."""
 
     name: str
-    shape: object | None = None
+    shape: Shape | None = None
     mass: Formula | None = None
     density: Formula | None = None
     inertia: Formula | None = None
@@ -193,13 +198,13 @@ class Problem:
     givens: tuple[Given, ...] = ()
     gravity: Formula | None = None
     plane: str = "vertical"
-    surfaces: tuple[object, ...] = ()
+    surfaces: tuple[Surface, ...] = ()
     bodies: tuple[Body, ...] = ()
-    connections: tuple[object, ...] = ()
-    actions: tuple[object, ...] = ()
+    connections: tuple[Connection, ...] = ()
+    actions: tuple[Action, ...] = ()
     states: tuple[State, ...] = ()
     phases: tuple[Phase, ...] = ()
-    events: tuple[object, ...] = ()
+    events: tuple[Event, ...] = ()
     assume: tuple[str, ...] = ()
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()

@@ -21,7 +21,6 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-
 @dataclass(frozen=True)
 class Friction:
     """Friction of a contact: `none`, one coefficient, static and kinetic, or `any` (rough enough; the engine decides)."""
@@ -72,7 +71,13 @@ class Touch(Connection):
         normal = instant.ask("normal_force", self.name, when=span)
         text = ("normal force ", normal, f", {away(surface)}")
         yield Force(self.name, "normal", name, normal, unit(surface.normal), arm, text, works=False, internal=True)
-        yield Requirement(self.name, normal, ZERO, (normal, " ≥ 0: the surface can only push"), f"{spoken(ref.owner)} leaves the surface")
+        yield Requirement(
+            self.name,
+            normal,
+            ZERO,
+            (normal, " ≥ 0: the surface can only push"),
+            f"{spoken(ref.owner)} leaves the surface",
+        )
         motion = instant.motion(name)
         if motion.kind == "plane" or motion.kind == "axis":
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
@@ -94,7 +99,9 @@ class Touch(Connection):
         arm = contact_arm(ref, surface, instant)
         return slip_rule(self.name, f"{spoken(name)} no longer slips", name, arm, forward, instant, linear=False)
 
-    def friction_facts(self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula) -> Iterator[Fact]:
+    def friction_facts(
+        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
+    ) -> Iterator[Fact]:
         """Friction: none; sticking (a force as large as it takes, and no slip); or slipping (μ N against the slip)."""
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)
         if grip.kind == "none":
@@ -153,7 +160,9 @@ def contact_arm(ref: PointRef, surface: Surface, instant: Instant) -> Vector:
     return instant.point(ref)
 
 
-def slip_rule(owner: str, label: str, name: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool) -> Rule:
+def slip_rule(
+    owner: str, label: str, name: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool
+) -> Rule:
     """The touching point does not move along a direction: travel of the centre on the left, turning on the right."""
     motion = instant.motion(name)
     turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
@@ -170,9 +179,15 @@ class Contact(Touch):
     about = "a body lies on, slides along or rolls on a surface or another body"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
-    contact: tuple[PointRef, ...] = key("points", "[body, surface]", count=(2, 2), required=True, example="[block, ramp]")
+    contact: tuple[PointRef, ...] = key(
+        "points", "[body, surface]", count=(2, 2), required=True, example="[block, ramp]"
+    )
     friction: Friction = key(
-        "friction", "`none`, a coefficient, {static: , kinetic: }, or `any`", default=Friction(), letter="mu", limits="nonnegative"
+        "friction",
+        "`none`, a coefficient, {static: , kinetic: }, or `any`",
+        default=Friction(),
+        letter="mu",
+        limits="nonnegative",
     )
 
     def pair(self) -> tuple[PointRef, PointRef]:
@@ -188,7 +203,9 @@ class Rolls(Touch):
     about = "a wheel rolls without slipping on a surface, or on several that join smoothly"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
-    rolls: tuple[PointRef, ...] = key("points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]")
+    rolls: tuple[PointRef, ...] = key(
+        "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
+    )
 
     def pair(self) -> tuple[PointRef, PointRef]:
         return self.rolls[0], self.rolls[1]

@@ -18,13 +18,14 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-
 @dataclass(frozen=True)
 class Belt(Connection):
     word = "belt"
     about = "a belt or chain round two wheels: they turn the same way, or opposite ways when it is crossed"
     quantities = ("tension", "force", "power", "work")
-    belt: tuple[PointRef, ...] = key("points", "the wheels or rims", count=(2, 10), required=True, example="[motor, drum.big]")
+    belt: tuple[PointRef, ...] = key(
+        "points", "the wheels or rims", count=(2, 10), required=True, example="[motor, drum.big]"
+    )
     crossed: bool = key("flag", "the belt crosses between the wheels", default=False)
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
@@ -32,7 +33,9 @@ class Belt(Connection):
         sense = -1 if self.crossed else 1
         for number, (first, second) in enumerate(zip(self.belt, self.belt[1:], strict=False)):
             component = "" if len(self.belt) == 2 else str(number + 1)
-            yield from coupling(self, first, second, sense, component, ("the belt does not slip", "belt's pull"), instant)
+            yield from coupling(
+                self, first, second, sense, component, ("the belt does not slip", "belt's pull"), instant
+            )
 
 
 @dataclass(frozen=True)
@@ -40,16 +43,32 @@ class Gear(Connection):
     word = "gear"
     about = "two toothed or rubbing wheels: they turn opposite ways without slip"
     quantities = ("force", "torque", "power", "work", "impulse")
-    gear: tuple[PointRef, ...] = key("points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]")
+    gear: tuple[PointRef, ...] = key(
+        "points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]"
+    )
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         sense = 1 if self.inside else -1
-        yield from coupling(self, self.gear[0], self.gear[1], sense, "", ("the wheels do not slip on each other", "tooth force"), instant)
+        yield from coupling(
+            self,
+            self.gear[0],
+            self.gear[1],
+            sense,
+            "",
+            ("the wheels do not slip on each other", "tooth force"),
+            instant,
+        )
 
 
 def coupling(
-    element: Connection, first: PointRef, second: PointRef, sense: int, component: str, words: tuple[str, str], instant: Instant
+    element: Connection,
+    first: PointRef,
+    second: PointRef,
+    sense: int,
+    component: str,
+    words: tuple[str, str],
+    instant: Instant,
 ) -> Iterator[Fact]:
     """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
 
@@ -60,7 +79,14 @@ def coupling(
     turn = instant.sense(names[1])
     for name, radius, way in ((names[1], radii[1], turn), (names[0], radii[0], -turn * sense)):
         torque = force * radius
-        yield Couple(element.name, "coupling", name, torque if way > 0 else negate(torque), (f"{noun} ", force, " at the rim"), internal=True)
+        yield Couple(
+            element.name,
+            "coupling",
+            name,
+            torque if way > 0 else negate(torque),
+            (f"{noun} ", force, " at the rim"),
+            internal=True,
+        )
     sides = []
     for rate in ("spin", "spin_rate"):
         values = [radius * getattr(instant.motion(name), rate) for name, radius in zip(names, radii, strict=True)]

@@ -20,15 +20,18 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-
 @dataclass(frozen=True)
 class Spring(Connection):
     word = "spring"
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
-    stiffness: Formula | None = key("quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None)
-    rest_length: Formula | None = key("quantity", "length without force", dimension="length", letter="L", limits="nonnegative", default=None)
+    stiffness: Formula | None = key(
+        "quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None
+    )
+    rest_length: Formula | None = key(
+        "quantity", "length without force", dimension="length", letter="L", limits="nonnegative", default=None
+    )
 
     def hangs(self, body: Body) -> bool:
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
@@ -40,7 +43,11 @@ class Spring(Connection):
         first, second = self.spring
         along = self.along(instant)
         elongation = instant.ask("elongation", self.name)
-        size = self.stiffness * elongation if self.stiffness is not None else instant.ask("force", self.name, when=instant.when)
+        size = (
+            self.stiffness * elongation
+            if self.stiffness is not None
+            else instant.ask("force", self.name, when=instant.when)
+        )
         for ref, push in ((first, along), (second, -along)):
             if ref.owner in instant.arrangement.bodies:
                 name = instant.host(ref.owner)
@@ -72,11 +79,15 @@ class Torsion(Connection):
     word = "torsion"
     about = "a torsion spring or wire that turns a body back"
     quantities = ("torque", "potential_energy", "work", "power", "angle")
-    torsion: tuple[PointRef, ...] = key("points", "the body, or two bodies", count=(1, 2), required=True, example="disc")
+    torsion: tuple[PointRef, ...] = key(
+        "points", "the body, or two bodies", count=(1, 2), required=True, example="disc"
+    )
     stiffness: Formula | None = key(
         "quantity", "torque per angle", dimension="torsional stiffness", letter="kappa", limits="positive", default=None
     )
-    rest_angle: Formula | None = key("quantity", "angle without torque", dimension="angle", letter="theta", default=None)
+    rest_angle: Formula | None = key(
+        "quantity", "angle without torque", dimension="angle", letter="theta", default=None
+    )
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
         return "position"

@@ -54,12 +54,22 @@ class String(Connection):
         "points", "what it touches, in order", count=(2, 50), required=True, example="[left, pulley, right]"
     )
     pulls: tuple[tuple[str, str], ...] = key(
-        "map of directions", "direction in which it pulls a body", default=(), choices=("left", "right", "up", "down"), refers=("body",)
+        "map of directions",
+        "direction in which it pulls a body",
+        default=(),
+        choices=("left", "right", "up", "down"),
+        refers=("body",),
     )
-    over: tuple[str, ...] = key("names", "pulleys that it passes over, turning them clockwise (the default)", default=(), refers=("body",))
-    under: tuple[str, ...] = key("names", "pulleys that it passes under, turning them counterclockwise", default=(), refers=("body",))
+    over: tuple[str, ...] = key(
+        "names", "pulleys that it passes over, turning them clockwise (the default)", default=(), refers=("body",)
+    )
+    under: tuple[str, ...] = key(
+        "names", "pulleys that it passes under, turning them counterclockwise", default=(), refers=("body",)
+    )
     along: str | None = key("name", "the surface that it runs along", default=None, refers=("surface",))
-    mass: Formula | None = key("quantity", "mass of the string", dimension="mass", limits="nonnegative", default=None, letter="m", later=True)
+    mass: Formula | None = key(
+        "quantity", "mass of the string", dimension="mass", limits="nonnegative", default=None, letter="m", later=True
+    )
 
     def hangs(self, body: Body) -> bool:
         """A body at an end of a string hangs from it where nothing else says how it travels."""
@@ -79,7 +89,9 @@ class String(Connection):
         legs = self.legs(instant)
         for number, strand in enumerate(self.strands(legs, instant)):
             tension = self.tension(strand, legs, instant)
-            yield Requirement(self.name, tension, ZERO, (tension, " ≥ 0: the string stays taut"), "the string goes slack")
+            yield Requirement(
+                self.name, tension, ZERO, (tension, " ≥ 0: the string stays taut"), "the string goes slack"
+            )
             for leg in strand:
                 yield from self.pulls_of(leg, tension, instant)
             yield from self.rules(strand, instant, number)
@@ -223,7 +235,11 @@ class String(Connection):
         """The tension on the bodies at both ends of a leg."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
             if ref.owner in instant.arrangement.bodies:
-                words = ("tension ", tension, told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind))
+                words = (
+                    "tension ",
+                    tension,
+                    told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind),
+                )
                 yield Force(self.name, "tension", instant.host(ref.owner), tension, push, arm, words, internal=True)
 
     def rules(self, strand: tuple[Leg, ...], instant: Instant, number: int) -> Iterator[Rule]:
@@ -235,12 +251,26 @@ class String(Connection):
                 terms.append((rates(instant, leg.second, leg.arms[1]).dot(leg.along), 1))
                 terms.append((rates(instant, leg.first, leg.arms[0]).dot(leg.along), -1))
             sides.append(balance([(value, sign) for value, sign in terms if value != ZERO]))
-        bodies = tuple({ref.owner: None for leg in strand for ref in (leg.first, leg.second) if ref.owner in instant.arrangement.bodies})
+        bodies = tuple(
+            {
+                ref.owner: None
+                for leg in strand
+                for ref in (leg.first, leg.second)
+                if ref.owner in instant.arrangement.bodies
+            }
+        )
         turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
         label = "the string does not slip" if turning else "the string does not stretch"
         others = [name for name in bodies if not instant.motion(name).turns] if len(self.string) > 2 else []
         label += f", {spoken(others[0])}" if len(others) == 1 else ""
-        yield Rule(self.name, label, bodies, sides[0], sides[1], linear=self.pace(instant.arrangement, instant.state) == "constant")
+        yield Rule(
+            self.name,
+            label,
+            bodies,
+            sides[0],
+            sides[1],
+            linear=self.pace(instant.arrangement, instant.state) == "constant",
+        )
 
 
 def velocity_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
@@ -317,6 +347,8 @@ def rough(value: Formula) -> float:
 
     names = sorted(value.symbols())
     try:
-        return evaluate(value, {name: Number(_SMALL + _STEP * index) for index, name in enumerate(names)}, digits=3).float
+        return evaluate(
+            value, {name: Number(_SMALL + _STEP * index) for index, name in enumerate(names)}, digits=3
+        ).float
     except ValueError:
         return 0.0

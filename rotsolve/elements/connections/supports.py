@@ -18,20 +18,31 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-
 @dataclass(frozen=True)
 class Driven(Connection):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
 
     friction_torque: Formula | None = key(
-        "quantity", "friction torque, against the motion", dimension="torque", letter="tau", limits="nonnegative", default=None
+        "quantity",
+        "friction torque, against the motion",
+        dimension="torque",
+        letter="tau",
+        limits="nonnegative",
+        default=None,
     )
-    angle: Formula | None = key("quantity", "driven angle", dimension="angle", letter="theta", varies=True, default=None)
+    angle: Formula | None = key(
+        "quantity", "driven angle", dimension="angle", letter="theta", varies=True, default=None
+    )
     angular_velocity: Formula | None = key(
         "quantity", "driven angular velocity", dimension="angular velocity", letter="omega", varies=True, default=None
     )
     angular_acceleration: Formula | None = key(
-        "quantity", "driven angular acceleration", dimension="angular acceleration", letter="alpha", varies=True, default=None
+        "quantity",
+        "driven angular acceleration",
+        dimension="angular acceleration",
+        letter="alpha",
+        varies=True,
+        default=None,
     )
 
     def held(self) -> tuple[PointRef, ...]:
@@ -80,14 +91,22 @@ class Hinge(Driven):
     word = "hinge"
     about = "holds a point of a body to the ground, or to a point of another body; the body turns freely about it"
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
-    hinge: tuple[PointRef, ...] = key("points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start")
+    hinge: tuple[PointRef, ...] = key(
+        "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start"
+    )
     along: tuple[Formula, ...] = key("vector", "direction of the axis, in space", default=(), later=True)
 
     def held(self) -> tuple[PointRef, ...]:
         return self.hinge[-1:]
 
     def fixed_points(self) -> tuple[PointRef, ...]:
-        return self.hinge if len(self.hinge) == 1 else self.hinge[1:] if self.hinge[0].owner in ("ground", "ceiling") else ()
+        return (
+            self.hinge
+            if len(self.hinge) == 1
+            else self.hinge[1:]
+            if self.hinge[0].owner in ("ground", "ceiling")
+            else ()
+        )
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
         return super().pace(arrangement, state) if self.fixed_points() else "position"
@@ -131,7 +150,9 @@ class Ball(Connection):
     about = "holds a point of a body in place; the body turns about it in space"
     quantities = ("force", "impulse")
     later = True
-    ball: tuple[PointRef, ...] = key("points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="top.tip")
+    ball: tuple[PointRef, ...] = key(
+        "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="top.tip"
+    )
 
 
 @dataclass(frozen=True)
@@ -140,7 +161,9 @@ class Clamp(Connection):
     about = "holds a point of a body and its direction"
     quantities = ("force", "torque")
     later = True
-    clamp: tuple[PointRef, ...] = key("points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="beam.start")
+    clamp: tuple[PointRef, ...] = key(
+        "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="beam.start"
+    )
 
 
 @dataclass(frozen=True)
@@ -163,7 +186,10 @@ class Rides(Connection):
 def reaction(
     owner: str, noun: str, ref: PointRef, instant: Instant, *, opposite: PointRef | None = None, several: bool = False
 ) -> Iterator[Force]:
-    """The two components of a support's force on a body, right and up; reversed on the carrier of a joint (`opposite` is the other body)."""
+    """The two components of a support's force on a body, right and up.
+
+    They are reversed on the carrier of a joint, where `opposite` is the other body.
+    """
     name = instant.host(ref.owner)
     span = instant.span(instant.host((opposite or ref).owner))
     for axis, direction in (("x", RIGHT), ("y", UP)):
@@ -173,7 +199,17 @@ def reaction(
         arm = instant.point(ref)
         text = (f"{noun} force ", size, f", {words[0] if opposite is None else words[1]}")
         push = unit(direction if opposite is None else direction.turned(180))
-        yield Force(owner, "reaction", name, size, push, arm, text, works=bool(opposite) or instant.motion(name).kind != "axis", internal=True)
+        yield Force(
+            owner,
+            "reaction",
+            name,
+            size,
+            push,
+            arm,
+            text,
+            works=bool(opposite) or instant.motion(name).kind != "axis",
+            internal=True,
+        )
 
 
 def joint(owner: str, carrier: PointRef, body: PointRef, instant: Instant) -> Iterator[Rule]:
