@@ -3,32 +3,30 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import LAWS, NEWTON, Equation
+from rotsolve.core.equation import LAWS, NEWTON
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import NoAnswer, Session, families_for
 from rotsolve.inquiry.compose import Composer, spoken
 from rotsolve.inquiry.consistency import contradiction
+from rotsolve.inquiry.explain import contradicted, no_answer, plural, unsolvable, with_missing_told
 from rotsolve.inquiry.finds import Unclear, asked
-from rotsolve.inquiry.friction import decide, limiting
+from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
-
-CHECK_DATA = "check the givens and what the states say"
 
 
 def solve(
@@ -54,18 +52,22 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     arrangement = Arrangement(completed(problem))
-    decision = decide(arrangement)
-    history = History(arrangement, decision.modes)
-    session = Session(history, families_for(law), spare=law is not None)
-    for find in arrangement.problem.finds:
-        answer(session, find)
+    try:
+        decision = decide(arrangement)
+        history = History(arrangement, decision.modes)
+        session = Session(history, families_for(law), spare=law is not None)
+    except NotYet as error:
+        raise unsolvable(problem, str(error), error.span, error.help) from None
+    answer_all(session, arrangement.problem.finds)
     clash = contradiction(session)
     if clash is not None:
-        raise Unsolvable(contradicted(clash, history), lines=problem.lines, file=problem.file, help=CHECK_DATA)
+        raise contradicted(clash, history)
     if law is not None:
         check_law(session, law)
     composer = Composer(session, decision.numbered + 1)
-    derivation = composer.derivation(checks(session, composer), decision.sections)
+    derivation = with_missing_told(
+        composer.derivation(checks(session, composer), decision.sections), arrangement.problem
+    )
     trace = Trace(
         lambda: facts_text(history), lambda: equations_text(session, composer), lambda: plan_text(session, composer)
     )
@@ -78,12 +80,28 @@ def check_law(session: Session, law: str) -> None:
     problem = session.history.arrangement.problem
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
-        raise Unsolvable(
-            f"{SAID[law]} does not settle anything that is asked here",
-            help=f"it takes {others}",
-            lines=problem.lines,
-            file=problem.file,
+        raise unsolvable(
+            problem, f"{SAID[law]} does not settle anything that is asked here", None, f"it takes {others}"
         )
+
+
+def answer_all(session: Session, finds: Sequence[Find]) -> None:
+    """Answer all questions; one that has to wait for another (an asked letter that a later line settles) is tried again."""
+    pending = list(finds)
+    while pending:
+        waiting: list[tuple[Find, Unsolvable]] = []
+        for find in pending:
+            try:
+                answer(session, find)
+            except Unsolvable as error:
+                waiting.append((find, error))
+        if len(waiting) == len(pending):
+            raise waiting[0][1]
+        pending = [find for find, _ in waiting]
+    order = {find.name: place for place, find in enumerate(finds)}
+    session.order = sorted(
+        range(len(session.answered)), key=lambda place: order[session.answered[place].asked.find.name]
+    )
 
 
 def answer(session: Session, find: Find) -> None:
@@ -95,15 +113,14 @@ def answer(session: Session, find: Find) -> None:
         else:
             by_law(session, find)
     except (NotYet, Unclear) as error:
-        raise Unsolvable(str(error), span=find.span, lines=problem.lines, file=problem.file) from None
+        raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
-        message, help = explained(error, session, find)
-        raise Unsolvable(message, span=find.span, help=help, lines=problem.lines, file=problem.file) from None
+        raise no_answer(error, session, find) from None
 
 
 def by_law(session: Session, find: Find) -> None:
     """Answer by the session's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
-    question = asked(find, session.history)
+    question = asked(find, session.history, session.letters())
     try:
         session.answer(question)
     except NoAnswer as error:
@@ -126,9 +143,9 @@ def extreme(session: Session, find: Find) -> None:
     assert condition is not None
     history = session.history
     if condition.path is None or condition.word not in ("sticks", "rolls"):
-        raise NotYet("only `where CONTACT sticks` is worked out yet")
+        raise NotYet("this `where` is not solved yet", help="solved is `where CONTACT sticks`")
     bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
-    question = asked(bare, history)
+    question = asked(bare, history, session.letters())
     state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(history, condition.path.owner, state):
@@ -147,46 +164,6 @@ def extreme(session: Session, find: Find) -> None:
     modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
     pick = max if modifier == "largest" else min
     session.answer(question, pick(candidates, key=lambda item: item[0])[1])
-
-
-def explained(error: NoAnswer, session: Session, find: Find) -> tuple[str, str]:
-    """What is missing or contradictory, in the scene's words, and what may help."""
-    registry = session.history.registry
-    if error.equation is not None:
-        return contradicted(session.planner.pool[error.equation], session.history), CHECK_DATA
-    if error.shortage is None:
-        return f"`{find.name}` can not be found: {error}", ""
-    open_ = [name for name in error.shortage.unknowns if not name.startswith("asked" + SEPARATOR)]
-    letters = registry.letters(open_, frozenset(), {})
-    told = [f"{name_to_text(letters.get(name, name))} ({told_quantity(name, session)})" for name in open_]
-    count = len([index for index in error.shortage.equations if session.planner.pool[index].label])
-    counted = f"{plural(count, 'equation')} for {plural(len(told), 'unknown')}"
-    message = f"too little is known to find `{find.name}`: {counted}: {', '.join(told)}"
-    law = "" if NEWTON in session.families else f"by {SAID[session.families[0]]} alone, "
-    return law + message, "give one of them, or say more about the states"
-
-
-def contradicted(equation: Equation, history: History) -> str:
-    """Which law the data break; over a phase, that its end is never reached."""
-    interval = history.arrangement.timeline.interval(equation.section)
-    if interval is not None and interval.event is None:
-        return f"`{interval.end}` is never reached from `{interval.start}`: {equation.label} can not hold"
-    where = f" at `{equation.section}`" if equation.section else ""
-    return f"the data contradict each other: {equation.label} can not hold{where}"
-
-
-def plural(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
-
-
-def told_quantity(name: str, session: Session) -> str:
-    """A quantity of the laws in the scene's words: "tension of cord at held"."""
-    quantity = session.history.registry.quantities.get(name)
-    if quantity is None:
-        return "asked"
-    owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
-    when = f", {spoken(quantity.when)}" if quantity.when else ""
-    return f"{spoken(quantity.kind)}{owner}{when}".replace("~", "midway from ")
 
 
 def facts_text(history: History) -> str:

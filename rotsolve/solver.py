@@ -22,6 +22,7 @@ from rotsolve.core.writing import flat, positive_first
 from rotsolve.plan import Plan
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
+ENTANGLED = "no unknown can be told from the others"
 Ref = tuple[
     str, "int | str"
 ]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
@@ -127,6 +128,9 @@ class Solver:
         except (Redundant, Contradiction, NoClosedForm, Undefined):
             del self.steps[kept:], self.derived[derived:]
             raise
+        except ZeroDivisionError:
+            del self.steps[kept:], self.derived[derived:]
+            raise NoClosedForm("it would take a division by zero") from None
         self.solved[plan.asked] = found
         return found
 
@@ -214,7 +218,7 @@ class Solver:
             if best is None or length(value) < best[0]:
                 best, rank = (length(value), item, name, value, trivial), key
         if best is None:
-            raise NoClosedForm(f"no unknown beside {asked} can be isolated")
+            raise NoClosedForm(ENTANGLED)
         return best[1:]
 
     def _value(self, item: Item, name: str, *, alone: bool) -> Formula | None:
@@ -271,7 +275,7 @@ class Solver:
                     other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
                     other.sources.extend(ref for ref in refs if ref not in other.sources)
                 return item, name
-        raise NoClosedForm(f"no unknown beside {asked} can be isolated")
+        raise NoClosedForm(ENTANGLED)
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         item.left, item.right = item.left.substitute(values), item.right.substitute(values)
@@ -353,10 +357,10 @@ class Solver:
     def _numeric(self, item: Item, asked: str) -> Found:
         """A certified root where there is no closed form."""
         if not self.numeric:
-            raise NoClosedForm(f"{asked} has no closed form")
+            raise NoClosedForm("it has no closed form")
         gap = self._with_answers(self._carried_out(item.left) - self._carried_out(item.right))
         if gap.symbols() - set(self.values) - {asked}:
-            raise NoClosedForm(f"{asked} has no closed form, and not every given has a number")
+            raise NoClosedForm("it has no closed form, and not every given has a number")
         for reach in (10, 1000, 10**6):
             roots = real_roots(gap, asked, self.values, -reach, reach)
             if roots.roots:
@@ -374,7 +378,7 @@ class Solver:
                     )
                 )
                 return Found(asked, None, roots.roots[picked[0] if picked else 0])
-        raise NoClosedForm(f"no value of {asked} satisfies the equations")
+        raise NoClosedForm("no real value satisfies the equations")
 
     def _with_answers(self, value: Formula) -> Formula:
         """Answers found before put in."""

@@ -29,6 +29,7 @@ class Travel:
     start: Formula | None = None  # value of the coordinate at both ends, where the scene has one
     end: Formula | None = None
     coordinate: Formula | None = None  # the coordinate at any moment between
+    initial: Formula | None = None  # the acceleration at the start of the phase
     sense: int = 1  # +1 where the positive turn is counterclockwise, as the coordinate counts it
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Sum, negate, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Sum, Symbol, negate, total
 
 
 def is_negative(term: Formula) -> bool:
@@ -80,3 +80,11 @@ def moved(left: Sequence[Formula], right: Sequence[Formula]) -> tuple[Formula, F
 def spoken(name: str) -> str:
     """A name of the scene as words."""
     return name.replace("_", " ")
+
+
+def balance(terms: list[tuple[Formula, int]]) -> tuple[Formula, Formula]:
+    """Σ sign · term = 0 as an equation of positive terms: those of the first body on the left, the others moved across."""
+    left, right = moved([value if sign > 0 else negate(value) for value, sign in terms], ())
+    if left == ZERO or (right != ZERO and not isinstance(left, Symbol) and isinstance(right, Symbol)):
+        left, right = right, left
+    return left, right

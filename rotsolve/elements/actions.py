@@ -12,6 +12,7 @@ from rotsolve.core import facts
 from rotsolve.core.directions import along_text
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
@@ -208,8 +209,6 @@ def pointing(direction: Direction) -> Vector:
 
 def _rough_sign(side: Vector, instant: Instant) -> bool:
     """Whether a vector points up rather than down (a rightward one counts as up)."""
-    from rotsolve.elements.connections.strings import rough
-
     height = rough(side.along(UP))
     return height > 1e-9 or (abs(height) <= 1e-9 and rough(side.along(RIGHT)) > 0)
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
@@ -60,6 +61,7 @@ class Session:
     answered: list[Answered] = field(default_factory=list)
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
+    order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
 
     def __post_init__(self) -> None:
@@ -89,6 +91,14 @@ class Session:
             self.refs,
             frozenset(self.running),
         )
+
+    def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
+        """The answers so far by name: what later questions may use."""
+        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.answered}
+
+    def in_order(self) -> list[Answered]:
+        """The answers in the order in which the scene asks for them."""
+        return [self.answered[place] for place in self.order] if self.order else list(self.answered)
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -140,8 +150,11 @@ class Session:
         """Plan and solve; an equation that says nothing new is left out and the plan made again."""
         banned: set[int] = set()
         problem: ValueError | None = None
+        open_: Shortage | None = None
         for _ in range(TRIES):
             plan = self._plan(asked.letter, banned)
+            if isinstance(plan, Shortage) or open_ is None:
+                open_ = Shortage(plan.asked, plan.equations, plan.unknowns)
             if isinstance(plan, Shortage):
                 if problem is not None:
                     break
@@ -161,7 +174,7 @@ class Session:
         if isinstance(problem, Contradiction):
             raise NoAnswer("the data contradict each other", None, problem.index)
         open_form = isinstance(problem, (NoClosedForm, Undefined))
-        raise NoAnswer(str(problem) if open_form else "too little is known", open_form=open_form)
+        raise NoAnswer(str(problem) if open_form else "too little is known", open_, open_form=open_form)
 
     def _hardest(self, plan: Plan) -> int:
         """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
@@ -300,7 +313,7 @@ class Session:
         if travel is None:
             return 0, ()
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else travel.change
-        for value in (change, travel.before, self._push(travel.acceleration)):
+        for value in (change, travel.before, self._push(travel.initial)):
             size = self.number(self.solver._with_answers(value)) if value is not None else None
             if size:
                 sign = 1 if size > 0 else -1
@@ -321,15 +334,15 @@ class Session:
         )
         if travel is None:
             return 0, ()
-        for value in (travel.before, self._push(travel.acceleration), travel.after):
+        for value in (travel.before, self._push(travel.initial), travel.after):
             size = self.number(self.solver._with_answers(value)) if value is not None else None
             if size:
                 return (1 if size > 0 else -1), ("the way in which it starts to move",)
         return 0, ()
 
-    def _push(self, acceleration: Formula) -> Formula | None:
+    def _push(self, acceleration: Formula | None) -> Formula | None:
         """The acceleration that starts the motion, found aside."""
-        if not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
+        if acceleration is None or not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
             return acceleration
         aside = Session(self.history, (NEWTON,))
         try:

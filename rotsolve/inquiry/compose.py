@@ -60,11 +60,11 @@ class Composer:
             givens=tuple(
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
-            finds=tuple(self._find(answered) for answered in self.session.answered),
+            finds=tuple(self._find(answered) for answered in self.session.in_order()),
             states=tuple(self._state(state.name, state.conditions) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
-            answers=tuple(self.answer(answered) for answered in self.session.answered),
+            answers=tuple(self.answer(answered) for answered in self.session.in_order()),
             checks=checks,
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),

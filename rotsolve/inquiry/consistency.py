@@ -6,6 +6,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 from __future__ import annotations
 
 from fractions import Fraction
+from math import isfinite
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -60,7 +61,10 @@ def settle(equation: Equation, name: str, session: Session, numbers: dict[str, F
     slope = at[1] - at[0]
     if not slope or abs(at[2] - at[0] - 2 * slope) > 1e-9 * (abs(at[2]) + abs(at[0]) + abs(slope)):
         return False
-    numbers[name] = exact(-at[0] / slope)
+    value = -at[0] / slope
+    if not isfinite(value):
+        return False
+    numbers[name] = exact(value)
     return True
 
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.notation.letters import name_to_text
-from rotsolve.core.derivation import Check, Words
+from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
@@ -14,9 +14,11 @@ from rotsolve.core.registry import SEPARATOR, Quantity
 from rotsolve.inquiry.answering import NoAnswer, Session
 from rotsolve.inquiry.compose import spoken
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID
 from rotsolve.motion.instant import GENERIC, VIRTUAL
-from rotsolve.scene.model import Body, Condition, Find, Problem
+from rotsolve.scene.model import Body, Find, Given, Problem
+from rotsolve.solver import ENTANGLED
 
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
@@ -28,7 +30,7 @@ STATED = {  # what a state can say, with an example
     "displacement": "1 m",
     "rotation": "2 rev",
 }
-ENDS = ("displacement", "rotation", "time")  # quantities of a phase: something must tell when it is over
+RATES = ("velocity", "angular_velocity")
 CHECK_DATA = "check the givens and what the states say"
 
 
@@ -44,17 +46,16 @@ def no_answer(error: NoAnswer, session: Session, find: Find) -> Unsolvable:
         return contradicted(session.planner.pool[error.equation], session.history, find.span)
     alone = "" if NEWTON in session.families else f" by {SAID[session.families[0]]} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, session.history)
-    if not missing:
-        reason = str(error) if error.open_form else "too little is known"
-        return unsolvable(
-            problem, f"`{find.name}` can not be found{alone}: {reason}", find.span, suggestion((), session.history)
-        )
-    assert error.shortage is not None
+    if error.open_form and str(error) != ENTANGLED:
+        return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
+    if error.shortage is None or not missing:
+        help = suggestion((), session.history)
+        return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
     laws = [index for index in error.shortage.equations if is_law(session.planner.pool[index])]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
     counted = counted if len(laws) < len(missing) else "nothing settles"
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {listed(missing, session.history)}"
-    return unsolvable(problem, message, find.span, suggestion(missing, session.history))
+    return unsolvable(problem, message, find.span, suggestion(missing, session.history, error.shortage.asked))
 
 
 def is_law(equation: Equation) -> bool:
@@ -76,23 +77,18 @@ def open_quantities(names: Iterable[str], history: History) -> list[Quantity | s
 
 
 def listed(missing: Sequence[Quantity | str], history: History) -> str:
-    """Letters with what they stand for; of many only the first few."""
-    keys = [item.key for item in missing if isinstance(item, Quantity)]
-    letters = history.registry.letters(keys, frozenset(), {})
-    told = [
-        f"{name_to_text(letters[item.key])} ({told_quantity(item, history)})"
-        if isinstance(item, Quantity)
-        else f"`{item}`"
-        for item in missing
-    ]
+    """What the unknowns are; of many only the first few."""
+    told = [told_quantity(item, history) if isinstance(item, Quantity) else f"`{item}`" for item in missing]
+    told = list(dict.fromkeys(told))
     more = f" and {len(told) - MANY} more" if len(told) > MANY else ""
     return ", ".join(told[:MANY]) + more
 
 
 def told_quantity(quantity: Quantity, history: History) -> str:
     """A quantity of the laws in the scene's words: "tension of cord at held"."""
+    side = {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
     owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
-    return f"{spoken(quantity.kind)}{owner}{moment(quantity.when, history)}"
+    return f"{side}{spoken(quantity.kind)}{owner}{moment(quantity.when, history)}"
 
 
 def moment(when: str, history: History) -> str:
@@ -112,25 +108,38 @@ def moment(when: str, history: History) -> str:
     )
 
 
-def suggestion(missing: Sequence[Quantity | str], history: History) -> str:
-    """What to add to the scene."""
+def suggestion(missing: Sequence[Quantity | str], history: History, asked: str = "") -> str:
+    """What to add to the scene; never what is asked."""
     lonely = unreached(history)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: give it a line, or an event that leads to it"
     quantities = [item for item in missing if isinstance(item, Quantity)]
-    stated = next((item for kind in STATED for item in quantities if item.kind == kind and item.owner), None)
-    if stated is not None:
-        states = history.arrangement.timeline.order
-        name = stated.when if stated.when in states and stated.when else next(iter(states)) or "now"
-        name = (
-            history.arrangement.timeline.interval(stated.when).end
-            if history.arrangement.timeline.interval(stated.when)
-            else name
-        )  # type: ignore[union-attr]
-        return f"say more about the state, as in `states: {{{name}: {{{stated.owner}.{stated.kind}: {STATED[stated.kind]}}}}}`"
+    others = [item for item in quantities if item.key != asked and item.owner and not item.component]
+    ranked = sorted(others, key=lambda item: (item.kind not in STATED, not at_start(item, history)))
+    if ranked and ranked[0].kind in STATED:
+        item = ranked[0]
+        if at_start(item, history) and item.kind in RATES:
+            return f"say how it starts, as in `states: {{{state_of(item.when, history)}: at rest}}`"
+        line = f"{state_of(item.when, history)}: {{{item.owner}.{item.kind}: {STATED[item.kind]}}}"
+        return f"say more about the state, as in `states: {{{line}}}`"
     if quantities and all(item.kind in FORCES for item in quantities):
         return "the laws can not tell these forces apart: leave out a support, or give one of them"
-    return "give one of them, or say more about the states" if missing else "say more about the states"
+    return "say more: sizes and masses, where each body is at each state, how fast it moves"
+
+
+def at_start(quantity: Quantity, history: History) -> bool:
+    """Whether a quantity belongs to the first of several states."""
+    states = history.arrangement.timeline.states
+    return len(states) > 1 and quantity.when == states[0].name
+
+
+def state_of(when: str, history: History) -> str:
+    """The state at which a quantity can be said: its own, or the end of its phase; "now" where the scene has no states."""
+    timeline = history.arrangement.timeline
+    interval = timeline.interval(when)
+    return (
+        interval.end if interval is not None else when if when in timeline.order else timeline.states[0].name
+    ) or "now"
 
 
 def unreached(history: History) -> str:
@@ -148,7 +157,8 @@ def contradicted(equation: Equation, history: History, fallback: Span | None = N
     problem, timeline = history.arrangement.problem, history.arrangement.timeline
     line = next((condition for stated, condition in history.stated if stated is equation), None)
     if line is not None:
-        message = f"the data contradict each other: what `{equation.section}` says of `{path_text(line)}` can not be"
+        path = path_text(line.path) if line.path is not None else line.owner
+        message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
         return unsolvable(problem, message, line.span or fallback, CHECK_DATA)
     broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
     interval = timeline.interval(equation.section)
@@ -164,44 +174,38 @@ def contradicted(equation: Equation, history: History, fallback: Span | None = N
     return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 
-def path_text(line: Condition) -> str:
-    """What a line of a state speaks of, as it is written."""
-    if line.path is None:
-        return line.owner
-    parts = (line.path.owner, line.path.point, line.path.quantity, line.path.component)
-    return ".".join(part for part in parts if part)
-
-
 def plural(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def without_number(session: Session) -> Iterator[Check]:
-    """Which answers are left without a number since the scene leaves a mass or a size out."""
-    problem = session.history.arrangement.problem
-    for given in problem.givens:
-        if not given.automatic or given.value is not None:
-            continue
-        names = [
-            item.asked.find.name
-            for item in session.answered
-            if item.found.formula is not None and given.name in item.found.formula.symbols()
-        ]
-        if names:
-            kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
-            body = next(
-                (body for body in every_body(problem.bodies) if given.name.rstrip("_").endswith("_" + body.name)), None
-            )
-            owner = f" of {spoken(body.name)}" if body is not None else ""
-            line = f" (line {body.span.line})" if body is not None and body.span is not None else ""
-            words: list[str | Formula] = [
-                f"the {kind}{owner} is not given{line}: ",
-                Symbol(given.name),
-                " has no number, so neither has ",
-            ]
-            for name in names:
-                words += [Symbol(name)] if name == names[0] else [", ", Symbol(name)]
-            yield Check(tuple(words), None)
+def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
+    """The derivation with a remark at each answer that has no number since the scene leaves a mass or a size out."""
+    missing = {given.name: given for given in problem.givens if given.automatic and given.value is None}
+    return replace(derivation, answers=tuple(told_missing(answer, missing, problem) for answer in derivation.answers))
+
+
+def told_missing(answer: Answer, missing: Mapping[str, Given], problem: Problem) -> Answer:
+    names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
+    if not names or answer.remark:
+        return answer
+    words: list[str | Formula] = ["no number: "]
+    for name in names:
+        words += [", " if name != names[0] else "", Symbol(name), f", the {meaning(missing[name], problem)},"]
+    return replace(answer, remark=(*words, " is not given" if len(names) == 1 else " are not given"))
+
+
+def meaning(given: Given, problem: Problem) -> str:
+    """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
+    kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
+    owner = given.name.partition("_")[2]
+    body = next(
+        (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None
+    )
+    if body is None:
+        return kind
+    line = f" in line {body.span.line}" if body.span is not None else ""
+    size = "radius" if kind == "length" and given.name.startswith("R") else kind
+    return f"{size} of {spoken(body.name)}{line}"
 
 
 def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
@@ -209,6 +213,3 @@ def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
     for body in bodies:
         yield body
         yield from every_body(part.body for part in body.parts)
-
-
-__all__ = ["Words", "contradicted", "no_answer", "unsolvable", "without_number"]

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from types import MappingProxyType
 
-from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
-from rotsolve.core.heading import Vector
+from rotsolve.core.facts import signed
+from rotsolve.core.heading import UP, Vector
+from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import Meaning, NotYet
+from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.scene.model import Find, Path, Term
 
@@ -42,21 +46,25 @@ class Asked:
         return isinstance(self.formula, Symbol) and self.formula.name == self.letter
 
 
-class Unclear(ValueError):
+class Unclear(NotYet):
     """A question that the scene does not settle: which state, which end."""
 
 
-def asked(find: Find, history: History) -> Asked:
-    """What a `find` line asks for."""
+Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
+
+
+def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({})) -> Asked:
+    """What a `find` line asks for; it may speak of `earlier` answers by name."""
     meanings = [meaning_of(term, history) for term in find.terms]
     values = {f"#{index}": meaning.formula for index, (meaning, _) in enumerate(meanings)}
+    values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
     formula = find.formula.substitute(values)
     if find.modifier == "size of":
         formula = Call("abs", (formula,)) if formula.symbols() else formula
     single = len(meanings) == 1 and find.formula == Symbol("#0")
     first = meanings[0][0] if meanings else None
     section = meanings[0][1] if meanings else ""
-    dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history)
+    dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history, earlier)
     if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
         words = first.words if single and first else ("", "")
         return Asked(
@@ -81,9 +89,12 @@ def is_unknown(name: str, history: History) -> bool:
     return any(given.name == name and given.asked for given in history.arrangement.problem.givens)
 
 
-def dimension_of_find(find: Find, meanings: list[tuple[Meaning, str]], history: History) -> Dimension | None:
+def dimension_of_find(
+    find: Find, meanings: list[tuple[Meaning, str]], history: History, earlier: Earlier
+) -> Dimension | None:
     """Dimension of an arithmetic expression of paths and givens."""
     known = {given.name: given.dimension for given in history.arrangement.problem.givens if given.dimension is not None}
+    known.update({name: dimension for name, (_, dimension) in earlier.items() if dimension is not None})
     known.update({f"#{index}": meaning.dimension for index, (meaning, _) in enumerate(meanings)})
     try:
         return dimension_of(find.formula, known)
@@ -126,7 +137,9 @@ def at_state(term: Term, history: History) -> tuple[Meaning, str]:
     if not found:
         raise failed or Unclear("nothing is asked")
     if len(found) > 1:
-        raise Unclear(f"say `at` which state: {', '.join(state for state in states)}")
+        raise Unclear(
+            f"`{path_text(term.path)}` is not the same at all states", help=f"say `at` which: {', '.join(states)}"
+        )
     return next(iter(found.values()))
 
 
@@ -150,7 +163,12 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         start, end = names[max(0, names.index(term.at) - 1)], term.at
     start, end = start or names[0], end or names[-1]
     if names.index(start) >= names.index(end):
-        raise Unclear(f"`{path.quantity}` runs from one state to a later one: say `from … to …`")
+        help = (
+            f"say `from … to …` with two of: {', '.join(names)}"
+            if len(names) > 1
+            else "give `states`, at least two of them"
+        )
+        raise Unclear(f"`{path.quantity}` runs from one state to a later one", help=help)
     intervals = timeline.between(start, end)
     if path.quantity == "time":
         duration = history.instant(end).time() - history.instant(start).time()
@@ -181,12 +199,16 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     """The impulse that a support or event gives in an event."""
     encounter = history.encounters.get(interval)
     if encounter is None:
-        raise NotYet("an impulse is asked of an event")
+        events = [item.name for item in history.arrangement.timeline.intervals if item.event is not None]
+        help = f"say `during {events[0]}`" if events else "this scene has no event"
+        raise NotYet("an impulse is that of an event", help=help)
     blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
     wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
+    if path.quantity == "angular_impulse":
+        return twist_of(path.owner, encounter)
     sizes = list({blow.size: None for blow in wanted})
     if not sizes:
-        raise NotYet(f"`{path.owner}` gives no impulse there")
+        raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
     if len(sizes) == 1:
         return sizes[0]
     from rotsolve.algebra.formula import sqrt
@@ -197,8 +219,37 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     return sqrt(squares)
 
 
+def twist_of(owner: str, encounter: Encounter) -> Formula:
+    """Angular impulse of a blow on the last body that it hits, about that body's axis or centre of mass, along its positive turn."""
+    hit = [meeting for meeting in encounter.meetings if any(blow.owner == owner for blow in meeting.blows)]
+    if not hit:
+        raise NotYet(f"`{owner}` gives no angular impulse there")
+    result: Formula = ZERO
+    for blow in hit[-1].blows:
+        if blow.owner == owner:
+            result = add(result, signed(blow.torque, hit[-1].body.motion.sense))
+    for twist in hit[-1].twists:
+        result = add(result, signed(twist, hit[-1].body.motion.sense))
+    return result
+
+
 def _axis(size: Formula) -> str:
     return size.name.split(SEPARATOR)[2] if isinstance(size, Symbol) and SEPARATOR in size.name else ""
+
+
+def work_of_weight(name: str, passage: Passage) -> Formula:
+    """m g times the height lost."""
+    heights = passage.heights.get(name)
+    if heights is None:
+        raise NotYet(f"how far `{name}` sinks is not told by the scene")
+    result: Formula = ZERO
+    for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
+        body = facts.body(name)
+        for force in body.forces if body is not None else ():
+            if force.role == "weight":
+                level = force.size * (height + force.arm.along(UP))
+                result = add(result, level if sign > 0 else negate(level))
+    return result
 
 
 def work(path: Path, interval: str, history: History) -> Formula:
@@ -208,17 +259,9 @@ def work(path: Path, interval: str, history: History) -> Formula:
         return ZERO
     works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
     if path.component == "gravity":
-        heights = passage.heights.get(path.owner)
-        weights = [
-            force.size
-            for body in passage.start.bodies
-            if body.name == path.owner
-            for force in body.forces
-            if force.role == "weight"
-        ]
-        return weights[0] * (heights[0] - heights[1]) if heights and weights else ZERO
+        return work_of_weight(path.owner, passage)
     if not works:
-        raise NotYet(f"`{path.owner}` does no work that can be told apart in this phase")
+        raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
     result: Formula = ZERO
     for item in works:
         result = add(result, item.amount)
@@ -245,7 +288,7 @@ def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, s
     }
     summed = whole.get(term.path.quantity)
     if summed is None:
-        raise NotYet(f"the mean of `{term.path.quantity}` is not worked out")
+        raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
     duration, section = spanned(Term(Path("", "time")), start, end, history)
     other = replace(
         term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else ""

@@ -1,38 +1,36 @@
-"""Friction: whether each contact sticks or slips, and which way, phase by phase.
+"""Friction: whether each contact sticks or slips, whether each rubbing wheel turns, and which way, phase by phase.
 
-A contact that moves at the start slips. Of one at rest stick is tried first: the friction that it takes is worked out and held
-against μₛ N; if that is too much, the contact slips the way the friction was to hold.
+What moves at the start of a phase goes on as it moves. A single contact at rest is tried as sticking, and the derivation shows
+why that fails. What rests together with others, so that their friction can not be told apart, is tried moving: one way round and
+the other, with the senses that strings and joints allow; it moves the way in which it speeds up, or rests where it does neither.
 """
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import ONE, Formula, Symbol, call, negate
-from rotsolve.core.derivation import Equality, Move, Section, Words
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.core.derivation import Section
+from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.supports import Driven
-from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
-from rotsolve.inquiry.compose import Composer, spoken
-from rotsolve.inquiry.finds import Asked
+from rotsolve.inquiry.answering import Session, families_for
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.principles.energy import one_motion
-from rotsolve.scene.model import Find
 
-Contacts = dict[str, tuple[Touch, str]]
 RATES = ("velocity|", "angular_velocity|")
-ROUNDS = 6
-FORWARD, BACK = "slips", "slips back"
 TURNS_BACK, HOLDS = "turns back", "holds"
+AT_MOST = " at most"  # a trial with as much friction as there can be before it slips
 
 
 @dataclass(frozen=True)
 class Decision:
-    """How the contacts behave, with the sections that show why."""
+    """How the contacts and rubbing wheels behave, with the sections that show why."""
 
     modes: dict[str, str]
     sections: tuple[Section, ...]
@@ -40,265 +38,147 @@ class Decision:
 
 
 @dataclass(frozen=True)
-class Trial:
-    """A contact tried as sticking in one phase: the session with friction and normal force worked out."""
+class Rub:
+    """A contact, or a wheel on a rubbing axle, in the phase that starts at a state."""
 
     key: str
-    contact: Touch
-    session: Session
-    friction: Answered
-    normal: Answered
+    body: str
+    state: str
+    contact: Touch | None = None
+
+    def mode(self, sense: int) -> str:
+        """The mode for motion along the positive sense, against it, or none."""
+        if self.contact is None:
+            return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
+        return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
+
+    def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
+        """Speed or acceleration along the positive sense: of the touching point, or of the wheel's turn."""
+        if self.contact is None:
+            return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
+        motion = instant.motion(self.body)
+        if motion.heading is None:
+            return None
+        vector = motion.acceleration if acceleration else self.contact.touching_velocity(instant)
+        return vector.along(motion.heading)
 
 
 def decide(arrangement: Arrangement) -> Decision:
-    """The modes of all contacts with a coefficient of friction."""
+    """The modes of all contacts with a coefficient of friction and of all wheels on rubbing axles."""
     modes: dict[str, str] = {}
     sections: list[Section] = []
     number = 1
-    pending = open_contacts(arrangement)
-    for key, (contact, state) in pending.items():
-        moving = slip_at_start(arrangement, contact, state, modes)
+    for rub in rubs(arrangement):
+        moving = sense_at_start(arrangement, rub, modes)
         if moving:
-            modes[key] = FORWARD if moving > 0 else BACK
-    for key, (wheel, state) in rubbing_wheels(arrangement).items():
-        mode = turning(arrangement, wheel, state, modes, key)
-        if mode:
-            modes[key] = mode
-    for _ in range(ROUNDS):
-        changed = False
-        for key, (contact, state) in pending.items():
-            if key in modes:
-                continue
-            verdict = tried(arrangement, contact, state, modes, key)
-            if verdict is not None:
-                modes[key], trial = verdict
-                changed = True
-                if trial is not None:
-                    section, number = shown(trial, number)
-                    sections.append(section)
-        if not changed:
-            break
-    unsettled = {key: entry for key, entry in pending.items() if key not in modes}
-    for group in together(arrangement, unsettled):
-        modes.update(by_motion(arrangement, group, modes))
-    return Decision({key: mode for key, mode in modes.items() if mode != "sticks"}, tuple(sections), number - 1)
+            modes[rub.key] = rub.mode(moving)
+    for group in together(arrangement, [rub for rub in rubs(arrangement) if rub.key not in modes]):
+        contact = group[0].contact
+        verdict = (
+            tried(arrangement, contact, group[0].state, modes) if len(group) == 1 and contact is not None else None
+        )
+        if verdict is None:
+            modes.update(by_motion(arrangement, group, modes))
+            continue
+        modes[group[0].key], trial = verdict
+        if trial is not None:
+            section, number = shown(trial, number)
+            sections.append(section)
+    return Decision({key: mode for key, mode in modes.items() if mode not in ("", STICKS)}, tuple(sections), number - 1)
 
 
-def together(arrangement: Arrangement, contacts: Contacts) -> list[Contacts]:
-    """Contacts of bodies that move together in the same phase, group by group."""
-    groups: dict[tuple[str, frozenset[str]], Contacts] = {}
-    for key, (contact, state) in contacts.items():
-        component = arrangement.component(contact.pair()[0].owner, state)
-        groups.setdefault((state, component), {})[key] = (contact, state)
+def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
+    """All contacts with a coefficient, and all wheels on rubbing axles, phase by phase."""
+    found: dict[str, Rub] = {}
+    timeline = arrangement.timeline
+    for state in timeline.states:
+        if timeline.phase_of(state.name) is None and len(timeline.states) > 1:
+            continue  # in an event alone a finite force does nothing
+        for rub in rubs_at(arrangement, arrangement.phase_start(state.name)):
+            found.setdefault(rub.key, rub)
+    return tuple(found.values())
+
+
+def rubs_at(arrangement: Arrangement, state: str) -> Iterator[Rub]:
+    for item in arrangement.connections(state):
+        if isinstance(item, Touch) and item.grip().kind == "coefficient":
+            name = arrangement.host(item.pair()[0].owner, state)
+            yield Rub(f"{item.name}@{state}", name, state, item)
+        if isinstance(item, Driven) and item.friction_torque is not None:
+            for ref in item.held():
+                name = arrangement.host(ref.owner, state)
+                yield Rub(f"{item.name}.{name}@{state}", name, state)
+
+
+def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
+    """What rubs on bodies that move together in the same phase, group by group."""
+    groups: dict[tuple[str, frozenset[str]], list[Rub]] = {}
+    for rub in open_:
+        groups.setdefault((rub.state, arrangement.component(rub.body, rub.state)), []).append(rub)
     return list(groups.values())
 
 
-def open_contacts(arrangement: Arrangement) -> dict[str, tuple[Touch, str]]:
-    """Contacts with a coefficient of friction, by contact and the state at which their phase starts."""
-    found = {}
-    for state in arrangement.timeline.states:
-        start = arrangement.phase_start(state.name)
-        for item in arrangement.connections(start):
-            if isinstance(item, Touch) and item.grip().kind == "coefficient":
-                found[mode_key(item.name, start)] = (item, start)
-    return found
-
-
-def rubbing_wheels(arrangement: Arrangement) -> dict[str, tuple[str, str]]:
-    """Wheels on axles and hinges with a friction torque: mode key -> (wheel, state at which its phase starts)."""
-    found = {}
-    for state in arrangement.timeline.states:
-        if arrangement.timeline.phase_of(state.name) is None and len(arrangement.timeline.states) > 1:
-            continue  # in an event alone a finite torque does nothing
-        start = arrangement.phase_start(state.name)
-        for item in arrangement.connections(start):
-            if isinstance(item, Driven) and item.friction_torque is not None:
-                for ref in item.held():
-                    name = arrangement.host(ref.owner, start)
-                    found[mode_key(f"{item.name}.{name}", start)] = (name, start)
-    return found
-
-
-def turning(arrangement: Arrangement, name: str, state: str, modes: dict[str, str], key: str) -> str:
-    """Which way a wheel on a rubbing axle turns: as it does at the start, else as it is driven; "holds" where friction is too strong."""
-    session = Session(History(arrangement, modes), families_for(None))
-    moving = session.settled(session.history.instant(state).rate("angular_velocity", name))
-    start = session.number(moving) if moving is not None else None
-    if start:
-        return "" if start > 0 else TURNS_BACK
-    for mode, sign in (("", 1), (TURNS_BACK, -1)):
-        trial = Session(History(arrangement, {**modes, key: mode}), (NEWTON,))
-        value = trial.settled(trial.history.instant(state).rate("angular_acceleration", name))
-        number = trial.number(value) if value is not None else None
-        if number is None:
-            return ""
-        if number * sign > 0:
-            return mode
-    return HOLDS
-
-
-def mode_key(contact: str, state: str) -> str:
-    return f"{contact}@{state}"
-
-
-def slip_at_start(arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str]) -> int:
-    """The sign of the velocity with which the touching point slides at the start of a phase; 0 where it is not known to slide."""
+def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
+    """The sense in which it slides or turns at the start of its phase; 0 where it is not known to move."""
     history = History(arrangement, modes)
-    session = Session(history, (NEWTON,))
-    speed = sliding_speed(history.instant(state), contact)
+    speed = rub.rate(history.instant(rub.state))
+    if speed is None:
+        return 0
+    if rub.contact is None:  # a wheel may have been set going by an event
+        speed = Session(history, families_for(None)).settled(speed)
     if speed is None or any(SEPARATOR in name for name in speed.symbols()):
         return 0
-    number = session.number(speed)
+    number = Session(history, (NEWTON,)).number(speed)
     return 0 if number is None or abs(number) < 1e-12 else 1 if number > 0 else -1
 
 
-def sliding_speed(instant: Instant, contact: Touch) -> Formula | None:
-    """Velocity of the touching point along the body's positive travel."""
-    ref = contact.pair()[0]
-    motion = instant.motion(ref.owner)
-    if motion.heading is None:
-        return None
-    return contact.touching_velocity(instant).along(motion.heading)
-
-
-def tried(
-    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str
-) -> tuple[str, Trial | None] | None:
-    """Stick or slip of one contact at rest; None where the numbers do not tell."""
-    history = History(arrangement, modes)
-    session = Session(history, (NEWTON,))
-    facts = history.facts(state)
-    name = history.instant(state).host(contact.pair()[0].owner)
-    body = facts.body(name)
-    forces = {force.role: force for force in body.forces if force.owner == contact.name} if body else {}
-    if "friction" not in forces:
-        return None
-    try:
-        friction = session.answer(question(forces["friction"].size, f"f_{contact.name}"))
-        normal = session.answer(question(forces["normal"].size, f"N_{contact.name}"))
-    except NoAnswer:
-        return None
-    needed = session.number(friction.found.formula) if friction.found.formula is not None else None
-    limit = allowed(session, contact, normal)
-    if needed is None or limit is None:
-        return None
-    trial = Trial(key, contact, session, friction, normal)
-    if abs(needed) <= limit:
-        return "sticks", None
-    return (FORWARD if needed > 0 else BACK), trial
-
-
-def allowed(session: Session, contact: Touch, normal: Answered) -> float | None:
-    """The greatest friction that the contact can give, μₛ N."""
-    static = contact.grip().static
-    if static is None or normal.found.formula is None:
-        return None
-    return session.number(static * normal.found.formula)
-
-
-def limiting(history: History, contact: str, state: str) -> list[tuple[Equation, Formula]]:
-    """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
-    found = []
-    facts = history.facts(state)
-    item = next((item for item in history.arrangement.connections(state) if item.name == contact), None)
-    if not isinstance(item, Touch) or item.grip().static is None:
-        return []
-    static = item.grip().static
-    assert static is not None
-    forces = {force.role: force.size for body in facts.bodies for force in body.forces if force.owner == contact}
-    if "friction" not in forces or "normal" not in forces:
-        return []
-    most = static * forces["normal"]
-    for side in (most, negate(most)):
-        words = "on the point of slipping, f = μₛ N"
-        found.append((Equation(forces["friction"], side, words, history.section(state), NEWTON, 2), forces["normal"]))
-    return found
-
-
-def question(size: Formula, name: str) -> Asked:
-    """A force as a question, to be answered aside."""
-    letter = next(iter(size.symbols())) if size.symbols() else name
-    return Asked(Find(name, size, ()), size, letter, None)
-
-
-def by_motion(arrangement: Arrangement, open_: Contacts, modes: dict[str, str]) -> dict[str, str]:
-    """Contacts whose friction can not be told one by one: they slip the way in which the bodies then move, or all stick.
-
-    All of them are tried slipping, one way round and the other, with the senses that the strings and joints allow; a way is right
-    where it accelerates the bodies along itself.
-    """
+def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
+    """The modes of a group that moves together: the way round in which it speeds up, or rest; nothing where numbers do not tell."""
+    told = False
     for way in (1, -1):
-        trial = {**modes, **slipping(arrangement, open_, modes, way)}
-        speeds = [accelerating(arrangement, contact, state, trial, key) for key, (contact, state) in open_.items()]
-        if speeds and all(speed is not None and speed > 0 for speed in speeds):
-            return {key: trial[key] for key in open_}
-    known = all(
-        accelerating(arrangement, contact, state, {**modes, **slipping(arrangement, open_, modes, 1)}, key) is not None
-        for key, (contact, state) in open_.items()
-    )
-    return dict.fromkeys(open_, "sticks") if known else {}
+        senses = senses_of(arrangement, group, modes, way)
+        moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
+        trial = {key: mode + AT_MOST if mode in (FORWARD, BACK) else mode for key, mode in moving.items()}
+        gains = [gain(arrangement, rub, {**modes, **trial}, senses[rub.key]) for rub in group]
+        if all(number is not None and number > 0 for number in gains):
+            return moving
+        told = told or all(number is not None for number in gains)
+    return {rub.key: rub.mode(0) for rub in group} if told else {}
 
 
-def slipping(arrangement: Arrangement, open_: Contacts, modes: dict[str, str], way: int) -> dict[str, str]:
-    """The modes of contacts that slip together, the first of them forward or back, the others as the rules make them go with it."""
-    result = dict.fromkeys(open_, FORWARD)
-    state = next(iter(open_.values()))[1]
-    history = History(arrangement, {**modes, **result})
-    facts, session = history.facts(state, virtual=True), Session(history, (NEWTON,))
-    letters = {key: travel_letter(history.instant(state, virtual=True), contact) for key, (contact, _) in open_.items()}
-    rates = sorted(
-        {name for rule in facts.rules for side in rule.velocity for name in side.symbols() if name.startswith(RATES)}
-    )
-    allowed = one_motion(sorted({*rates, *(name for name in letters.values() if name)}), list(facts.rules)) or {}
+def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
+    """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
+    history = History(arrangement, {**modes, **{rub.key: rub.mode(1) for rub in group}})
+    facts, session = history.facts(group[0].state, virtual=True), Session(history, (NEWTON,))
+    instant = history.instant(group[0].state, virtual=True)
+    speeds = {rub.key: moving_rate(rub, instant) for rub in group}
+    sides = [side for rule in facts.rules for side in rule.velocity] + [
+        speed for speed in speeds.values() if speed is not None
+    ]
+    rates = sorted({name for side in sides for name in side.symbols() if name.startswith(RATES)})
+    allowed = one_motion(rates, list(facts.rules)) or {}
     senses = {}
-    for key, name in letters.items():
-        value = allowed.get(name or "", Symbol(name or ""))
-        number = session.number(value.substitute({free: ONE for free in value.symbols() if free.startswith(RATES)}))
+    for key, speed in speeds.items():
+        value = speed.substitute(allowed) if speed is not None else ONE
+        number = session.number(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}))
         senses[key] = 1 if number is None or number >= 0 else -1
     first = next(iter(senses.values()))
-    return {key: FORWARD if sense * first * way > 0 else BACK for key, sense in senses.items()}
+    return {key: sense * first * way for key, sense in senses.items()}
 
 
-def travel_letter(instant: Instant, contact: Touch) -> str | None:
-    """The letter of a body's velocity along its line."""
-    motion = instant.motion(contact.pair()[0].owner)
-    return next((name for size, _ in motion.velocity.parts for name in size.symbols()), None)
+def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
+    """Speed of the body along its line (a wheel's contact slides with it), or of the wheel's turn."""
+    motion = instant.motion(rub.body)
+    if rub.contact is None:
+        return instant.rate("angular_velocity", rub.body)
+    return motion.velocity.along(motion.heading) if motion.heading is not None else None
 
 
-def accelerating(arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str], key: str) -> float | None:
-    """Acceleration of a slipping body along the way in which it is taken to slip; None where the numbers do not tell."""
+def gain(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) -> float | None:
+    """Acceleration along the sense in which it is taken to move; None where the numbers do not tell."""
     history = History(arrangement, modes)
-    motion = history.instant(state).motion(contact.pair()[0].owner)
-    if motion.heading is None:
-        return None
+    rate = rub.rate(history.instant(rub.state), acceleration=True)
     session = Session(history, (NEWTON,))
-    value = session.settled(motion.acceleration.along(motion.heading))
+    value = session.settled(rate) if rate is not None else None
     number = session.number(value) if value is not None else None
-    return None if number is None else number * (1 if modes[key] == FORWARD else -1)
-
-
-def shown(trial: Trial, first: int) -> tuple[Section, int]:
-    """The section that shows why a contact can not stick, and the number of the next equation."""
-    composer = Composer(trial.session, first)
-    body = spoken(trial.contact.pair()[0].owner)
-    derivation = composer.derivation(())
-    laws = tuple(law for section in derivation.sections for law in section.laws)
-    moves = tuple(move for section in derivation.sections for move in section.moves)
-    static = trial.contact.grip().static
-    needed, normal = trial.friction.found.formula, trial.normal.found.formula
-    assert static is not None and needed is not None and normal is not None
-    limit = trial.session.solver.simplify(static * normal)
-    sizes = [
-        certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None
-    ]
-    letter = Symbol(composer.names[trial.friction.asked.letter])
-    words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
-    move = Move(
-        "",
-        (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),),
-        None,
-        words,
-    )
-    return Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move)), first + len(
-        composer.numbers
-    )
+    return None if number is None else number * sense

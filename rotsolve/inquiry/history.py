@@ -128,15 +128,23 @@ class History:
             self.registry.known[letter.name] = value
 
     def _fix(self, state: State, condition: Condition) -> None:
-        """Take a line of a state: rest, a quantity with a value, or a word."""
+        """Take a line of a state; one that can not be worked out is refused at its place."""
+        try:
+            self._take(state, condition)
+        except NotYet as error:
+            raise NotYet(str(error), error.span or condition.span, error.help) from None
+
+    def _take(self, state: State, condition: Condition) -> None:
+        """Take rest, a quantity with a value, or a word."""
         if condition.rest:
             self._rest(state.name, condition.owner or "all")
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word in ("largest", "smallest"):
             rate = RATE_OF.get(condition.path.quantity)
-            if rate is not None:
-                self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
+            if rate is None:
+                raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
+            self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
         elif condition.path is not None and condition.value is not None:
             letter = self._letter(state.name, condition.path)
             if isinstance(letter, Symbol) and SEPARATOR in letter.name:

@@ -13,6 +13,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Product, Symbol, sqrt, total
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
+from rotsolve.core.faults import Span
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.elements.connections.strings import String
@@ -25,7 +26,11 @@ HALF = Number(Fraction(1, 2))
 
 
 class NotYet(ValueError):
-    """A quantity that can be named but not worked out for this owner."""
+    """A quantity that can be named but not worked out for this owner; `span` where a line of a state speaks of it."""
+
+    def __init__(self, words: str, span: Span | None = None, help: str = "") -> None:
+        super().__init__(words)
+        self.span, self.help = span, help
 
 
 @dataclass(frozen=True)
@@ -91,10 +96,13 @@ class Reader:
         motion = self.instant.motion(path.owner)
         return motion.kind == "line" and self.instant.host(path.owner) == path.owner
 
+    def _moment(self) -> str:
+        return f" at `{self.instant.state}`" if self.instant.state else ""
+
     def body(self, name: str) -> BodyFacts:
         found = self.facts().body(self.instant.host(name))
         if found is None:
-            raise NotYet(f"`{name}` is not there at this moment")
+            raise NotYet(f"`{name}` is not there{self._moment()}")
         return found
 
     def _of_point(self, path: Path) -> Meaning:
@@ -126,6 +134,10 @@ class Reader:
             case "angle":
                 return instant.ask("angle", host, words=("counterclockwise", "clockwise"))
             case "angular_velocity" | "angular_acceleration":
+                if not instant.motion(name).turns:
+                    raise NotYet(
+                        f"`{name}` does not turn", help="a body turns on an axle or hinge, or where it says `turns`"
+                    )
                 return instant.rate(path.quantity, host)
             case "velocity" | "acceleration":
                 if component in ("x", "y"):
@@ -155,7 +167,7 @@ class Reader:
             case "cm":
                 centre = instant.frame(name).cm + instant.frame(name).reference
                 return centre.along(UP if component == "y" else RIGHT)
-        raise NotYet(f"`{path.quantity}` of a body is not worked out at one moment")
+        raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
 
     def _kinetic(self, name: str, component: str | None) -> Formula:
         """½ m v² + ½ I ω²; of a joined body, that of its own mass."""
@@ -198,7 +210,7 @@ class Reader:
         if about is not None and body.motion.kind != "axis":
             return self._orbital(body, about)
         if body.inertia is None:
-            raise NotYet(f"`{name}` does not turn: say `about` which point its angular momentum is asked")
+            raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
         return body.inertia.letter * signed(body.motion.spin, body.motion.sense)
 
     def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
@@ -261,7 +273,7 @@ class Reader:
                 return self.instant.time()
             case "mass":
                 return total([body.mass for body in facts.bodies])
-        raise NotYet(f"`{path.quantity}` of the whole scene is not worked out at one moment")
+        raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")
 
     def _of_element(self, path: Path) -> Formula | Meaning:
         """A force, tension, torque or power of a connection or action."""
@@ -292,11 +304,10 @@ class Reader:
             case "elongation":
                 return self.instant.ask("elongation", path.owner)
             case "angle" | "angular_velocity" | "angular_acceleration":
-                held = next(
-                    item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner
-                )
-                return self._of_body(replace(path, owner=held.touches()[-1].owner), None)
-        raise NotYet(f"`{path.quantity}` of `{path.owner}` is not worked out at one moment")
+                name = self._turned_by(path.owner)
+                if name:
+                    return self._of_body(replace(path, owner=name), None)
+        raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
 
     def _tension(self, path: Path, forces: list[Force]) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
@@ -309,11 +320,11 @@ class Reader:
                 return tension
         sizes = {force.size: None for force in forces}
         if not sizes:
-            raise NotYet(f"`{path.owner}` does not pull at this moment")
+            raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:
             names = dict.fromkeys(ref.owner for ref in item.touches()) if item is not None else {}
             ends = ", ".join(f"`{path.owner}.{name}.tension`" for name in names)
-            raise NotYet(f"the tension is not the same along `{path.owner}`: ask for that of one part, {ends}")
+            raise NotYet(f"the tension is not the same along `{path.owner}`", help=f"ask for that of one part: {ends}")
         return next(iter(sizes))
 
     def _element_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
@@ -325,7 +336,7 @@ class Reader:
             letters = [name for couple in couplings for name in couple.torque.symbols() if name.startswith("force|")]
             if letters:
                 return Symbol(letters[0])
-            raise NotYet(f"`{path.owner}` has no force here")
+            raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
         last = self._last_body(path.owner, [body.name for body, _ in forces])
         vector = Vector()
         for body, force in forces:
@@ -341,7 +352,10 @@ class Reader:
         """Component along the line from pivot to centre of mass (towards the pivot: normal), or across it."""
         body = self.body(name)
         if not body.cm.parts:
-            raise NotYet("tangential and normal have no meaning at the centre of mass")
+            raise NotYet(
+                f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                help="ask for `x` or `y`",
+            )
         outward = body.cm.parts[0][1]
         return (
             vector.along(outward.turned(180))
@@ -424,6 +438,11 @@ def label_of(path: Path, term: Term | None) -> str:
     if named and owner:
         return f"{word} {named} on {owner}{about}"
     return f"{word} of {owner}{about}" if owner else word
+
+
+def path_text(path: Path) -> str:
+    """A path as it is written."""
+    return ".".join(part for part in (path.owner, path.point, path.quantity, path.component) if part)
 
 
 def spoken_point(path: Path) -> str:

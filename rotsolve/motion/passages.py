@@ -67,7 +67,8 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
         moving = middle.travel("velocity", name, label)
         source = middle if pace != "constant" else first
         acceleration = source.travel("acceleration", name, label)
-        yield Travel(name, "line", before, after, acceleration, displacement(name, interval, first), pace, moving)
+        initial = first.travel("acceleration", name, label)
+        yield Travel(name, "line", before, after, acceleration, displacement(name, interval, first), pace, moving, initial=initial)
     if motion.turns:
         before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
         source = middle if pace != "constant" else first
@@ -76,7 +77,7 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
         sense = first.sense(name)
         start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
         change = rotation(name, interval, first)
-        yield Travel(name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], sense)
+        yield Travel(name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], first.rate("angular_acceleration", name), sense)
 
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:

@@ -29,7 +29,7 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.inquiry.answering import Session, families_for
-from rotsolve.inquiry.friction import decide, open_contacts
+from rotsolve.inquiry.friction import decide, rubs
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
@@ -63,7 +63,7 @@ def load(path: Path) -> Problem:
 def read_all_ways(path: Path) -> tuple[History, ...]:
     """A history for every way in which the rough contacts of a scene may stick or slip."""
     arrangement = Arrangement(load(path))
-    rough = list(open_contacts(arrangement))
+    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None]
     ways = itertools.product(MODES, repeat=len(rough))
     return tuple(History(arrangement, dict(zip(rough, way, strict=True))) for way in ways)
 

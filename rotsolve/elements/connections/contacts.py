@@ -109,10 +109,11 @@ class Touch(Connection):
         forward = motion.heading or surface.normal.turned(-90)
         ahead, back = travel_words(motion.heading, surface, instant, name)
         span = instant.span(name)
-        if mode in ("slips", "slips back"):
-            against = forward.turned(180) if mode == "slips" else forward
-            size = (grip.kinetic or ZERO) * normal
-            text = ("kinetic friction ", size, f", {back if mode == 'slips' else ahead}")
+        if mode.startswith("slips"):
+            backward = mode.startswith("slips back")
+            size = ((grip.static if mode.endswith("at most") else grip.kinetic) or ZERO) * normal
+            against = forward if backward else forward.turned(180)
+            text = ("kinetic friction ", size, f", {ahead if backward else back}")
             yield Force(self.name, "friction", name, size, unit(against), arm, text)
             return
         size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, negate
 from rotsolve.core.facts import Couple, Rule
+from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.connections.strings import balance
 from rotsolve.elements.rims import rim_radius
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef

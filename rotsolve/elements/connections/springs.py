@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, unit
+from rotsolve.core.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 
@@ -60,18 +61,15 @@ class Spring(Connection):
             yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy))
 
     def along(self, instant: Instant) -> Vector:
-        """Unit vector from the first end to the second: along the line of travel, or up and down at a hinged body."""
+        """Unit vector from the first end to the second: from left to right along a level or sloping line of travel; else up from the
+        ground, down from the ceiling."""
         arrangement = instant.arrangement
-        anchor_first = self.spring[0].owner not in arrangement.bodies
-        anchor, body = self.spring if anchor_first else self.spring[::-1]
+        anchor, body = self.spring if self.spring[0].owner not in arrangement.bodies else self.spring[::-1]
         line = arrangement.line(body.owner, instant.state) if body.owner in arrangement.bodies else None
-        if line is not None and line[0].sin() == ZERO:
-            outward = RIGHT if anchor_first else LEFT
-        elif line is not None and line[1].endswith("slope"):
-            outward = line[0].turned(180) if line[1].startswith("up") else line[0]
-        else:
-            outward = UP if anchor.owner == "ground" else DOWN
-        return unit(outward if anchor_first else outward.turned(180))
+        if line is not None and rough(line[0].cos()):
+            return unit(line[0] if rough(line[0].cos()) > 0 else line[0].turned(180))
+        outward = UP if anchor.owner == "ground" else DOWN
+        return unit(outward if anchor is self.spring[0] else outward.turned(180))
 
 
 @dataclass(frozen=True)

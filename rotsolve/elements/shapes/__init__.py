@@ -1,0 +1,28 @@
+"""Shapes of bodies: how mass is spread. A size that the scene leaves out is None."""
+
+from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
+from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
+from rotsolve.elements.shapes.shape import WHEEL, Place, Shape
+from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
+from rotsolve.elements.shapes.thin import Arc, Particle, Rod
+
+SHAPES: tuple[type[Shape], ...] = (
+    Particle,
+    Rod,
+    Arc,
+    Disc,
+    Ring,
+    Annulus,
+    Rectangle,
+    Triangle,
+    Polygon,
+    Cylinder,
+    CylindricalShell,
+    Sphere,
+    SphericalShell,
+    Cone,
+    Cuboid,
+    Ellipsoid,
+)
+
+__all__ = ["SHAPES", "WHEEL", "Particle", "Place", "Rod", "Shape"]

@@ -1,0 +1,115 @@
+"""Sticking: one contact at rest tried as sticking, the friction that it takes against μₛ N, and the point of slipping."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.algebra.formula import Formula, Symbol, call, negate
+from rotsolve.core.derivation import Equality, Move, Section, Words
+from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.inquiry.answering import Answered, NoAnswer, Session
+from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.finds import Asked
+from rotsolve.inquiry.history import History
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.scene.model import Find
+
+FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
+
+
+@dataclass(frozen=True)
+class Trial:
+    """A contact tried as sticking: the session with friction and normal force worked out."""
+
+    contact: Touch
+    session: Session
+    friction: Answered
+    normal: Answered
+
+
+def tried(
+    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str]
+) -> tuple[str, Trial | None] | None:
+    """Stick or slip of one contact at rest; None where the numbers do not tell."""
+    history = History(arrangement, modes)
+    session = Session(history, (NEWTON,))
+    facts = history.facts(state)
+    name = history.instant(state).host(contact.pair()[0].owner)
+    body = facts.body(name)
+    forces = {force.role: force for force in body.forces if force.owner == contact.name} if body else {}
+    if "friction" not in forces:
+        return None
+    try:
+        friction = session.answer(question(forces["friction"].size, f"f_{contact.name}"))
+        normal = session.answer(question(forces["normal"].size, f"N_{contact.name}"))
+    except NoAnswer:
+        return None
+    needed = session.number(friction.found.formula) if friction.found.formula is not None else None
+    limit = allowed(session, contact, normal)
+    if needed is None or limit is None:
+        return None
+    trial = Trial(contact, session, friction, normal)
+    if abs(needed) <= limit:
+        return STICKS, None
+    return (FORWARD if needed > 0 else BACK), trial
+
+
+def allowed(session: Session, contact: Touch, normal: Answered) -> float | None:
+    """The greatest friction that the contact can give, μₛ N."""
+    static = contact.grip().static
+    if static is None or normal.found.formula is None:
+        return None
+    return session.number(static * normal.found.formula)
+
+
+def limiting(history: History, contact: str, state: str) -> list[tuple[Equation, Formula]]:
+    """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
+    found = []
+    facts = history.facts(state)
+    item = next((item for item in history.arrangement.connections(state) if item.name == contact), None)
+    if not isinstance(item, Touch) or item.grip().static is None:
+        return []
+    static = item.grip().static
+    assert static is not None
+    forces = {force.role: force.size for body in facts.bodies for force in body.forces if force.owner == contact}
+    if "friction" not in forces or "normal" not in forces:
+        return []
+    most = static * forces["normal"]
+    for side in (most, negate(most)):
+        words = "on the point of slipping, f = μₛ N"
+        found.append((Equation(forces["friction"], side, words, history.section(state), NEWTON, 2), forces["normal"]))
+    return found
+
+
+def question(size: Formula, name: str) -> Asked:
+    """A force as a question, to be answered aside."""
+    letter = next(iter(size.symbols())) if size.symbols() else name
+    return Asked(Find(name, size, ()), size, letter, None)
+
+
+def shown(trial: Trial, first: int) -> tuple[Section, int]:
+    """The section that shows why a contact can not stick, and the number of the next equation."""
+    composer = Composer(trial.session, first)
+    body = spoken(trial.contact.pair()[0].owner)
+    derivation = composer.derivation(())
+    laws = tuple(law for section in derivation.sections for law in section.laws)
+    moves = tuple(move for section in derivation.sections for move in section.moves)
+    static = trial.contact.grip().static
+    needed, normal = trial.friction.found.formula, trial.normal.found.formula
+    assert static is not None and needed is not None and normal is not None
+    limit = trial.session.solver.simplify(static * normal)
+    sizes = [
+        certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None
+    ]
+    letter = Symbol(composer.names[trial.friction.asked.letter])
+    words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
+    move = Move(
+        "",
+        (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),),
+        None,
+        words,
+    )
+    return Section(f"Does {body} slip? Suppose it does not", (), (), laws, (*moves, move)), first + len(
+        composer.numbers
+    )
