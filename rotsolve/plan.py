@@ -57,7 +57,9 @@ class Planner:
         best = self._block(asked, relevant)
         if isinstance(best, Shortage):
             return best
-        return self._improved(best, relevant)
+        chained = self._chain(asked, relevant)
+        plans = [self._improved(best, relevant), *([chained] if chained is not None else [])]
+        return min(plans, key=lambda plan: plan.cost)
 
     def _connected(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Only the equations that share unknowns with the asked one, directly or through others."""
@@ -100,6 +102,32 @@ class Planner:
         if open_:
             return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
+
+    def _chain(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
+        """The cheapest plan that settles one unknown after the other, none together; None where there is no such plan.
+
+        Costs spread from what one equation settles alone (as in Knuth's generalisation of Dijkstra's algorithm); equations that
+        several unknowns need are counted once.
+        """
+        ways: dict[str, tuple[int, frozenset[int]]] = {}
+        for _ in range(ROUNDS):
+            changed = False
+            for index, names in unknowns.items():
+                for name in names:
+                    others = [ways[other] for other in names if other != name and other in ways]
+                    if len(others) < len(names) - 1:
+                        continue
+                    used = frozenset((index,)).union(*(equations for _, equations in others))
+                    cost = sum(self.pool[k].cost for k in used)
+                    if name not in ways or cost < ways[name][0]:
+                        ways[name] = (cost, used)
+                        changed = True
+            if not changed:
+                break
+        if asked not in ways:
+            return None
+        plan = self._block(asked, {index: unknowns[index] for index in sorted(ways[asked][1])})
+        return plan if isinstance(plan, Plan) else None
 
     def _shortage(
         self, asked: str, open_: list[str], unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]

@@ -228,6 +228,8 @@ class Solver:
             explicit = self._carried_out(explicit)
             return self.simplify(explicit) if item.sources else explicit
         value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
+        if value is not None and self._hollow(item.left - item.right, name):
+            raise Redundant(item.index)
         if value is None and alone:
             roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
             choice = self.choose(name, [self._with_answers(root) for root in roots]) if roots else None
@@ -332,6 +334,11 @@ class Solver:
             Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), asked, item.section, reason)
         )
 
+    def _hollow(self, gap: Formula, name: str) -> bool:
+        """Whether an unknown drops out once the answers found before are put in: letters such as a₁ and a₂ are not independent."""
+        whole = self._with_answers(gap)
+        return whole != gap and is_zero(whole, self.positive)
+
     def _roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality], Words]:
         """Closed forms of the asked unknown, with the line before the root where it is one."""
         left, right = self._carried_out(item.left), self._carried_out(item.right)
@@ -345,6 +352,8 @@ class Solver:
                 Redundant(item.index) if is_zero(self._with_answers(gap), self.positive) else Contradiction(item.index)
             )
         if parts is not None and len(parts) <= 3:
+            if self._hollow(gap, asked):
+                raise Redundant(item.index)
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
             pure = len(parts) == 3 and parts[1] == ZERO
             more = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []

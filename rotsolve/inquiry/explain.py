@@ -113,6 +113,9 @@ def suggestion(missing: Sequence[Quantity | str], history: History, asked: str =
     lonely = unreached(history)
     if lonely:
         return f"nothing tells when `{lonely}` is reached: give it a line, or an event that leads to it"
+    unplaced = without_angle(history)
+    if unplaced:
+        return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"
     quantities = [item for item in missing if isinstance(item, Quantity)]
     others = [item for item in quantities if item.key != asked and item.owner and not item.component]
     ranked = sorted(others, key=lambda item: (item.kind not in STATED, not at_start(item, history)))
@@ -150,6 +153,22 @@ def unreached(history: History) -> str:
         if interval.event is None and not end.conditions and not end.balance:
             return end.name
     return ""
+
+
+def without_angle(history: History) -> tuple[str, str] | None:
+    """A body whose angle some state gives, and the first state, where no other one says it."""
+    timeline = history.arrangement.timeline
+    said = {
+        (state.name, line.path.owner)
+        for state in timeline.states
+        for line in state.conditions
+        if line.path and line.path.quantity == "angle"
+    }
+    first, after = timeline.states[0], timeline.after(timeline.states[0].name)
+    for _, owner in sorted(said):
+        if (first.name, owner) not in said and first.name and (after is None or after.event is None):
+            return owner, first.name
+    return None
 
 
 def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:

@@ -188,10 +188,9 @@ def requirements(session: Session, composer: Composer) -> Iterator[Check]:
             told.add(key)
             if sign >= 0:
                 if len(told) <= 3:
-                    yield Check(said(need, session, composer, aside))
+                    yield Check(said(need, session, composer, aside, touching=sign == 0))
             else:
-                moment = f" at {spoken(state.name)}" if state.name else ""
-                yield Check((f"this can not be: {spoken(need.owner)}{moment}: {need.otherwise}",), False)
+                yield Check(objection(need, state.name, session, composer), False)
 
 
 def concerns(need: Requirement, session: Session) -> bool:
@@ -210,20 +209,30 @@ def sign_of(value: Formula, session: Session) -> int | None:
         return None
 
 
-def said(need: Requirement, session: Session, composer: Composer, aside: Session) -> Words:
-    """A requirement that holds, in words: "T > 0: the string stays taut"."""
-    letters = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
-    unnamed = {
-        name: Symbol(session.history.registry.quantities[name].letter)
-        for name in letters
-        if name not in composer.letters
-    }
+def objection(need: Requirement, state: str, session: Session, composer: Composer) -> Words:
+    """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
+    letters = lettered(need, session, composer)
+    left, right = (side.substitute(letters) for side in (need.left, need.right))
+    relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
+    moment = f" at {spoken(state)}" if state else ""
+    return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
+
+
+def lettered(need: Requirement, session: Session, composer: Composer) -> dict[str, Formula]:
+    """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
+    names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
+    plain = {name: Symbol(session.history.registry.quantities[name].letter) for name in names}
+    return {**plain, **composer.letters}
+
+
+def said(need: Requirement, session: Session, composer: Composer, aside: Session, *, touching: bool) -> Words:
+    """A requirement that holds, in words: "T > 0: the string stays taut"; `touching` where it just holds."""
     if isinstance(need.right, Call):
         size, limit_ = (decimal(aside.settled(side), session) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
-    letter = need.left.substitute({**unnamed, **composer.letters})
+    letter = need.left.substitute(lettered(need, session, composer))
     what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"
-    return (letter, " > 0: ", what)
+    return (letter, " = 0: only just, " if touching else " > 0: ", what)
 
 
 def decimal(value: Formula | None, session: Session) -> str:

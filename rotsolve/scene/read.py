@@ -16,6 +16,7 @@ from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
 from rotsolve.scene.reader.elements import read_element
 from rotsolve.scene.reader.states import read_phase, read_state
+from rotsolve.scene.reader.within import beyond_ends
 from rotsolve.scene.sections import SECTIONS
 from rotsolve.scene.tree.nodes import BYTES, List, Map, Node, Text, compose
 from rotsolve.scene.values.givens import read_givens
@@ -87,6 +88,7 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
     root, lines = compose(text, file)
     scope = Scope()
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
+    scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())
     if scope.faults:
         raise SceneError(scope.faults, lines, file)
     assert problem is not None

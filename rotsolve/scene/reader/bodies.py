@@ -8,6 +8,7 @@ from typing import Any
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
+from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.scene.keys import keys_of
 from rotsolve.scene.model import Body, Part
 from rotsolve.scene.reader.declared import read_keys, read_value
@@ -15,6 +16,7 @@ from rotsolve.scene.reader.points import points_of, read_place
 from rotsolve.scene.sections import BODY, PART
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.rough import rough
 from rotsolve.scene.values.scope import NAME, Scope
 from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
@@ -87,6 +89,8 @@ def build(
         for word, declared in keys_of(shape):
             if declared.required and word not in entries:
                 scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
+        if isinstance(fields["shape"], Triangle) and len(fields["shape"].sides) == 3:
+            check_triangle(scope, name, entries["sides"][1], fields["shape"].sides)
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
             continue
@@ -112,6 +116,18 @@ def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> 
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
     if "parts" in entries and isinstance(fields.get("shape"), Particle):
         scope.fault(entries["parts"][0], f"`{name}` is a particle and can't have parts", "leave out `shape`", "form")
+
+
+def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ...]) -> None:
+    """The longest side of a triangle is shorter than the other two together."""
+    lengths = [number for side in sides if (number := rough(side, scope.numbers)) is not None]
+    if len(lengths) == 3 and 2 * max(lengths) >= sum(lengths):
+        scope.fault(
+            node,
+            f"the sides of `{name}` make no triangle",
+            "the longest must be shorter than the other two together",
+            "limits",
+        )
 
 
 def inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:

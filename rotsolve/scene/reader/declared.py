@@ -10,6 +10,7 @@ from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.reader.points import read_place, read_point
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.rough import rough
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
@@ -97,6 +98,9 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         radius = value(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
         if radius is not None:
             found.append((word, radius))
+    sizes = {word: rough(radius, scope.numbers) for word, radius in found}
+    if key.choices == ("inner", "outer") and smaller(sizes.get("outer"), sizes.get("inner"), equal=True):
+        scope.fault(node, f"`{label}`: `inner` must be smaller than `outer`", kind="limits")
     lacking = [word for word in key.choices if word not in entries]
     if lacking and entries:
         scope.fault(node, f"`{label}` needs `{lacking[0]}` too", "write `radii: {inner: r, outer: R}`", "missing")
@@ -203,7 +207,15 @@ def friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         word: value(scope, written, Want(word, "number", f"mu_{word[0]}", owner, "nonnegative"))
         for word, (_, written) in entries.items()
     }
+    numbers = {word: rough(found, scope.numbers) for word, found in both.items() if found is not None}
+    if smaller(numbers.get("static"), numbers.get("kinetic")):
+        scope.fault(node, "kinetic friction can't be greater than static friction", kind="limits")
     return Friction("coefficient", both.get("static"), both.get("kinetic"))
+
+
+def smaller(one: float | None, other: float | None, *, equal: bool = False) -> bool:
+    """Whether one number is surely smaller than another, or with `equal` not greater."""
+    return one is not None and other is not None and (one < other or (equal and one == other))
 
 
 READERS: dict[str, Reader] = {
