@@ -10,10 +10,10 @@ from pathlib import Path
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import LAWS, NEWTON
+from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.answering import NoAnswer, Session, families_for
-from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.compose import Composer, in_letters, spoken
 from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.explain import contradicted, no_answer, plural, unsolvable, with_missing_told
 from rotsolve.inquiry.finds import Unclear, asked
@@ -193,21 +193,34 @@ def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
 def equations_text(session: Session, composer: Composer) -> str:
     """All equations written, one a line, those that the plan used marked."""
     used = {index for answered in session.answered for index in answered.used}
+    names = all_names(session, composer)
     lines = []
     for index, equation in enumerate(session.history.equations):
         mark = "*" if index in used else " "
-        left, right = (to_text(side.substitute(composer.letters)) for side in (equation.left, equation.right))
         place = f"[{spoken(equation.section)}] " if equation.section else ""
-        lines.append(f"{mark} {place}{equation.label}: {left} = {right}")
+        lines.append(f"{mark} {place}{equation.label}: {in_text(equation, names)}")
     return "\n".join(lines)
 
 
 def plan_text(session: Session, composer: Composer) -> str:
     """For each question the equations that settle it."""
+    names = all_names(session, composer)
     lines = []
     for answered in session.answered:
         lines.append(f"{answered.asked.find.name}: {plural(len(answered.used), 'equation')}")
         for index in answered.used:
-            equation = session.planner.pool[index].renamed(composer.letters)
-            lines.append(f"  {equation.label or 'found before'}: {to_text(equation.left)} = {to_text(equation.right)}")
+            equation = session.planner.pool[index]
+            lines.append(f"  {equation.label or 'found before'}: {in_text(equation, names)}")
     return "\n".join(lines)
+
+
+def all_names(session: Session, composer: Composer) -> dict[str, str]:
+    """Printed names of all quantities, in the derivation's letters where it has one."""
+    registry = session.history.registry
+    taken = frozenset(session.givens) - set(composer.names.values())
+    return registry.letters(registry.quantities, taken, composer.names)
+
+
+def in_text(equation: Equation, names: Mapping[str, str]) -> str:
+    left, right = (to_text(in_letters(side, names)) for side in (equation.left, equation.right))
+    return f"{left} = {right}"

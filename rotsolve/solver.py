@@ -160,6 +160,8 @@ class Solver:
                 continue
             items.remove(item)
             unknowns.discard(name)
+        if items[0].unknowns(unknowns) - {plan.asked}:
+            raise Redundant(items[0].index)  # an unknown was left over, so that two of the equations said the same
         return self._last(items[0], plan.asked)
 
     def _put_in_functions(self, item: Item) -> None:

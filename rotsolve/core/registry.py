@@ -10,6 +10,9 @@ from rotsolve.algebra.units.dimension import Dimension
 
 # Quantities are symbols whose internal name is the key itself; letters are given when it is known which ones are printed.
 SEPARATOR = "|"
+VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
+GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
+SPOKEN = {VIRTUAL: "any_", GENERIC: "from_"}  # the marks in a printed letter
 
 
 @dataclass(frozen=True, slots=True)
@@ -83,7 +86,14 @@ class Registry:
 
 
 def _join(*parts: str) -> str:
-    return "_".join(part for part in parts if part)
+    return "_".join(_as_index(part) for part in parts if part)
+
+
+def _as_index(part: str) -> str:
+    """An owner or a time as an index: words joined, no marks."""
+    for mark, word in SPOKEN.items():
+        part = part.replace(mark, word)
+    return "_".join(part.split())
 
 
 def _indices() -> tuple[Callable[[Quantity], str], ...]:

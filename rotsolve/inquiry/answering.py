@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from itertools import combinations
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -13,16 +14,15 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
-from rotsolve.motion.instant import GENERIC
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find, Given
 from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
-TRIES = 12
+TRIES = 30
 TINY = 1e-14
 OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
@@ -203,14 +203,37 @@ class Session:
         first = allowed if self.spare else [index for index in allowed if self.planner.pool[index].cost < SECOND_CHOICE]
         plans = [self.planner.plan(letter, self.known, pool) for pool in self._starts(first)]
         settled = [plan for plan in plans if isinstance(plan, Plan)]
-        if settled:
-            return min(settled, key=lambda plan: plan.cost)
+        sound = [plan for plan in settled if self._sound(plan)] or self._with_few_times(letter, first) if settled else []
+        if sound or settled:
+            return min(sound or settled, key=lambda plan: plan.cost)
         return plans[0] if self.spare else self.planner.plan(letter, self.known, allowed)
 
     def _of_one_moment(self, letter: str) -> bool:
         """Whether a quantity belongs to one moment, so that Newton's laws are the straight way to it."""
         quantity = self.history.registry.quantities.get(letter)
         return quantity is not None and quantity.kind in OF_ONE_MOMENT
+
+    def _sound(self, plan: Plan) -> bool:
+        """Whether a plan does without a third equation of constant acceleration in a phase: of the four only two are independent,
+        and the rules tie the coordinates of a phase together."""
+        sections = [self.planner.pool[index].section for index in plan.equations if self._in_time(index)]
+        return all(sections.count(section) <= 2 for section in set(sections))
+
+    def _in_time(self, index: int) -> bool:
+        equation = self.planner.pool[index]
+        return equation.family == KINEMATICS and equation.label.startswith("constant")
+
+    def _with_few_times(self, letter: str, allowed: list[int]) -> list[Plan]:
+        """Plans with at most two equations of constant acceleration, of one coordinate."""
+        rest = [index for index in allowed if not self._in_time(index)]
+        coordinates: dict[tuple[str, str], list[int]] = {}
+        for index in allowed:
+            if self._in_time(index):
+                equation = self.planner.pool[index]
+                coordinates.setdefault((equation.section, equation.label), []).append(index)
+        chosen = [pair for own in coordinates.values() for pair in (*combinations(own, 1), *combinations(own, 2))]
+        plans = [self.planner.plan(letter, self.known, [*rest, *pair]) for pair in ((), *chosen)]
+        return [plan for plan in plans if isinstance(plan, Plan)]
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""

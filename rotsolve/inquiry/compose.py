@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -269,15 +269,7 @@ class Composer:
 
     def printed(self, formula: Formula) -> Formula:
         """A formula in printed letters, the variables of integration too."""
-
-        def change(node: Formula) -> Formula:
-            if isinstance(node, Symbol):
-                return self.letters.get(node.name, node)
-            if isinstance(node, Integral) and node.variable in self.names:
-                return Integral(node.integrand, self.names[node.variable], node.lower, node.upper)
-            return node
-
-        return formula.transform(change)
+        return in_letters(formula, self.names)
 
     def _spoken_of(self, name: str) -> bool:
         """Whether a given is the scene's own or occurs in what is printed."""
@@ -379,6 +371,19 @@ class Composer:
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
+
+
+def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
+    """A formula with its letters renamed, the variables of integration too."""
+
+    def change(node: Formula) -> Formula:
+        if isinstance(node, Symbol):
+            return Symbol(names[node.name]) if node.name in names else node
+        if isinstance(node, Integral) and node.variable in names:
+            return Integral(node.integrand, names[node.variable], node.lower, node.upper)
+        return node
+
+    return formula.transform(change)
 
 
 def bound(formula: Formula) -> set[str]:

@@ -24,19 +24,28 @@ def contradiction(session: Session) -> Equation | None:
     """The first equation that can not hold with what is known and found, or None."""
     numbers = known_numbers(session)
     pending = [equation for equation in session.history.equations if not runs(equation, session)]
+    pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law
     for _ in range(ROUNDS):
         rest = []
         for equation in pending:
-            unknown = [name for name in equation.symbols() if SEPARATOR in name and name not in numbers]
-            if not unknown:
-                if clashes(equation, session, numbers):
-                    return equation
-            elif len(unknown) > 1 or not settle(equation, unknown[0], session, numbers):
+            if open_letters(equation, numbers):
                 rest.append(equation)
-        if len(rest) == len(pending):
+            elif clashes(equation, session, numbers):
+                return equation
+        pending, settled = [], len(numbers)
+        for equation in rest:
+            unknown = open_letters(equation, numbers)
+            if len(unknown) == 1:
+                settle(equation, unknown[0], session, numbers)
+            pending.append(equation)
+        if len(numbers) == settled:
             return None
-        pending = rest
     return None
+
+
+def open_letters(equation: Equation, numbers: dict[str, Formula]) -> list[str]:
+    """Letters of the laws in an equation that have no value yet."""
+    return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in numbers)
 
 
 def runs(equation: Equation, session: Session) -> bool:

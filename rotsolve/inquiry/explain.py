@@ -5,18 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR, Quantity
+from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.inquiry.answering import NoAnswer, Session
 from rotsolve.inquiry.compose import spoken
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID
-from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Body, Find, Given, Problem
 from rotsolve.solver import ENTANGLED
 
@@ -117,6 +116,10 @@ def suggestion(missing: Sequence[Quantity | str], history: History, asked: str =
     if unplaced:
         return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"
     quantities = [item for item in missing if isinstance(item, Quantity)]
+    soft = {item.name for item in history.arrangement.problem.connections if getattr(item, "stiffness", ZERO) is None}
+    spring = next((item.owner for item in quantities if item.kind == "force" and item.owner in soft), None)
+    if spring is not None:
+        return f"give the `stiffness` of `{spring}`, or its force"
     others = [item for item in quantities if item.key != asked and item.owner and not item.component]
     ranked = sorted(others, key=lambda item: (item.kind not in STATED, not at_start(item, history)))
     if ranked and ranked[0].kind in STATED:
@@ -221,7 +224,7 @@ def meaning(given: Given, problem: Problem) -> str:
         (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None
     )
     if body is None:
-        return kind
+        return f"{kind} of {spoken(owner.rstrip('_'))}"
     line = f" in line {body.span.line}" if body.span is not None else ""
     size = "radius" if kind == "length" and given.name.startswith("R") else kind
     return f"{size} of {spoken(body.name)}{line}"

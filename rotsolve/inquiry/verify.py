@@ -16,6 +16,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
 from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.consistency import runs
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -55,10 +56,11 @@ def second_law(session: Session, composer: Composer) -> Iterator[Check]:
             formula = again(other, answered)
             if formula is None or not independent(other, law):
                 continue
-            pending.remove(answered)
             if same(formula, answered.found.formula, session):
+                pending.remove(answered)
                 agreed.append(answered)
-            else:
+            elif over_a_phase(other):
+                pending.remove(answered)
                 name = Symbol(answered.asked.find.name)
                 yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(composer.letters)), False)
         if agreed:
@@ -67,6 +69,11 @@ def second_law(session: Session, composer: Composer) -> Iterator[Check]:
                 names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
             verb = "give" if SAID[law].endswith("s") else "gives"
             yield Check((f"{SAID[law]} {verb} the same ", *names))
+
+
+def over_a_phase(other: Session) -> bool:
+    """Whether the other way sums over a phase; all that holds at single moments has been compared with the answers before."""
+    return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
 
 
 def depends(answered: Answered, session: Session) -> bool:

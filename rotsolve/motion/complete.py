@@ -7,6 +7,8 @@ from dataclasses import fields, replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.connections.connection import Connection
+from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.motion.rigid import place
 from rotsolve.scene.keys import Key
@@ -43,7 +45,15 @@ def completed(problem: Problem) -> Problem:
         if not ref.point
     }
     bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
-    return replace(problem, bodies=bodies, givens=(*problem.givens, *letters.made))
+    connections = tuple(_connection(item, letters) for item in problem.connections)
+    return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
+
+
+def _connection(item: Connection, letters: _Letters) -> Connection:
+    """A torsion spring always has a stiffness; that of an ordinary one may be told by its force."""
+    if isinstance(item, Torsion) and item.stiffness is None:
+        return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
+    return item
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:

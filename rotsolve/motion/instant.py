@@ -11,14 +11,12 @@ from rotsolve.core.directions import opposite
 from rotsolve.core.facts import Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.core.registry import Quantity, Registry
+from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
-VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
-GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 TURNS = ("counterclockwise", "clockwise")
 
 
