@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol, add, negate
+from rotsolve.algebra.formula import Call, Formula, Integral, Symbol, ZERO, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.facts import signed
 from rotsolve.core.heading import UP, Vector
@@ -196,12 +196,12 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
 
 
 def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
-    """The impulse that a support or event gives in an event."""
+    """The impulse of a support or blow in an event, or of an action or connection over a phase."""
     encounter = history.encounters.get(interval)
+    if encounter is None and interval in history.passages:
+        return impulse_over(path, history.passages[interval])
     if encounter is None:
-        events = [item.name for item in history.arrangement.timeline.intervals if item.event is not None]
-        help = f"say `during {events[0]}`" if events else "this scene has no event"
-        raise NotYet("an impulse is that of an event", help=help)
+        raise NotYet("an impulse is asked of an event or a phase")
     blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
     wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
     if path.quantity == "angular_impulse":
@@ -217,6 +217,23 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     for size in sizes:
         squares = add(squares, size**2)
     return sqrt(squares)
+
+
+def impulse_over(path: Path, passage: Passage) -> Formula:
+    """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
+    result: Formula = ZERO
+    for body in passage.midst.bodies:
+        efforts: list[Formula] = []
+        if path.quantity == "angular_impulse":
+            efforts += [signed(item.torque, body.motion.sense) for item in (*body.forces, *body.couples) if item.owner == path.owner]
+        else:
+            efforts += [force.size for force in body.forces if force.owner == path.owner]
+        for effort in efforts:
+            varies = "time" in effort.symbols()
+            result = add(result, Integral(effort, "time", *passage.times) if varies else effort * passage.duration)
+    if result == ZERO:
+        raise NotYet(f"`{path.owner}` gives no impulse in this phase")
+    return result
 
 
 def twist_of(owner: str, encounter: Encounter) -> Formula:
