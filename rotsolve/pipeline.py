@@ -12,8 +12,9 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import NoAnswer, Session, families_for
-from rotsolve.inquiry.compose import Composer, in_letters, spoken
+from rotsolve.inquiry.compose import Composer, in_letters
 from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.explain import contradicted, no_answer, plural, unsolvable, with_missing_told
 from rotsolve.inquiry.finds import Unclear, asked

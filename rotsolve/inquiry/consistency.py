@@ -36,6 +36,8 @@ def contradiction(session: Session) -> Equation | None:
         for equation in rest:
             unknown = open_letters(equation, numbers)
             if len(unknown) == 1:
+                if impossible(equation, unknown[0], session, numbers):
+                    return equation
                 settle(equation, unknown[0], session, numbers)
             pending.append(equation)
         if len(numbers) == settled:
@@ -59,6 +61,15 @@ def runs(equation: Equation, session: Session) -> bool:
 def known_numbers(session: Session) -> dict[str, Formula]:
     """Values of the letters that the session found, in closed form."""
     return {name: found.formula for name, found in session.solver.solved.items() if found.formula is not None}
+
+
+def impossible(equation: Equation, name: str, session: Session, numbers: dict[str, Formula]) -> bool:
+    """Whether the one unknown of an equation drops out and leaves two numbers that differ: 2 rad = 0 · t."""
+    values = [{**numbers, name: Number(point)} for point in POINTS[1:]]
+    gaps = [size((equation.left - equation.right).substitute(value), session) for value in values]
+    if gaps[0] is None or gaps[1] is None or abs(gaps[0] - gaps[1]) > 1e-12 * abs(gaps[0]):
+        return False
+    return clashes(equation, session, values[0])
 
 
 def settle(equation: Equation, name: str, session: Session, numbers: dict[str, Formula]) -> bool:

@@ -11,8 +11,8 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import NoAnswer, Session
-from rotsolve.inquiry.compose import spoken
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID

@@ -6,15 +6,14 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rotsolve.algebra.formula import Call, Formula, Integral, Symbol, ZERO, add, negate
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
-from rotsolve.core.facts import signed
-from rotsolve.core.heading import UP, Vector
-from rotsolve.core.passage import Encounter, Passage
+from rotsolve.core.heading import Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
+from rotsolve.inquiry.transfers import impulse, work
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.scene.model import Find, Path, Term
 
@@ -189,100 +188,8 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
             part = work(path, interval.name, history)
         result = add(result, part)
     if path.quantity == "turns":
-        from rotsolve.algebra.formula import PI
-
         result = result / (2 * PI)
     return Meaning(result, kind.dimension), intervals[-1].name
-
-
-def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
-    """The impulse of a support or blow in an event, or of an action or connection over a phase."""
-    encounter = history.encounters.get(interval)
-    if encounter is None and interval in history.passages:
-        return impulse_over(path, history.passages[interval])
-    if encounter is None:
-        raise NotYet("an impulse is asked of an event or a phase")
-    blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
-    wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
-    if path.quantity == "angular_impulse":
-        return twist_of(path.owner, encounter)
-    sizes = list({blow.size: None for blow in wanted})
-    if not sizes:
-        raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
-    if len(sizes) == 1:
-        return sizes[0]
-    from rotsolve.algebra.formula import sqrt
-
-    squares: Formula = ZERO
-    for size in sizes:
-        squares = add(squares, size**2)
-    return sqrt(squares)
-
-
-def impulse_over(path: Path, passage: Passage) -> Formula:
-    """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
-    result: Formula = ZERO
-    for body in passage.midst.bodies:
-        efforts: list[Formula] = []
-        if path.quantity == "angular_impulse":
-            efforts += [signed(item.torque, body.motion.sense) for item in (*body.forces, *body.couples) if item.owner == path.owner]
-        else:
-            efforts += [force.size for force in body.forces if force.owner == path.owner]
-        for effort in efforts:
-            varies = "time" in effort.symbols()
-            result = add(result, Integral(effort, "time", *passage.times) if varies else effort * passage.duration)
-    if result == ZERO:
-        raise NotYet(f"`{path.owner}` gives no impulse in this phase")
-    return result
-
-
-def twist_of(owner: str, encounter: Encounter) -> Formula:
-    """Angular impulse of a blow on the last body that it hits, about that body's axis or centre of mass, along its positive turn."""
-    hit = [meeting for meeting in encounter.meetings if any(blow.owner == owner for blow in meeting.blows)]
-    if not hit:
-        raise NotYet(f"`{owner}` gives no angular impulse there")
-    result: Formula = ZERO
-    for blow in hit[-1].blows:
-        if blow.owner == owner:
-            result = add(result, signed(blow.torque, hit[-1].body.motion.sense))
-    for twist in hit[-1].twists:
-        result = add(result, signed(twist, hit[-1].body.motion.sense))
-    return result
-
-
-def _axis(size: Formula) -> str:
-    return size.name.split(SEPARATOR)[2] if isinstance(size, Symbol) and SEPARATOR in size.name else ""
-
-
-def work_of_weight(name: str, passage: Passage) -> Formula:
-    """m g times the height lost."""
-    heights = passage.heights.get(name)
-    if heights is None:
-        raise NotYet(f"how far `{name}` sinks is not told by the scene")
-    result: Formula = ZERO
-    for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
-        body = facts.body(name)
-        for force in body.forces if body is not None else ():
-            if force.role == "weight":
-                level = force.size * (height + force.arm.along(UP))
-                result = add(result, level if sign > 0 else negate(level))
-    return result
-
-
-def work(path: Path, interval: str, history: History) -> Formula:
-    """Work of an action or connection in a phase, or of all forces on a body."""
-    passage = history.passages.get(interval)
-    if passage is None:
-        return ZERO
-    works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
-    if path.component == "gravity":
-        return work_of_weight(path.owner, passage)
-    if not works:
-        raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
-    result: Formula = ZERO
-    for item in works:
-        result = add(result, item.amount)
-    return result
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

@@ -3,36 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
+from rotsolve.inquiry.stated import Statements
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.encounters import encounter, participants
+from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import displacement, groups_of, passage, rotation
+from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.scene.model import Condition, Path, State
-
-RATE_OF = {  # what is zero where a quantity is largest or smallest
-    "angle": "angular_velocity",
-    "rotation": "angular_velocity",
-    "angular_velocity": "angular_acceleration",
-    "displacement": "velocity",
-    "height": "velocity",
-    "velocity": "acceleration",
-}
-RATES = ("velocity", "angular_velocity")
+from rotsolve.scene.model import Condition
 
 
 @dataclass
@@ -47,16 +38,7 @@ class History:
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        for state in self.arrangement.timeline.states:
-            self._carry_over(state)
-            for condition in state.conditions:
-                self._fix(state, condition)
-            if state.balance:
-                self._rest(state.name, "all")
-                self._balance(state.name)
-        self._driven()
-        self._instants.clear()
-        self._facts.clear()
+        self.stated += Statements(self.arrangement, self.registry, self.modes).take()
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
         key = (state, generic, virtual)
@@ -72,135 +54,6 @@ class History:
 
     def reader(self, state: str) -> Reader:
         return Reader(self.instant(state), lambda: self.facts(state))
-
-    # what the states say
-
-    def _carry_over(self, state: State) -> None:
-        """The clock starts at the first state; an event takes no time, moves nothing, and leaves what it does not touch."""
-        timeline, fresh = self.arrangement.timeline, self._fresh(state.name)
-        before = timeline.before(state.name)
-        if before is None:
-            self._set(fresh.time(), ZERO)
-        elif before.event is not None:
-            last = self._fresh(before.start)
-            self._set(fresh.time(), last.time())
-            said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
-            touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
-            for item in self.arrangement.connections(state.name):
-                if item.word == "spring":
-                    self._set(fresh.ask("elongation", item.name), last.ask("elongation", item.name))
-                    self._set(
-                        fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when)
-                    )
-            for body in self.arrangement.present(state.name):
-                old, new = last.angle(body.name), fresh.angle(body.name)
-                if old is not None and new is not None:
-                    self._set(new, old)
-                if body.name not in touched and "all" not in touched:
-                    for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
-                        self._set(other, one)
-
-    def _touched(self, interval: Interval) -> frozenset[str]:
-        """Bodies whose velocities an event changes."""
-        found: frozenset[str] = frozenset()
-        for ref in participants(interval.event):  # type: ignore[arg-type]
-            for state in (interval.start, interval.end):
-                found |= self.arrangement.component(ref.owner, state)
-        return found
-
-    def _fresh(self, state: str) -> Instant:
-        return Instant(self.arrangement, self.registry, state, False, self.modes)
-
-    def _rates(self, instant: Instant, name: str) -> list[Formula]:
-        """The velocity letters of a body at an instant."""
-        motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
-        rates: list[Formula] = []
-        if motion.kind == "line":
-            rates.append(instant.travel("velocity", name, line[1] if line else ""))
-        elif motion.kind == "plane":
-            rates += [instant.component("velocity", name, axis) for axis in "xy"]
-        if motion.turns:
-            rates.append(instant.rate("angular_velocity", name))
-        return rates
-
-    def _set(self, letter: Formula, value: Formula) -> None:
-        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
-            self.registry.known[letter.name] = value
-
-    def _fix(self, state: State, condition: Condition) -> None:
-        """Take a line of a state; one that can not be worked out is refused at its place."""
-        try:
-            self._take(state, condition)
-        except NotYet as error:
-            raise NotYet(str(error), error.span or condition.span, error.help) from None
-
-    def _take(self, state: State, condition: Condition) -> None:
-        """Take rest, a quantity with a value, or a word."""
-        if condition.rest:
-            self._rest(state.name, condition.owner or "all")
-        elif condition.path is not None and condition.word == "slack":
-            self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
-        elif condition.path is not None and condition.word in ("largest", "smallest"):
-            rate = RATE_OF.get(condition.path.quantity)
-            if rate is None:
-                raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
-            self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
-        elif condition.path is not None and condition.value is not None:
-            letter = self._letter(state.name, condition.path)
-            if isinstance(letter, Symbol) and SEPARATOR in letter.name:
-                self._set(letter, condition.value)
-            elif letter != condition.value:
-                label = "stated" if letter.symbols() else "given"
-                self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
-
-    def _letter(self, state: str, path: Path) -> Formula:
-        """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
-        instant = self._fresh(state)
-        if path.quantity in ("displacement", "rotation"):
-            before = self.arrangement.timeline.before(state)
-            if before is None:
-                return ZERO
-            name = instant.host(path.owner)
-            return (
-                displacement(name, before, instant)
-                if path.quantity == "displacement"
-                else rotation(name, before, instant)
-            )
-        return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
-
-    def _rest(self, state: str, owner: str) -> None:
-        instant = self._fresh(state)
-        for body in self.arrangement.present(state):
-            if owner in ("all", body.name):
-                for rate in self._rates(instant, body.name):
-                    self._set(rate, ZERO)
-
-    def _balance(self, state: str) -> None:
-        """In equilibrium nothing accelerates."""
-        instant = self._fresh(state)
-        for body in self.arrangement.present(state):
-            motion = instant.motion(body.name)
-            rates = [size for size, _ in motion.acceleration.parts]
-            if motion.turns:
-                rates.append(instant.rate("angular_acceleration", body.name))
-            for rate in rates:
-                self._set(rate, ZERO)
-
-    def _driven(self) -> None:
-        """Rates that a drive prescribes."""
-        for state in self.arrangement.timeline.states:
-            instant = self._fresh(state.name)
-            for item in self.arrangement.connections(state.name):
-                for word in ("angle", "angular_velocity", "angular_acceleration"):
-                    value = getattr(item, word, None)
-                    if isinstance(value, Formula):
-                        name = instant.host(item.touches()[-1].owner)
-                        letter = instant.ask("angle", name) if word == "angle" else instant.rate(word, name)
-                        self._set(letter, value.substitute({"time": instant.time()}))
-                    if isinstance(value, Formula) and word == "angular_velocity" and "time" not in value.symbols():
-                        self._set(instant.rate("angular_acceleration", name), ZERO)
-
-    # what the laws write
 
     @cached_property
     def passages(self) -> dict[str, Passage]:
@@ -241,6 +94,7 @@ class History:
         return not any(SEPARATOR in name for name in names) and is_zero(equation.left - equation.right)
 
     def _written(self) -> Iterator[Equation]:
+        """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
         for state in self.arrangement.timeline.states:
             yield from self._at(state.name)

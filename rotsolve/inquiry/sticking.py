@@ -7,9 +7,10 @@ from dataclasses import dataclass
 from rotsolve.algebra.formula import Formula, Symbol, call, negate
 from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.answering import Answered, NoAnswer, Session
-from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
@@ -100,7 +101,9 @@ def shown(trial: Trial, first: int) -> tuple[Section, int]:
     assert static is not None and needed is not None and normal is not None
     limit = trial.session.solver.simplify(static * normal)
     sizes = [
-        certified.text(4).lstrip("−") for value in (needed, limit) if (certified := composer.value(value)) is not None
+        certified.text(4).lstrip("−")
+        for value in (needed, limit)
+        if (certified := composer.results.value(value)) is not None
     ]
     letter = Symbol(composer.names[trial.friction.asked.letter])
     words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)

@@ -14,8 +14,9 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
 from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
-from rotsolve.inquiry.compose import Composer, spoken
+from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}

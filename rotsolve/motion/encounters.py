@@ -183,10 +183,10 @@ def bounce(
     event: Event, points: tuple[PointRef, ...], first: Instant, last: Instant
 ) -> tuple[Formula, Formula, Formula] | None:
     """(e, approach speed before, separation speed after) along the line of approach."""
-    if not isinstance(event, Collides):
+    if not isinstance(event, Collides) or event.restitution is None:
         return None
     line = approach_heading(points, first)
     one, two = points
     approach = first.velocity(one).along(line) - first.velocity(two).along(line)
     separation = last.velocity(two).along(line) - last.velocity(one).along(line)
-    return (event.restitution if event.restitution is not None else ZERO), approach, separation
+    return event.restitution, approach, separation

@@ -189,6 +189,7 @@ class Instant:
         return self._motions[name]
 
     def _motion(self, name: str) -> Motion:
+        """On an axis, along a line, or freely in the plane."""
         arrangement, sense = self.arrangement, self.sense(name)
         if arrangement.pivot(name, self.state) is not None:
             spin, rate = (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))

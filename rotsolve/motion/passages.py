@@ -58,26 +58,39 @@ def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
     """The coordinates of a body: along its line, and its turning."""
-    name, pace = body.name, first.arrangement.pace(body.name, interval.start)
-    motion = body.motion
-    if motion.kind == "line":
-        words = first.arrangement.line(name, interval.start)
-        label = words[1] if words else ""
-        before, after = (moment.travel("velocity", name, label) for moment in (first, last))
-        moving = middle.travel("velocity", name, label)
-        source = middle if pace != "constant" else first
-        acceleration = source.travel("acceleration", name, label)
-        initial = first.travel("acceleration", name, label)
-        yield Travel(name, "line", before, after, acceleration, displacement(name, interval, first), pace, moving, initial=initial)
-    if motion.turns:
-        before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
-        source = middle if pace != "constant" else first
-        acceleration = source.rate("angular_acceleration", name)
-        angles = tuple(moment.angle(name) for moment in (first, last, middle))
-        sense = first.sense(name)
-        start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
-        change = rotation(name, interval, first)
-        yield Travel(name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], first.rate("angular_acceleration", name), sense)
+    pace = first.arrangement.pace(body.name, interval.start)
+    if body.motion.kind == "line":
+        yield line_travel(body.name, interval, pace, first, last, middle)
+    if body.motion.turns:
+        yield turn_travel(body.name, interval, pace, first, last, middle)
+
+
+def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """The way of a body along its line."""
+    words = first.arrangement.line(name, interval.start)
+    label = words[1] if words else ""
+    before, after = (moment.travel("velocity", name, label) for moment in (first, last))
+    moving = middle.travel("velocity", name, label)
+    source = middle if pace != "constant" else first
+    acceleration = source.travel("acceleration", name, label)
+    initial = first.travel("acceleration", name, label)
+    change = displacement(name, interval, first)
+    return Travel(name, "line", before, after, acceleration, change, pace, moving, initial=initial)
+
+
+def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """The turning of a body."""
+    before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
+    source = middle if pace != "constant" else first
+    acceleration = source.rate("angular_acceleration", name)
+    angles = tuple(moment.angle(name) for moment in (first, last, middle))
+    sense = first.sense(name)
+    start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
+    change = rotation(name, interval, first)
+    initial = first.rate("angular_acceleration", name)
+    return Travel(
+        name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], initial, sense
+    )
 
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:

@@ -18,7 +18,7 @@ from rotsolve.scene.reader.elements import read_element
 from rotsolve.scene.reader.states import read_phase, read_state
 from rotsolve.scene.reader.within import beyond_ends
 from rotsolve.scene.sections import SECTIONS
-from rotsolve.scene.tree.nodes import BYTES, List, Map, Node, Text, compose
+from rotsolve.scene.tree.nodes import BYTES, List, Map, Node, Text, compose, plain
 from rotsolve.scene.values.givens import read_givens
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
@@ -297,12 +297,3 @@ class Sections:
             given if given.dimension is not None else replace(given, dimension=self.scope.dimensions.get(given.name))
             for given in self.scope.givens.values()
         )
-
-
-def plain(node: Node) -> object:
-    """A node as ordinary maps, lists and texts."""
-    if isinstance(node, Text):
-        return node.value
-    if isinstance(node, List):
-        return [plain(item) for item in node.items]
-    return {key.value: plain(item) for key, item in node.entries}

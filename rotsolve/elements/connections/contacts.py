@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
 from rotsolve.core.heading import NOWHERE, Heading, Vector, unit, vector
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Surface
@@ -63,6 +64,7 @@ class Touch(Connection):
         return "constant" if self.track(arrangement.bodies[self.pair()[0].owner], arrangement, state) else "position"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
         ref, surface = self.pair()[0], self.surface(instant.arrangement)
         name = instant.host(ref.owner)
         if surface is None or instant.mode(self.name) == "leaves":
@@ -126,11 +128,6 @@ class Touch(Connection):
             limit = grip.static * normal
             words = ("friction needed |", size, "| ≤ ", limit)
             yield Requirement(self.name, limit, call("abs", size), words, "slips")
-
-
-def spoken(name: str) -> str:
-    """A name of the scene as words."""
-    return name.replace("_", " ")
 
 
 def away(surface: Surface) -> str:

@@ -70,6 +70,7 @@ class String(Connection):
         return "constant"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
+        """A tension for each strand, its pulls on the bodies, and the rule that the strand keeps its length."""
         course = self.course(instant)
         for strand in course.strands():
             tension = self.tension(strand, course)

@@ -21,6 +21,7 @@ class Rectangle(Shape):
     )
 
     def moment(self, mass: Formula) -> Formula:
+        """M (a² + b²)/12."""
         width, height = self.sides
         return Number(Fraction(1, 12)) * mass * (width**2 + height**2)
 
@@ -57,6 +58,7 @@ class Triangle(Shape):
     )
 
     def moment(self, mass: Formula) -> Formula:
+        """M (a² + b² + c²)/36."""
         if self.corners:
             return shoelace.moment(self.corners, mass)
         a, b, c = self.sides
@@ -88,6 +90,7 @@ class Polygon(Shape):
     corners: tuple[Place, ...] = key("places", "corners in order", letter="x", count=(3, 40), default=(), required=True)
 
     def moment(self, mass: Formula) -> Formula:
+        """By the shoelace formula."""
         return shoelace.moment(self.corners, mass)
 
     def centroid(self) -> Place:

@@ -20,6 +20,7 @@ class Disc(Shape):
     radius: Formula | None = extent("radius", "R")
 
     def moment(self, mass: Formula) -> Formula:
+        """½ M R²."""
         return Number(Fraction(1, 2)) * mass * (self.radius or ZERO) ** 2
 
     def measure(self) -> Formula:
@@ -34,6 +35,7 @@ class Ring(Shape):
     radius: Formula | None = extent("radius", "R")
 
     def moment(self, mass: Formula) -> Formula:
+        """M R²."""
         return mass * (self.radius or ZERO) ** 2
 
     def measure(self) -> Formula:
@@ -48,6 +50,7 @@ class Annulus(Shape):
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
+        """½ M (r² + R²)."""
         inner, outer = walls(self.radii)
         return Number(Fraction(1, 2)) * mass * (inner**2 + outer**2)
 
@@ -69,6 +72,7 @@ class Cylinder(Shape):
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     def moment(self, mass: Formula) -> Formula:
+        """½ M R²."""
         return Number(Fraction(1, 2)) * mass * (self.radius or ZERO) ** 2
 
     def measure(self) -> Formula:
@@ -85,6 +89,7 @@ class CylindricalShell(Shape):
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     def moment(self, mass: Formula) -> Formula:
+        """M R² of a thin wall, ½ M (r² + R²) of a thick one."""
         if self.radii:
             inner, outer = walls(self.radii)
             return Number(Fraction(1, 2)) * mass * (inner**2 + outer**2)
@@ -109,6 +114,7 @@ class Sphere(Shape):
     radius: Formula | None = extent("radius", "R")
 
     def moment(self, mass: Formula) -> Formula:
+        """⅖ M R²."""
         return Number(Fraction(2, 5)) * mass * (self.radius or ZERO) ** 2
 
     def measure(self) -> Formula:
@@ -124,6 +130,7 @@ class SphericalShell(Shape):
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
+        """⅔ M R² of a thin wall, ⅖ M (R⁵ − r⁵)/(R³ − r³) of a thick one."""
         if self.radii:
             inner, outer = walls(self.radii)
             return Number(Fraction(2, 5)) * mass * (outer**5 - inner**5) / (outer**3 - inner**3)

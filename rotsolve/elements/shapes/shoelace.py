@@ -35,4 +35,5 @@ def moment(corners: tuple[Place, ...], mass: Formula) -> Formula:
 
 
 def dot(p: Place, q: Place) -> Formula:
+    """p · q."""
     return p[0] * q[0] + p[1] * q[1]

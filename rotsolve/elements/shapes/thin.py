@@ -24,6 +24,7 @@ class Rod(Shape):
     length: Formula | None = extent("length", "L")
 
     def moment(self, mass: Formula) -> Formula:
+        """M L²/12."""
         return Number(Fraction(1, 12)) * mass * self.extent() ** 2
 
     def measure(self) -> Formula:
@@ -56,10 +57,12 @@ class Arc(Shape):
     )
 
     def moment(self, mass: Formula) -> Formula:
+        """M (R² − x²), x the centre of mass from the circle's centre: M R² about that centre, less M x²."""
         radius, (x, _) = self.radius or ZERO, self.centroid()
         return mass * (radius**2 - x**2)
 
     def centroid(self) -> Place:
+        """R sin(θ/2)/(θ/2) from the circle's centre, along the axis of symmetry."""
         radius, half = self.radius or ZERO, (self.opening or ZERO) / 2
         return (radius * call("sin", half) / half, ZERO)
 

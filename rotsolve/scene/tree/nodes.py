@@ -172,3 +172,12 @@ class Composer:
 def stop(message: str, span: Span | None, help: str, kind: str = "yaml") -> None:
     """Raise one fault at once: what follows in the file can't be trusted."""
     raise SceneError([Fault(message, span, help, kind)])
+
+
+def plain(node: Node) -> object:
+    """A node as ordinary maps, lists and texts."""
+    if isinstance(node, Text):
+        return node.value
+    if isinstance(node, List):
+        return [plain(item) for item in node.items]
+    return {key.value: plain(item) for key, item in node.entries}

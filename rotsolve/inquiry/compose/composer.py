@@ -3,37 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import cached_property
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, Formula, Integral, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.algebra.units.quantities import unit_for
-from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
-from rotsolve.core.heading import RIGHT, UP, Vector, heading
+from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Session
+from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
+from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.scene.model import Condition, Problem
-from rotsolve.solver import Found, Ref, Step
+from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"
 WITH_FORCES = ("newton", "energy", "angular-momentum")
-
-
-@dataclass
-class Draft:
-    """One section in the making: the laws (pool indices) and steps that belong to it."""
-
-    key: str
-    laws: list[int] = field(default_factory=list)
-    steps: list[Step] = field(default_factory=list)
 
 
 class Composer:
@@ -45,9 +33,10 @@ class Composer:
         self.history = session.history
         self.problem: Problem = self.history.arrangement.problem
         self.pool = session.planner.pool
-        self.drafts = self._drafts()
+        self.drafts = drafts_of(session)
         self.names = self._names()
         self.numbers = self._numbers()
+        self.results = Results(session, self.printed)
 
     def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
@@ -61,10 +50,10 @@ class Composer:
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
             finds=tuple(self._find(answered) for answered in self.session.in_order()),
-            states=tuple(self._state(state.name, state.conditions) for state in self.problem.states),
+            states=tuple(state_words(state.name, state.conditions) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
-            answers=tuple(self.answer(answered) for answered in self.session.in_order()),
+            answers=tuple(self.results.answer(answered) for answered in self.session.in_order()),
             checks=checks,
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
@@ -72,62 +61,10 @@ class Composer:
 
     # sections
 
-    def _drafts(self) -> list[Draft]:
-        """Laws and steps by section, the sections in the order of time."""
-        drafts: dict[str, Draft] = {}
-        placed: set[int] = set()
-        for answered in self.session.answered:
-            laws = [index for index in answered.used if self._is_law(index)]
-            key = self._home(answered, laws)
-            draft = drafts.setdefault(key, Draft(key))
-            draft.laws.extend(index for index in sorted(laws, key=self._law_order) if index not in placed)
-            placed.update(laws)
-            draft.steps.extend(self.session.solver.steps[slice(*answered.steps)])
-        order = {key: place for place, key in enumerate(self._moments())}
-        return [
-            draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps
-        ]
-
-    def _is_law(self, index: int) -> bool:
-        """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
-        return self.session.refs.get(index, ("law", index))[0] == "law"
-
-    def _law_order(self, index: int) -> tuple[int, int]:
-        """Laws first, then definitions and rules, as they were written."""
-        equation = self.pool[index]
-        return (0 if equation.family else 1, index)
-
-    def _home(self, answered: Answered, laws: list[int]) -> str:
-        """The section of the weightiest law of a plan."""
-        if not laws:
-            return answered.asked.section
-        order = {key: place for place, key in enumerate(self._moments())}
-        return max(
-            (self.pool[index].cost, order.get(self.pool[index].section, -1), self.pool[index].section) for index in laws
-        )[2]
-
-    def _moments(self) -> list[str]:
-        timeline = self.history.arrangement.timeline
-        result = [timeline.states[0].name]
-        for interval in timeline.intervals:
-            result += [interval.name, interval.end]
-        return result
-
-    def title(self, key: str) -> str:
-        """Heading of a section."""
-        timeline = self.history.arrangement.timeline
-        interval = timeline.interval(key)
-        if interval is None:
-            return f"At {spoken(key)}" if key else ""
-        if interval.event is not None:
-            word = getattr(interval.event, "word", "")
-            return f"Event {spoken(interval.name)}" + (f" ({word})" if word else "")
-        return f"From {spoken(interval.start)} to {spoken(interval.end)}"
-
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._law(index) for index in draft.laws)
         moves = tuple(self._move(step) for step in draft.steps)
-        return Section(self.title(draft.key), self._forces(draft), self._remarks(draft), laws, moves)
+        return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, moves)
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
@@ -140,7 +77,7 @@ class Composer:
         )
 
     def _move(self, step: Step) -> Move:
-        chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in step.chain)
+        chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in readable(step.chain))
         number = self.numbers.get(("step", step.number))
         return Move(self._sources(step), chain, number, self.words(step.reason))
 
@@ -186,6 +123,7 @@ class Composer:
         )
 
     def _facts_of(self, key: str) -> Facts | None:
+        """The facts that a section is about: of its state, or of its phase; none of an event."""
         timeline = self.history.arrangement.timeline
         interval = timeline.interval(key)
         if interval is not None:
@@ -236,6 +174,7 @@ class Composer:
         return names
 
     def _occurring(self) -> Iterable[str]:
+        """All letters that are printed, in the order in which they occur."""
         for draft in self.drafts:
             for index in draft.laws:
                 yield from sorted(self.pool[index].symbols())
@@ -286,91 +225,9 @@ class Composer:
     def _find(self, answered: Answered) -> Words:
         return (Symbol(answered.asked.find.name),)
 
-    def _state(self, name: str, conditions: Sequence[Condition]) -> Words:
-        parts = []
-        for line in conditions:
-            if line.rest:
-                parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
-            elif line.path is not None:
-                value = stated(line.value) if line.value is not None else line.word or ""
-                owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-                parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
-        return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
-
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
         return (("angles from the rightward horizontal, counterclockwise positive",),) if angles else ()
-
-    # answers
-
-    def answer(self, answered: Answered) -> Answer:
-        """The exact form, the certified value and the direction in words."""
-        asked, found = answered.asked, answered.found
-        formula = self.printed(found.formula) if found.formula is not None else None
-        unit = asked.find.unit or unit_of(
-            asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
-        )
-        value = self._value_in(found, unit)
-        direction, signed = self._direction(answered, value)
-        return Answer(
-            asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed
-        )
-
-    def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:
-        """The certified value in a unit."""
-        factor = unit.factor if unit is not None else ONE
-        if found.formula is not None:
-            return self.value(found.formula / factor)
-        number = found.number
-        if number is None or factor == ONE:
-            return number
-        scale = evaluate(factor, {}, digits=30)
-        return Certified(
-            number.ball / scale.ball,
-            lambda digits: number.refine(digits + 3) / scale.refine(digits + 3),
-            lambda _: False,
-        )
-
-    def value(self, formula: Formula) -> Certified | None:
-        if formula.symbols() - set(self.session.values):
-            return None
-        try:
-            return evaluate(formula, self.session.values)
-        except Undefined:
-            return None
-
-    def _direction(self, answered: Answered, value: Certified | None) -> tuple[str, bool]:
-        """Direction in words, and whether the number is still printed with its sign."""
-        asked = answered.asked
-        if asked.vector is not None:
-            return self.heading_words(asked.vector), True
-        quantity = self.history.registry.quantities.get(asked.letter)
-        words = asked.words
-        if quantity is not None and any((quantity.positive, quantity.negative)):
-            words = (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
-        if not any(words) or value is None or not value.sign:
-            return "", True
-        return words[0 if value.sign > 0 else 1], False
-
-    def heading_words(self, vector: Vector) -> str:
-        """Down and to the right, with the angle left to the numbers."""
-        sides = []
-        for axis in (UP, RIGHT):
-            component = self.session.solver._with_answers(self._solved(vector.along(axis)))
-            try:
-                sides.append(evaluate(component, self.session.values, digits=3).sign or 0)
-            except (Undefined, ValueError):
-                return ""
-        rise = {1: "up", -1: "down", 0: ""}[sides[0]]
-        side = {1: "to the right", -1: "to the left", 0: ""}[sides[1]]
-        return " and ".join(part for part in (rise, side) if part)
-
-    def _solved(self, value: Formula) -> Formula:
-        """All letters in a formula by what the steps found for them."""
-        for step in reversed(self.session.solver.steps):
-            if step.result in value.symbols():
-                value = value.substitute({step.result: step.chain[-1].right})
-        return value
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
@@ -402,16 +259,20 @@ def without_torque(silent: list[str]) -> tuple[Words, ...]:
     return ((f"{listed} {verb} at the {support}: no torque about it",),)
 
 
-def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
-    """The unit that the field uses for a dimension; none for a pure number."""
-    return None if dimension is None else unit_for(dimension, quantity if quantity in ("torque", "impulse") else None)
+def state_words(name: str, conditions: Sequence[Condition]) -> Words:
+    """What the scene says of a state, on one line."""
+    parts = []
+    for line in conditions:
+        if line.rest:
+            parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
+        elif line.path is not None:
+            value = stated(line.value) if line.value is not None else line.word or ""
+            owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
+            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+    return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 
 def stated(value: Formula) -> str:
     """A value as a state says it: angles that are multiples of π in degrees."""
     turned = heading(value)
     return f"{turned.degrees}°".replace("-", "−") if turned.degrees and not turned.terms else to_text(value)
-
-
-def spoken(name: str) -> str:
-    return name.replace("_", " ")

@@ -5,91 +5,29 @@ Trivial equations (I = ½ M R², a = R α) are put into the others without a lin
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
-from rotsolve.algebra.calculus import integrate
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero, length, simplify, solve_linear
+from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, negate
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.writing import flat, positive_first
 from rotsolve.plan import Plan
+from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
+from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
+from rotsolve.solver.textbook import Textbook
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ENTANGLED = "no unknown can be told from the others"
-Ref = tuple[
-    str, "int | str"
-]  # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
-Choice = tuple[int, Words]
-Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
-
-
-class Redundant(ValueError):
-    """An equation of a plan says nothing new once the others are put in."""
-
-    def __init__(self, index: int) -> None:
-        super().__init__(f"equation {index} says nothing new")
-        self.index = index
-
-
-class Contradiction(ValueError):
-    """The equations of a plan can not all hold."""
-
-    def __init__(self, index: int) -> None:
-        super().__init__(f"equation {index} contradicts the others")
-        self.index = index
-
-
-class NoClosedForm(ValueError):
-    """No unknown can be isolated."""
-
-
-@dataclass(frozen=True, slots=True)
-class Step:
-    """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
-
-    number: int
-    target: Ref
-    sources: tuple[Ref, ...]
-    chain: tuple[Equality, ...]
-    result: str
-    section: str
-    reason: Words = ()
-
-
-@dataclass(frozen=True, slots=True)
-class Found:
-    """A solved unknown: closed form in givens, or a certified root of the last equation."""
-
-    name: str
-    formula: Formula | None
-    number: Certified | None = None
-    others: tuple[Formula, ...] = ()
-
-
-@dataclass(slots=True)
-class Item:
-    """An equation on its way: what it has become, and what has been put in since it was written."""
-
-    ref: Ref
-    index: int
-    left: Formula
-    right: Formula
-    section: str
-    sources: list[Ref] = field(default_factory=list)
-
-    def unknowns(self, names: Collection[str]) -> set[str]:
-        return set((self.left.symbols() | self.right.symbols()) & set(names))
 
 
 @dataclass
-class Solver:
+class Solver(Textbook):
     """Solves plans one after the other; remembers answers and steps."""
 
     pool: list[Equation]
@@ -103,22 +41,6 @@ class Solver:
     steps: list[Step] = field(default_factory=list)
     solved: dict[str, Found] = field(default_factory=dict)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
-
-    def simplify(self, value: Formula) -> Formula:
-        """Textbook form; bars round a value whose sign the numbers tell are taken off."""
-        value = simplify(value, order=self.order, positive=self.positive)
-        if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
-            value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
-        return value
-
-    def _without_bars(self, node: Formula) -> Formula:
-        if not (isinstance(node, Call) and node.function == "abs"):
-            return node
-        try:
-            sign = evaluate(self._with_answers(node.arguments[0]), self.values, digits=3).sign
-        except (Undefined, ValueError):
-            return node
-        return node.arguments[0] * sign if sign is not None else node
 
     def solve(self, plan: Plan) -> Found:
         """Carry a plan out; the steps are kept only when it succeeds."""
@@ -135,16 +57,9 @@ class Solver:
         return found
 
     def _solve(self, plan: Plan) -> Found:
-        items = [
-            Item(
-                self.refs.get(index, ("law", index)),
-                index,
-                self.pool[index].left,
-                self.pool[index].right,
-                self.pool[index].section,
-            )
-            for index in plan.equations
-        ]
+        """Eliminate one unknown after the other, until the last equation holds the asked one alone."""
+        laws = [(index, self.pool[index]) for index in plan.equations]
+        items = [Item(self.refs.get(k, ("law", k)), k, law.left, law.right, law.section) for k, law in laws]
         for item in items:
             self._put_in_functions(item)
         unknowns = set(plan.unknowns)
@@ -181,23 +96,14 @@ class Solver:
 
     def _next(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str, Formula, bool]:
         """What to eliminate next, the most trivial first: (equation, unknown, its value, whether it needs no line of its own)."""
-        ranked = []
+        ranked: list[tuple[tuple[int, ...], Item, str]] = []
         for item in items:
             names = item.unknowns(unknowns)
             self._check_alive(item, names)
             for name in sorted(names - {asked}):
                 explicit = isolated(item, name)
                 others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
-                plain = monomial(item.left) and monomial(item.right)
-                kind = (
-                    0
-                    if explicit and len(names) == 1
-                    else 1
-                    if len(names) == 1
-                    else 2
-                    if plain and len(names) == 2
-                    else 3
-                )
+                kind = kind_of(item, name, names)
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
                 away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
@@ -227,21 +133,21 @@ class Solver:
         """The value of an unknown from one equation: as written where it stands alone, else solved."""
         explicit = isolated(item, name)
         if explicit is not None:
-            explicit = self._carried_out(explicit)
+            explicit = self.carried_out(explicit)
             return self.simplify(explicit) if item.sources else explicit
         value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
         if value is not None and self._hollow(item.left - item.right, name):
             raise Redundant(item.index)
         if value is None and alone:
             roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
-            choice = self.choose(name, [self._with_answers(root) for root in roots]) if roots else None
+            choice = self.choose(name, [self.with_answers(root) for root in roots]) if roots else None
             return roots[choice[0]] if choice else None
         return value
 
     def _check_alive(self, item: Item, names: set[str]) -> None:
         """An equation without unknowns left says nothing, or something false."""
         if not names:
-            gap = self._with_answers(item.left - item.right)
+            gap = self.with_answers(item.left - item.right)
             raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
 
     def _eliminate(
@@ -282,6 +188,7 @@ class Solver:
         raise NoClosedForm(ENTANGLED)
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
+        """Put values into an equation, and remember where they come from."""
         item.left, item.right = item.left.substitute(values), item.right.substitute(values)
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
@@ -296,6 +203,10 @@ class Solver:
         result = Equality(Symbol(name), value)
         if not chain or chain[-1] != result:
             chain.append(result)
+        return self._keep(item, chain, name, reason)
+
+    def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
+        """Write a step under the next number."""
         step = Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), name, item.section, reason)
         self.steps.append(step)
         return step
@@ -308,12 +219,12 @@ class Solver:
         if not candidates:
             return self._numeric(item, asked)
         picked: Choice | None = (
-            (0, ()) if len(candidates) == 1 else self.choose(asked, [self._with_answers(c) for c in candidates])
+            (0, ()) if len(candidates) == 1 else self.choose(asked, [self.with_answers(c) for c in candidates])
         )
         if picked is None:
             raise Contradiction(item.index)
         value = candidates[picked[0]]
-        final = self.simplify(self._with_answers(value))
+        final = self.simplify(self.with_answers(value))
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
@@ -322,7 +233,7 @@ class Solver:
             self._keep_written(item, asked, first, final, picked[1] or reason)
         elif item.sources or written != final:
             self._step(item, asked, final, picked[1] or reason, more)
-        others = tuple(self.simplify(self._with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
+        others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
         return Found(asked, final, None, others)
 
     def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
@@ -332,26 +243,24 @@ class Solver:
         if explicit is None and any(ref[0] != "known" for ref in item.sources):
             chain.insert(0, Equality(item.left, item.right))
         chain.append(Equality(Symbol(asked), final))
-        self.steps.append(
-            Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), asked, item.section, reason)
-        )
+        self._keep(item, chain, asked, reason)
 
     def _hollow(self, gap: Formula, name: str) -> bool:
         """Whether an unknown drops out once the answers found before are put in: letters such as a₁ and a₂ are not independent."""
-        whole = self._with_answers(gap)
+        whole = self.with_answers(gap)
         return whole != gap and is_zero(whole, self.positive)
 
     def _roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality], Words]:
         """Closed forms of the asked unknown, with the line before the root where it is one."""
-        left, right = self._carried_out(item.left), self._carried_out(item.right)
+        left, right = self.carried_out(item.left), self.carried_out(item.right)
         gap = left - right
         written = isolated(item, asked)
         if written is not None:
-            return [self.simplify(self._carried_out(written))], [], ()
+            return [self.simplify(self.carried_out(written))], [], ()
         parts = coefficients(gap, asked, order=self.order, positive=self.positive)
         if parts is not None and len(parts) < 2:
             raise (
-                Redundant(item.index) if is_zero(self._with_answers(gap), self.positive) else Contradiction(item.index)
+                Redundant(item.index) if is_zero(self.with_answers(gap), self.positive) else Contradiction(item.index)
             )
         if parts is not None and len(parts) <= 3:
             if self._hollow(gap, asked):
@@ -360,16 +269,16 @@ class Solver:
             pure = len(parts) == 3 and parts[1] == ZERO
             more = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
             return roots, more, ()
-        if is_zero(self._with_answers(gap), self.positive):
+        if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
-        trig = solve_trig(self._with_answers(gap), asked, order=self.order, positive=self.positive)
+        trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], [], ()
 
     def _numeric(self, item: Item, asked: str) -> Found:
         """A certified root where there is no closed form."""
         if not self.numeric:
             raise NoClosedForm("it has no closed form")
-        gap = self._with_answers(self._carried_out(item.left) - self._carried_out(item.right))
+        gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
         if gap.symbols() - set(self.values) - {asked}:
             raise NoClosedForm("it has no closed form, and not every given has a number")
         for reach in (10, 1000, 10**6):
@@ -377,84 +286,9 @@ class Solver:
             if roots.roots:
                 picked = self.choose(asked, [as_formula(root) for root in roots.roots])
                 reason: Words = ("no closed form: solved numerically, with certified digits",)
-                self.steps.append(
-                    Step(
-                        len(self.steps) + 1,
-                        item.ref,
-                        tuple(item.sources),
-                        (Equality(item.left, item.right),),
-                        asked,
-                        item.section,
-                        reason,
-                    )
-                )
+                self._keep(item, [Equality(item.left, item.right)], asked, reason)
                 return Found(asked, None, roots.roots[picked[0] if picked else 0])
         raise NoClosedForm("no real value satisfies the equations")
-
-    def _with_answers(self, value: Formula) -> Formula:
-        """Answers found before put in."""
-        known = {name: found.formula for name, found in self.solved.items() if found.formula is not None}
-        used = {name: known[name] for name in value.symbols() if name in known}
-        return value.substitute(used) if used else value
-
-    def _carried_out(self, value: Formula) -> Formula:
-        """All integrals in closed form where there is one."""
-
-        def change(node: Formula) -> Formula:
-            if not isinstance(node, Integral):
-                return node
-            done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
-            return node if done is None else self.simplify(done)
-
-        return value.transform(change)
-
-
-def inner(item: Item) -> set[str]:
-    """Letters inside integrals, where a bound variable hides nothing."""
-    return {
-        name
-        for side in (item.left, item.right)
-        for node in side.walk()
-        if isinstance(node, Integral)
-        for name in node.integrand.symbols()
-    }
-
-
-def isolated(item: Item, name: str) -> Formula | None:
-    """The other side where the unknown stands alone on one and does not occur there."""
-    letter = Symbol(name)
-    if item.left == letter and name not in item.right.symbols():
-        return item.right
-    if item.right == letter and name not in item.left.symbols():
-        return item.left
-    return None
-
-
-def moved_alone(item: Item, name: str) -> Formula | None:
-    """The unknown alone where it is a term of its own: the other terms moved across as they are written."""
-    letter = Symbol(name)
-    terms = [(term, 1) for term in flat([item.left])] + [(term, -1) for term in flat([item.right])]
-    own = [(term, side) for term, side in terms if name in term.symbols()]
-    if len(own) != 1 or own[0][0] not in (letter, negate(letter)) or len(terms) < 3:
-        return None
-    sign = own[0][1] * (1 if own[0][0] == letter else -1)
-    return positive_first([negate(term) if side == sign else term for term, side in terms if (term, side) != own[0]])
-
-
-def put_square(value: Formula, square: Formula, into: Formula) -> Formula:
-    """A formula with a square replaced."""
-    return value.transform(lambda node: into if node == square else node)
-
-
-def only_squared(item: Item, name: str) -> bool:
-    """Whether a letter occurs in an equation as its square alone."""
-    square = Symbol(name) ** 2
-    return not any(name in put_square(side, square, ZERO).symbols() for side in (item.left, item.right))
-
-
-def monomial(value: Formula) -> bool:
-    """Whether a formula is a single term without sums."""
-    return not any(isinstance(node, (Sum, Integral)) for node in value.walk())
 
 
 def as_formula(root: Certified) -> Formula:

@@ -1,0 +1,5 @@
+"""Composing: a solved session as a derivation that can be printed."""
+
+from rotsolve.inquiry.compose.composer import Composer, in_letters
+
+__all__ = ["Composer", "in_letters"]

@@ -1,0 +1,77 @@
+"""Drafts: which laws and steps belong in which section, and the sections in the order of time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.answering import Answered, Session
+from rotsolve.inquiry.history import History
+from rotsolve.solver import Step
+
+
+@dataclass
+class Draft:
+    """One section in the making: the laws (pool indices) and steps that belong to it."""
+
+    key: str
+    laws: list[int] = field(default_factory=list)
+    steps: list[Step] = field(default_factory=list)
+
+
+def drafts_of(session: Session) -> list[Draft]:
+    """Laws and steps by section, the sections in the order of time."""
+    drafts: dict[str, Draft] = {}
+    placed: set[int] = set()
+    for answered in session.answered:
+        laws = [index for index in answered.used if is_law(index, session)]
+        key = home(answered, laws, session)
+        draft = drafts.setdefault(key, Draft(key))
+        draft.laws.extend(
+            index for index in sorted(laws, key=lambda index: law_order(index, session)) if index not in placed
+        )
+        placed.update(laws)
+        draft.steps.extend(session.solver.steps[slice(*answered.steps)])
+    order = {key: place for place, key in enumerate(moments(session.history))}
+    return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+
+
+def is_law(index: int, session: Session) -> bool:
+    """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
+    return session.refs.get(index, ("law", index))[0] == "law"
+
+
+def law_order(index: int, session: Session) -> tuple[int, int]:
+    """Laws first, then definitions and rules, as they were written."""
+    equation = session.planner.pool[index]
+    return (0 if equation.family else 1, index)
+
+
+def home(answered: Answered, laws: list[int], session: Session) -> str:
+    """The section of the weightiest law of a plan."""
+    if not laws:
+        return answered.asked.section
+    pool = session.planner.pool
+    order = {key: place for place, key in enumerate(moments(session.history))}
+    return max((pool[index].cost, order.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
+
+
+def moments(history: History) -> list[str]:
+    """All states, phases and events in the order of time."""
+    timeline = history.arrangement.timeline
+    result = [timeline.states[0].name]
+    for interval in timeline.intervals:
+        result += [interval.name, interval.end]
+    return result
+
+
+def title(key: str, history: History) -> str:
+    """Heading of a section."""
+    timeline = history.arrangement.timeline
+    interval = timeline.interval(key)
+    if interval is None:
+        return f"At {spoken(key)}" if key else ""
+    if interval.event is not None:
+        word = getattr(interval.event, "word", "")
+        return f"Event {spoken(interval.name)}" + (f" ({word})" if word else "")
+    return f"From {spoken(interval.start)} to {spoken(interval.end)}"

@@ -1,0 +1,127 @@
+"""Questions about a connection or action: tension, force, torque, power, elongation."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
+from rotsolve.core.facts import BodyFacts, Force, signed
+from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.elements.connections.strings import String
+from rotsolve.inquiry.questions.bodies import OfBodies
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
+from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.scene.model import Path
+
+
+class OfElements(Moment):
+    """Reads paths of connections and actions at one instant."""
+
+    def of_element(self, path: Path) -> Formula | Meaning:
+        """A force, tension, torque or power of a connection or action."""
+        forces = [(body, force) for body in self.facts().bodies for force in body.forces if force.owner == path.owner]
+        couples = [
+            (body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+        ]
+        match path.quantity:
+            case "tension":
+                return self._tension(path, [force for _, force in forces])
+            case "normal_force" | "friction_force":
+                role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+                force = next((force for _, force in forces if force.role == role), None)
+                if force is None:
+                    return ZERO
+                way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
+                return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
+            case "torque":
+                parts = [signed(couple.torque, body.motion.sense) for body, couple in couples[-1:]]
+                parts += [signed(force.torque, body.motion.sense) for body, force in forces]
+                return total([part for part in parts if part != ZERO])
+            case "force":
+                return self._element_force(path, forces)
+            case "power":
+                parts = [couple.torque * body.motion.spin for body, couple in couples]
+                parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
+                return total([_plain(part) for part in parts if part != ZERO])
+            case "elongation":
+                return self.instant.ask("elongation", path.owner)
+            case "angle" | "angular_velocity" | "angular_acceleration":
+                name = self._turned_by(path.owner)
+                if name:
+                    return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
+        raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+
+    def _tension(self, path: Path, forces: list[Force]) -> Formula:
+        """The tension of a string, or of the part that leaves the body that the path names."""
+        item = next(
+            (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner), None
+        )
+        if isinstance(item, String) and path.point:
+            tension = item.tension_at(path.point, self.instant)
+            if tension is not None:
+                return tension
+        sizes = {force.size: None for force in forces}
+        if not sizes:
+            raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
+        if len(sizes) > 1:
+            names = dict.fromkeys(ref.owner for ref in item.touches()) if item is not None else {}
+            ends = ", ".join(f"`{path.owner}.{name}.tension`" for name in names)
+            raise NotYet(f"the tension is not the same along `{path.owner}`", help=f"ask for that of one part: {ends}")
+        return next(iter(sizes))
+
+    def _element_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+        """The force on the last-named body: its components, or its size."""
+        if not forces:
+            couplings = [
+                couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+            ]
+            letters = [name for couple in couplings for name in couple.torque.symbols() if name.startswith("force|")]
+            if letters:
+                return Symbol(letters[0])
+            raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
+        last = self._last_body(path.owner, [body.name for body, _ in forces])
+        vector = Vector()
+        for body, force in forces:
+            if body.name == last:
+                vector = vector + force.vector
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component in ("tangential", "normal"):
+            return self._along_body(last, vector, path.component)
+        return Meaning(size_of(vector), BY_WORD["force"].dimension, vector)
+
+    def _along_body(self, name: str, vector: Vector, component: str) -> Formula:
+        """Component along the line from pivot to centre of mass (towards the pivot: normal), or across it."""
+        body = self.body(name)
+        if not body.cm.parts:
+            raise NotYet(
+                f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                help="ask for `x` or `y`",
+            )
+        outward = body.cm.parts[0][1]
+        return (
+            vector.along(outward.turned(180))
+            if component == "normal"
+            else vector.along(outward.turned(90 * body.motion.sense))
+        )
+
+    def _last_body(self, owner: str, bodies: list[str]) -> str:
+        """Of the bodies that it pushes, the one that the connection names last."""
+        instant = self.instant
+        item = next((item for item in instant.arrangement.connections(instant.state) if item.name == owner), None)
+        named = (
+            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.arrangement.bodies]
+            if item
+            else []
+        )
+        return next((name for name in reversed(named) if name in bodies), bodies[-1])
+
+
+def _plain(part: Formula) -> Formula:
+    """A product of two factors with minus signs that cancel left out."""
+    from rotsolve.principles.energy import unsigned_product
+
+    if isinstance(part, Product) and len(part.factors) == 2:
+        return unsigned_product(*part.factors)
+    return part

@@ -1,0 +1,64 @@
+"""Questions: what a path of the scene language stands for, as a formula in the quantities of the laws.
+
+`rod.end.acceleration` becomes L |α| where the rod is at rest, with the direction of the vector kept for the words of the answer.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotsolve.algebra.formula import Formula, total
+from rotsolve.core.facts import signed
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.inquiry.questions.bodies import OfBodies
+from rotsolve.inquiry.questions.elements import OfElements
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of
+from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.principles.energy import kinetic
+from rotsolve.scene.model import Path, Term
+
+
+class Reader(Moment):
+    """Reads paths at one instant."""
+
+    def meaning(self, path: Path, term: Term | None = None) -> Meaning:
+        """The meaning of a path at this instant."""
+        arrangement = self.instant.arrangement
+        if path.owner in arrangement.bodies:
+            bodies = OfBodies(self.instant, self.facts)
+            found = bodies.of_point(path) if bodies.at_point(path) else bodies.of_body(path, term)
+        elif not path.owner:
+            found = self._of_system(path)
+        else:
+            found = OfElements(self.instant, self.facts).of_element(path)
+        kind = BY_WORD[path.quantity]
+        meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
+        words = meaning.words if any(meaning.words) else self._words(path)
+        return replace(meaning, label=meaning.label or label_of(path, term), words=words)
+
+    def _words(self, path: Path) -> tuple[str, str]:
+        """The two directions of a signed quantity: of a component, or of a turn."""
+        if path.component in ("x", "y"):
+            return ("right", "left") if path.component == "x" else ("up", "down")
+        if path.quantity in ("torque", "angular_momentum"):
+            name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)
+            return self.instant.turn_words(self.instant.host(name)) if name else ("", "")
+        return ("", "")
+
+    def _of_system(self, path: Path) -> Formula:
+        """A quantity of all bodies together."""
+        facts = self.facts()
+        match path.quantity:
+            case "kinetic_energy":
+                return total(kinetic(list(facts.bodies)))
+            case "angular_momentum" if all(body.motion.kind == "axis" for body in facts.bodies):
+                sense = facts.bodies[0].motion.sense
+                turning = [body for body in facts.bodies if body.inertia is not None]
+                return total(
+                    [body.inertia.letter * signed(body.motion.spin, sense) for body in turning if body.inertia]
+                )
+            case "time":
+                return self.instant.time()
+            case "mass":
+                return total([body.mass for body in facts.bodies])
+        raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")

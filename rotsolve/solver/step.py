@@ -1,0 +1,58 @@
+"""Steps: what solving leaves behind: lines of algebra, solved unknowns, and the ways in which a plan can fail."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from rotsolve.algebra.certified.ball import Certified
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Equality, Words
+
+# ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
+Ref = tuple[str, "int | str"]
+Choice = tuple[int, Words]
+Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
+
+
+class Redundant(ValueError):
+    """An equation of a plan says nothing new once the others are put in."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} says nothing new")
+        self.index = index
+
+
+class Contradiction(ValueError):
+    """The equations of a plan can not all hold."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} contradicts the others")
+        self.index = index
+
+
+class NoClosedForm(ValueError):
+    """No unknown can be isolated."""
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
+
+    number: int
+    target: Ref
+    sources: tuple[Ref, ...]
+    chain: tuple[Equality, ...]
+    result: str
+    section: str
+    reason: Words = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Found:
+    """A solved unknown: closed form in givens, or a certified root of the last equation."""
+
+    name: str
+    formula: Formula | None
+    number: Certified | None = None
+    others: tuple[Formula, ...] = ()

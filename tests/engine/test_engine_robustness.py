@@ -1,0 +1,69 @@
+"""Whatever a scene says, it is solved, refused with its faults, or said to have no answer: no other exception, and soon.
+
+ROTSOLVE_MUTANTS=5000 tries more of them than an ordinary run does.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+import random
+import re
+import time
+from pathlib import Path
+
+import pytest
+
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+HERE = Path(__file__).resolve().parent
+FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").glob("*.yaml")])
+MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "300")), 10
+SECONDS = 5.0
+INTERNAL = re.compile(rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES)}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b")
+SPEC = importlib.util.spec_from_file_location("rotsolve_mutants", HERE / "mutants.py")
+assert SPEC is not None and SPEC.loader is not None
+mutants = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(mutants)
+
+
+def all_texts(solution: Solution) -> dict[str, str]:
+    """All that a solution can print."""
+    formats = {name: solution.to(name) for name in ("text", "markdown", "latex", "json")}
+    return formats | {
+        "facts": solution.facts_text(),
+        "equations": solution.equations_text(),
+        "plan": solution.plan_text(),
+    }
+
+
+def assert_readable(texts: dict[str, str], where: str) -> None:
+    for name, text in texts.items():
+        for line in text.splitlines():
+            assert not INTERNAL.search(line), f"{where}, {name}: {line}"
+
+
+@pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
+def test_no_internal_name_is_printed(path: Path) -> None:
+    assert_readable(all_texts(solve(path)), path.name)
+
+
+@pytest.mark.parametrize("batch", range(BATCHES))
+def test_a_spoilt_scene_is_answered_or_refused(batch: int) -> None:
+    for seed in range(batch, MUTANTS, BATCHES):
+        chance = random.Random(seed)
+        path = chance.choice(FILES)
+        text = mutants.mutant(chance, path.read_text(encoding="utf-8"))
+        start = time.process_time()
+        try:
+            assert_readable(all_texts(solve(text)), f"mutant {seed}")
+        except SceneError as error:
+            assert error.faults and str(error).startswith("error: ")
+        except Unsolvable as error:
+            assert_readable({"message": str(error).partition("\n")[0], "help": error.fault.help}, f"mutant {seed}")
+        except Exception as error:
+            raise AssertionError(f"mutant {seed}: {type(error).__name__}: {error}\n{text}") from error
+        assert time.process_time() - start < SECONDS, f"mutant {seed} takes long:\n{text}"
