@@ -11,12 +11,20 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import NoAnswer, Session, families_for
 from rotsolve.inquiry.compose import Composer, in_letters
 from rotsolve.inquiry.consistency import contradiction
-from rotsolve.inquiry.explain import contradicted, no_answer, plural, unsolvable, with_missing_told
+from rotsolve.inquiry.explain import (
+    contradicted,
+    negative_inertia,
+    no_answer,
+    plural,
+    said_otherwise,
+    unsolvable,
+    with_missing_told,
+)
 from rotsolve.inquiry.finds import Unclear, asked
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
@@ -52,17 +60,25 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
-    arrangement = Arrangement(completed(problem))
+    try:
+        arrangement = Arrangement(completed(problem))
+    except Unsolvable as error:
+        raise unsolvable(problem, error.fault.message, error.fault.span, error.fault.help) from None
+    faults = list(negative_inertia(arrangement.problem))
+    if faults:
+        raise SceneError(faults, problem.lines, problem.file)
     try:
         decision = decide(arrangement)
+        for clash in said_otherwise(arrangement, decision.modes):
+            raise clash
         history = History(arrangement, decision.modes)
         session = Session(history, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(session, arrangement.problem.finds)
-    clash = contradiction(session)
-    if clash is not None:
-        raise contradicted(clash, history)
+    broken = contradiction(session)
+    if broken is not None:
+        raise contradicted(broken, history)
     if law is not None:
         check_law(session, law)
     composer = Composer(session, decision.numbered + 1)

@@ -41,6 +41,7 @@ class Work:
     amount: Formula
     words: str
     bodies: tuple[str, ...]
+    spelled: Formula | None = None  # what `amount` stands for, where it is a letter
 
 
 @dataclass(frozen=True, slots=True)

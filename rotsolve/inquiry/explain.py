@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.equation import NEWTON, Equation
-from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.faults import Fault, Span, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.answering import NoAnswer, Session
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID
+from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Body, Find, Given, Problem
 from rotsolve.solver import ENTANGLED
 
@@ -196,6 +199,44 @@ def contradicted(equation: Equation, history: History, fallback: Span | None = N
     return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 
+def said_otherwise(arrangement: Arrangement, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
+    """Contacts that a state says to stick where friction is too weak for it, or to slip where it is strong enough."""
+    problem = arrangement.problem
+    numbered = {given.name for given in problem.givens if given.value is not None}
+    for state in arrangement.timeline.states:
+        contacts = {item.name: item for item in arrangement.connections(state.name) if isinstance(item, Touch)}
+        for line in state.conditions if arrangement.phase_start(state.name) == state.name else ():
+            contact = contacts.get(line.path.owner) if line.path is not None else None
+            if contact is None or contact.grip().kind != "coefficient" or not known(contact.grip().static, numbered):
+                continue
+            slips = modes.get(f"{contact.name}@{state.name}", "sticks").startswith("slips")
+            if line.word in ("sticks", "rolls") and slips:
+                yield unsolvable(
+                    problem, f"`{contact.name}` slips at `{state.name}`: friction is too weak to hold it", line.span
+                )
+            elif line.word == "slips" and not slips:
+                yield unsolvable(
+                    problem, f"`{contact.name}` does not slip at `{state.name}`: friction is strong enough", line.span
+                )
+
+
+def known(value: Formula | None, numbered: Collection[str]) -> bool:
+    """Whether a value is there, with all its letters."""
+    return value is not None and value.symbols() <= set(numbered)
+
+
+def negative_inertia(problem: Problem) -> Iterator[Fault]:
+    """Moments of inertia given about a point that are smaller than m d² alone."""
+    values = {given.name: given.value for given in problem.givens if given.value is not None}
+    for body in problem.bodies:
+        if body.inertia is None or body.inertia_about is None or body.inertia.symbols() - set(values):
+            continue
+        sign = evaluate(body.inertia, values, digits=3).sign
+        if sign is not None and sign < 0:
+            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
+            yield Fault(message, body.span, "", "limits")
+
+
 def plural(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
@@ -207,6 +248,14 @@ def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
 
 
 def told_missing(answer: Answer, missing: Mapping[str, Given], problem: Problem) -> Answer:
+    numbered = {given.name for given in problem.givens if given.value is not None}
+    if (
+        answer.formula is not None
+        and answer.value is None
+        and answer.formula.symbols() <= numbered
+        and not answer.remark
+    ):
+        return replace(answer, remark=("no number: with these givens it is not defined",))
     names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
     if not names or answer.remark:
         return answer

@@ -6,18 +6,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from types import MappingProxyType
 
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import Vector
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
-from rotsolve.inquiry.transfers import impulse, work
+from rotsolve.inquiry.transfers import impulse, potential_change, work
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.scene.model import Find, Path, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
+STORED = ("potential_energy", "energy")
 DIFFERENCE = ("change of", "lost")
 
 
@@ -110,6 +111,11 @@ def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
         if interval is None:
             raise Unclear(f"there is no phase or event `{term.during}`")
         start, end = interval.start, interval.end
+    if term.modifier in ("largest", "smallest", "total"):
+        raise NotYet(
+            f"`{term.modifier} {term.path.quantity}` is not solved yet",
+            help="ask for it at a state, or from one state to another",
+        )
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, history)
     if term.modifier in DIFFERENCE and start and end:
@@ -194,12 +200,33 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
     """Change (later minus earlier) or loss (earlier minus later)."""
+    if term.path.quantity in STORED:
+        return stored_difference(term, start, end, history)
     first = history.reader(start).meaning(term.path, term)
     last = history.reader(end).meaning(term.path, term)
     change = first.formula - last.formula if term.modifier == "lost" else last.formula - first.formula
     intervals = history.arrangement.timeline.between(start, end)
     label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
     return Meaning(change, first.dimension, label=label), intervals[-1].name
+
+
+def stored_difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
+    """Change or loss of potential energy (of one body: its weight's alone), or of kinetic and potential energy together."""
+    result: Formula = ZERO
+    intervals = history.arrangement.timeline.between(start, end)
+    for interval in intervals:
+        passage = history.passages.get(interval.name)
+        if passage is not None:
+            result = add(result, potential_change(term.path.owner, passage))
+    if term.path.quantity == "energy":
+        kinetic = replace(term.path, quantity="kinetic_energy")
+        gained = [history.reader(state).meaning(kinetic, term).formula for state in (start, end)]
+        result = add(result, gained[1] - gained[0])
+    word = term.path.quantity.replace("_", " ")
+    label = f"{term.modifier.replace('lost', 'loss of')} {word}"
+    return Meaning(negate(result) if term.modifier == "lost" else result, DIMENSIONS["energy"], label=label), intervals[
+        -1
+    ].name
 
 
 def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

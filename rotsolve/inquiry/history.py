@@ -142,6 +142,7 @@ class History:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they vary."""
         section = interval.name
         yield from energy.conservation(passage, section)
+        yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)

@@ -114,6 +114,8 @@ class Statements:
             self._rest(state.name, condition.owner or "all")
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
+        elif condition.path is not None and condition.word == "leaves":
+            raise NotYet("`leaves` is not solved yet")
         elif condition.path is not None and condition.word in ("largest", "smallest"):
             rate = RATE_OF.get(condition.path.quantity)
             if rate is None:

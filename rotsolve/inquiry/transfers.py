@@ -9,6 +9,7 @@ from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.principles.energy import potential
 from rotsolve.scene.model import Path
 
 
@@ -97,4 +98,19 @@ def work(path: Path, interval: str, history: History) -> Formula:
     result: Formula = ZERO
     for item in works:
         result = add(result, item.amount)
+    return result
+
+
+def potential_change(owner: str, passage: Passage) -> Formula:
+    """U₂ − U₁ of a body's weight, of a spring, or of everything."""
+    groups = [group for group in passage.groups if not owner or owner in group] or list(passage.groups)
+    if any(passage.heights.get(name) is None for group in groups for name in group if not owner or name == owner):
+        raise NotYet("how high it is at both states is not told by the scene")
+    result: Formula = ZERO
+    if owner and owner in {body.name for body in passage.start.bodies}:
+        return negate(work_of_weight(owner, passage))
+    for group in groups:
+        for end, sign in ((1, 1), (0, -1)):
+            for term in potential(passage, group, end):
+                result = add(result, term if sign > 0 else negate(term))
     return result

@@ -6,13 +6,16 @@ from dataclasses import fields, replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.connections.connection import Connection
 from rotsolve.elements.connections.springs import Torsion
+from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
-from rotsolve.motion.rigid import place
+from rotsolve.motion.instant import locate
+from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
-from rotsolve.scene.model import Body, Given, Part, Problem
+from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 
 
 class _Letters:
@@ -33,6 +36,7 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
+    check_points(problem)
     letters = _Letters(problem)
     wheels = {
         ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
@@ -56,6 +60,23 @@ def _connection(item: Connection, letters: _Letters) -> Connection:
     return item
 
 
+def check_points(problem: Problem) -> None:
+    """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
+    bodies = {body.name: body for body in problem.bodies}
+    for item in problem.connections:
+        for ref in item.touches():
+            body = bodies.get(ref.owner)
+            if body is None:
+                continue
+            shape = shape_of(body)
+            if item.word == "hinge" and ref.point is None and "start" in shape.points:
+                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
+                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
+            if item.word == "string" and ref.point in ("top", "bottom"):
+                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
+                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
@@ -70,7 +91,16 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
             radius = letters.make("R", body.name, "length")
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
-    return replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia)
+    return _central(replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia))
+
+
+def _central(body: Body) -> Body:
+    """The body with its moment of inertia about the centre of mass, where the scene gives it about another point."""
+    if body.inertia is None or body.inertia_about is None or body.mass is None:
+        return body
+    arm = locate(body, PointRef(body.name, body.inertia_about)) - centre_of_mass(pieces(body))
+    distance = tidy(arm)
+    return replace(body, inertia=simplify(body.inertia - body.mass * distance.dot(distance)))
 
 
 def _part(part: Part, letters: _Letters) -> Part:

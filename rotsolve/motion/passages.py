@@ -158,7 +158,7 @@ def named_work(owner: str, amount: Formula, bodies: tuple[str, ...], interval: I
     """The work under its own letter where the scene asks for it or fixes it, else spelled out."""
     if first.arrangement.asks(owner, "work") or first.arrangement.asks(owner, "power"):
         letter = first.ask("work", owner, when=interval.name)
-        return Work(owner, letter, owner, bodies)
+        return Work(owner, letter, owner, bodies, amount)
     return Work(owner, amount, owner, bodies)
 
 

@@ -37,6 +37,14 @@ def conservation(passage: Passage, section: str) -> Iterator[Equation]:
         )
 
 
+def works(passage: Passage, section: str) -> Iterator[Equation]:
+    """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
+    for work in passage.works:
+        if work.spelled is not None and work.spelled != work.amount:
+            label = f"work of {work.owner.replace('_', ' ')}"
+            yield Equation(work.amount, work.spelled, label, section, "", 3, bodies=work.bodies)
+
+
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:
     """K₁ + U₁ = K₂ + U₂ with what is only on one side and negative moved across, so that a fall reads m g h = ½ m v²."""
     if not flat(left) or all(is_negative(term) for term in flat(left)):

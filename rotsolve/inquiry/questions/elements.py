@@ -24,6 +24,8 @@ class OfElements(Moment):
         couples = [
             (body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
         ]
+        if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
+            raise NotYet(f"`{path.owner}` does not act{self._moment()}")
         match path.quantity:
             case "tension":
                 return self._tension(path, [force for _, force in forces])
@@ -51,6 +53,14 @@ class OfElements(Moment):
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
         raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+
+    def _absent(self, owner: str) -> bool:
+        """Whether an action or connection has ended or been cut by this moment."""
+        arrangement, state = self.instant.arrangement, self.instant.state
+        acting = {item.name for item in arrangement.connections(state)} | {
+            item.name for item in arrangement.actions(state)
+        }
+        return owner not in acting
 
     def _tension(self, path: Path, forces: list[Force]) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""

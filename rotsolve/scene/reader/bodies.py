@@ -89,8 +89,7 @@ def build(
         for word, declared in keys_of(shape):
             if declared.required and word not in entries:
                 scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
-        if isinstance(fields["shape"], Triangle) and len(fields["shape"].sides) == 3:
-            check_triangle(scope, name, entries["sides"][1], fields["shape"].sides)
+        check_flat(scope, name, entries, fields["shape"])
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
             continue
@@ -105,7 +104,10 @@ def build(
             fields[word] = found
     check(scope, name, entries, fields)
     known = {field: item for field, item in fields.items() if field in Body.__dataclass_fields__}
-    return Body(name, span=key.span, **known)
+    body = Body(name, span=key.span, **known)
+    if body.holes:
+        check_holes(scope, name, entries["holes"][1], body)
+    return body
 
 
 def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
@@ -116,6 +118,35 @@ def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> 
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
     if "parts" in entries and isinstance(fields.get("shape"), Particle):
         scope.fault(entries["parts"][0], f"`{name}` is a particle and can't have parts", "leave out `shape`", "form")
+
+
+def check_flat(scope: Scope, name: str, entries: Entries, shape: Shape) -> None:
+    """A triangle closes, and corners enclose something."""
+    if isinstance(shape, Triangle) and len(shape.sides) == 3:
+        check_triangle(scope, name, entries["sides"][1], shape.sides)
+    corners = [(rough(x, scope.numbers), rough(y, scope.numbers)) for x, y in getattr(shape, "corners", ())]
+    places = [(x, y) for x, y in corners if x is not None and y is not None]
+    if len(places) > 2 and len(places) == len(corners):
+        area = sum(x * v - u * y for (x, y), (u, v) in zip(places, places[1:] + places[:1], strict=True))
+        size = max(abs(number) for place in places for number in place)
+        if abs(area) <= 1e-12 * size * size:
+            scope.fault(entries["corners"][1], f"the corners of `{name}` enclose nothing", kind="limits")
+
+
+def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
+    """Holes take away less than all of a body."""
+    if isinstance(body.shape, Shape) and all(isinstance(hole.body.shape, Shape) for hole in body.holes):
+        whole, *cut = (measured(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
+        if whole is not None and sum(size or 0.0 for size in cut) >= whole:
+            scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
+
+
+def measured(scope: Scope, shape: object) -> float | None:
+    """The area or length of a shape as a rough number."""
+    try:
+        return rough(shape.measure(), scope.numbers) if isinstance(shape, Shape) else None
+    except (NotImplementedError, TypeError, IndexError):
+        return None  # a size is left out
 
 
 def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ...]) -> None:
