@@ -1,4 +1,4 @@
-"""Pipeline: the arrows in order: scene text → problem → history (facts, equations) → session (plan, solve) → derivation with checks."""
+"""Pipeline: the arrows in order: scene text → problem → history (facts, equations) → inquiry (plan, solve) → derivation with checks."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import NoAnswer, Session, families_for
+from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer, in_letters
 from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.explain import (
@@ -72,29 +72,29 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
         for clash in said_otherwise(arrangement, decision.modes):
             raise clash
         history = History(arrangement, decision.modes)
-        session = Session(history, families_for(law), spare=law is not None)
+        inquiry = Inquiry(history, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
-    answer_all(session, arrangement.problem.finds)
-    broken = contradiction(session)
+    answer_all(inquiry, arrangement.problem.finds)
+    broken = contradiction(inquiry)
     if broken is not None:
         raise contradicted(broken, history)
     if law is not None:
-        check_law(session, law)
-    composer = Composer(session, decision.numbered + 1)
+        check_law(inquiry, law)
+    composer = Composer(inquiry, decision.numbered + 1)
     derivation = with_missing_told(
-        composer.derivation(checks(session, composer), decision.sections), arrangement.problem
+        composer.derivation(checks(inquiry, composer), decision.sections), arrangement.problem
     )
     trace = Trace(
-        lambda: facts_text(history), lambda: equations_text(session, composer), lambda: plan_text(session, composer)
+        lambda: facts_text(history), lambda: equations_text(inquiry, composer), lambda: plan_text(inquiry, composer)
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
 
-def check_law(session: Session, law: str) -> None:
+def check_law(inquiry: Inquiry, law: str) -> None:
     """A law asked for must have a part in the solution."""
-    used = {session.planner.pool[index].family for answered in session.answered for index in answered.used}
-    problem = session.history.arrangement.problem
+    used = {inquiry.planner.pool[index].family for answered in inquiry.answered for index in answered.used}
+    problem = inquiry.history.arrangement.problem
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
         raise unsolvable(
@@ -102,71 +102,71 @@ def check_law(session: Session, law: str) -> None:
         )
 
 
-def answer_all(session: Session, finds: Sequence[Find]) -> None:
+def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
     """Answer all questions; one that has to wait for another (an asked letter that a later line settles) is tried again."""
     pending = list(finds)
     while pending:
         waiting: list[tuple[Find, Unsolvable]] = []
         for find in pending:
             try:
-                answer(session, find)
+                answer(inquiry, find)
             except Unsolvable as error:
                 waiting.append((find, error))
         if len(waiting) == len(pending):
             raise waiting[0][1]
         pending = [find for find, _ in waiting]
     order = {find.name: place for place, find in enumerate(finds)}
-    session.order = sorted(
-        range(len(session.answered)), key=lambda place: order[session.answered[place].asked.find.name]
+    inquiry.order = sorted(
+        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.name]
     )
 
 
-def answer(session: Session, find: Find) -> None:
+def answer(inquiry: Inquiry, find: Find) -> None:
     """Answer one question, or say why there is no answer."""
-    problem = session.history.arrangement.problem
+    problem = inquiry.history.arrangement.problem
     try:
         if find.where is not None:
-            extreme(session, find)
+            extreme(inquiry, find)
         else:
-            by_law(session, find)
+            by_law(inquiry, find)
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
-        raise no_answer(error, session, find) from None
+        raise no_answer(error, inquiry, find) from None
 
 
-def by_law(session: Session, find: Find) -> None:
-    """Answer by the session's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
-    question = asked(find, session.history, session.letters())
+def by_law(inquiry: Inquiry, find: Find) -> None:
+    """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
+    question = asked(find, inquiry.history, inquiry.letters())
     try:
-        session.answer(question)
+        inquiry.answer(question)
     except NoAnswer as error:
-        if NEWTON in session.families:
+        if NEWTON in inquiry.families:
             raise
-        laws = session.families
-        session.families = (*laws, NEWTON)
+        laws = inquiry.families
+        inquiry.families = (*laws, NEWTON)
         try:
-            session.answer(question)
+            inquiry.answer(question)
         except NoAnswer:
             raise error from None
         finally:
-            session.families = laws
-        session.helped.append(find.name)
+            inquiry.families = laws
+        inquiry.helped.append(find.name)
 
 
-def extreme(session: Session, find: Find) -> None:
+def extreme(inquiry: Inquiry, find: Find) -> None:
     """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
     condition = find.where
     assert condition is not None
-    history = session.history
+    history = inquiry.history
     if condition.path is None or condition.word not in ("sticks", "rolls"):
         raise NotYet("this `where` is not solved yet", help="solved is `where CONTACT sticks`")
     bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
-    question = asked(bare, history, session.letters())
+    question = asked(bare, history, inquiry.letters())
     state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(history, condition.path.owner, state):
-        trial = Session(history, session.families, spare=session.spare)
+        trial = Inquiry(history, inquiry.families, spare=inquiry.spare)
         try:
             value = trial.answer(question, equation).found.formula
             push = trial.value_of(next(iter(normal.symbols())))
@@ -180,7 +180,7 @@ def extreme(session: Session, find: Find) -> None:
         raise NotYet(f"`{condition.path.owner}` does not come to the point of slipping")
     modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
     pick = max if modifier == "largest" else min
-    session.answer(question, pick(candidates, key=lambda item: item[0])[1])
+    inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])
 
 
 def facts_text(history: History) -> str:
@@ -207,34 +207,34 @@ def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
     return "".join(to_text(part.substitute(letters)) if isinstance(part, Formula) else part for part in words)
 
 
-def equations_text(session: Session, composer: Composer) -> str:
+def equations_text(inquiry: Inquiry, composer: Composer) -> str:
     """All equations written, one a line, those that the plan used marked."""
-    used = {index for answered in session.answered for index in answered.used}
-    names = all_names(session, composer)
+    used = {index for answered in inquiry.answered for index in answered.used}
+    names = all_names(inquiry, composer)
     lines = []
-    for index, equation in enumerate(session.history.equations):
+    for index, equation in enumerate(inquiry.history.equations):
         mark = "*" if index in used else " "
         place = f"[{spoken(equation.section)}] " if equation.section else ""
         lines.append(f"{mark} {place}{equation.label}: {in_text(equation, names)}")
     return "\n".join(lines)
 
 
-def plan_text(session: Session, composer: Composer) -> str:
+def plan_text(inquiry: Inquiry, composer: Composer) -> str:
     """For each question the equations that settle it."""
-    names = all_names(session, composer)
+    names = all_names(inquiry, composer)
     lines = []
-    for answered in session.answered:
+    for answered in inquiry.answered:
         lines.append(f"{answered.asked.find.name}: {plural(len(answered.used), 'equation')}")
         for index in answered.used:
-            equation = session.planner.pool[index]
+            equation = inquiry.planner.pool[index]
             lines.append(f"  {equation.label or 'found before'}: {in_text(equation, names)}")
     return "\n".join(lines)
 
 
-def all_names(session: Session, composer: Composer) -> dict[str, str]:
+def all_names(inquiry: Inquiry, composer: Composer) -> dict[str, str]:
     """Printed names of all quantities, in the derivation's letters where it has one."""
-    registry = session.history.registry
-    taken = frozenset(session.givens) - set(composer.names.values())
+    registry = inquiry.history.registry
+    taken = frozenset(inquiry.givens) - set(composer.names.values())
     return registry.letters(registry.quantities, taken, composer.names)
 
 

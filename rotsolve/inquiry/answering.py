@@ -47,7 +47,7 @@ class Answered:
 
 
 @dataclass
-class Session:
+class Inquiry:
     """One run over the questions of a scene, with one choice of laws."""
 
     history: History
@@ -256,9 +256,9 @@ class Session:
         return self.signs.number(value)
 
     def aside(self, letter: str) -> Formula | None:
-        """A letter by Newton's laws alone, without a trace in this session."""
+        """A letter by Newton's laws alone, without a trace in this inquiry."""
         try:
-            return Session(self.history, (NEWTON,)).value_of(letter)
+            return Inquiry(self.history, (NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
 

@@ -13,32 +13,32 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ONE, Formula, Integral, Number
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.answering import Session
+from rotsolve.inquiry.answering import Inquiry
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 ROUNDS = 8
 POINTS = (Fraction(0), Fraction(1), Fraction(2))
 
 
-def contradiction(session: Session) -> Equation | None:
+def contradiction(inquiry: Inquiry) -> Equation | None:
     """The first equation that can not hold with what is known and found, or None."""
-    numbers = known_numbers(session)
-    pending = [equation for equation in session.history.equations if not runs(equation, session)]
+    numbers = known_numbers(inquiry)
+    pending = [equation for equation in inquiry.history.equations if not runs(equation, inquiry)]
     pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law
     for _ in range(ROUNDS):
         rest = []
         for equation in pending:
             if open_letters(equation, numbers):
                 rest.append(equation)
-            elif clashes(equation, session, numbers):
+            elif clashes(equation, inquiry, numbers):
                 return equation
         pending, settled = [], len(numbers)
         for equation in rest:
             unknown = open_letters(equation, numbers)
             if len(unknown) == 1:
-                if impossible(equation, unknown[0], session, numbers):
+                if impossible(equation, unknown[0], inquiry, numbers):
                     return equation
-                settle(equation, unknown[0], session, numbers)
+                settle(equation, unknown[0], inquiry, numbers)
             pending.append(equation)
         if len(numbers) == settled:
             return None
@@ -50,32 +50,32 @@ def open_letters(equation: Equation, numbers: dict[str, Formula]) -> list[str]:
     return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in numbers)
 
 
-def runs(equation: Equation, session: Session) -> bool:
+def runs(equation: Equation, inquiry: Inquiry) -> bool:
     """Whether an equation is about any moment of a phase, or sums over one."""
     sides = (equation.left, equation.right)
-    return bool(session.running & equation.symbols()) or any(
+    return bool(inquiry.running & equation.symbols()) or any(
         isinstance(node, Integral) for side in sides for node in side.walk()
     )
 
 
-def known_numbers(session: Session) -> dict[str, Formula]:
-    """Values of the letters that the session found, in closed form."""
-    return {name: found.formula for name, found in session.solver.solved.items() if found.formula is not None}
+def known_numbers(inquiry: Inquiry) -> dict[str, Formula]:
+    """Values of the letters that the inquiry found, in closed form."""
+    return {name: found.formula for name, found in inquiry.solver.solved.items() if found.formula is not None}
 
 
-def impossible(equation: Equation, name: str, session: Session, numbers: dict[str, Formula]) -> bool:
+def impossible(equation: Equation, name: str, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
     """Whether the one unknown of an equation drops out and leaves two numbers that differ: 2 rad = 0 · t."""
     values = [{**numbers, name: Number(point)} for point in POINTS[1:]]
-    gaps = [size((equation.left - equation.right).substitute(value), session) for value in values]
+    gaps = [size((equation.left - equation.right).substitute(value), inquiry) for value in values]
     if gaps[0] is None or gaps[1] is None or abs(gaps[0] - gaps[1]) > 1e-12 * abs(gaps[0]):
         return False
-    return clashes(equation, session, values[0])
+    return clashes(equation, inquiry, values[0])
 
 
-def settle(equation: Equation, name: str, session: Session, numbers: dict[str, Formula]) -> bool:
+def settle(equation: Equation, name: str, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
     """Find the one unknown of an equation that is linear in it; whether that could be done."""
     gap = equation.left - equation.right
-    at = [size(gap.substitute({**numbers, name: Number(value)}), session) for value in POINTS]
+    at = [size(gap.substitute({**numbers, name: Number(value)}), inquiry) for value in POINTS]
     if at[0] is None or at[1] is None or at[2] is None:
         return False
     slope = at[1] - at[0]
@@ -88,30 +88,30 @@ def settle(equation: Equation, name: str, session: Session, numbers: dict[str, F
     return True
 
 
-def clashes(equation: Equation, session: Session, numbers: dict[str, Formula]) -> bool:
+def clashes(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
     """Whether both sides are numbers that differ."""
-    left, right = (size(side.substitute(numbers), session) for side in (equation.left, equation.right))
+    left, right = (size(side.substitute(numbers), inquiry) for side in (equation.left, equation.right))
     if left is None or right is None:
         return False
-    scale = max(abs(left), abs(right), *(abs(term) for term in terms(equation, session, numbers)), 1e-300)
+    scale = max(abs(left), abs(right), *(abs(term) for term in terms(equation, inquiry, numbers)), 1e-300)
     return abs(left - right) > TOLERANCE * scale
 
 
-def terms(equation: Equation, session: Session, numbers: dict[str, Formula]) -> list[float]:
+def terms(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -> list[float]:
     """Sizes of the single terms, against which a difference is measured."""
     found = [
-        size(term.substitute(numbers), session) for side in (equation.left, equation.right) for term in side.children()
+        size(term.substitute(numbers), inquiry) for side in (equation.left, equation.right) for term in side.children()
     ]
     return [value for value in found if value is not None]
 
 
-def size(value: Formula, session: Session) -> float | None:
+def size(value: Formula, inquiry: Inquiry) -> float | None:
     """A number, None where it has letters of the laws or is not real; givens without a number are taken as 1."""
-    names = value.symbols() - set(session.values)
-    if not all(name in session.givens and not session.givens[name].asked for name in names):
+    names = value.symbols() - set(inquiry.values)
+    if not all(name in inquiry.givens and not inquiry.givens[name].asked for name in names):
         return None
     try:
-        return evaluate(value, {**session.values, **dict.fromkeys(names, ONE)}, digits=10).float
+        return evaluate(value, {**inquiry.values, **dict.fromkeys(names, ONE)}, digits=10).float
     except (Undefined, ValueError, ZeroDivisionError):
         return None
 

@@ -14,7 +14,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import NoAnswer, Session
+from rotsolve.inquiry.answering import Inquiry, NoAnswer
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID
@@ -41,23 +41,23 @@ def unsolvable(problem: Problem, message: str, span: Span | None = None, help: s
     return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
-def no_answer(error: NoAnswer, session: Session, find: Find) -> Unsolvable:
+def no_answer(error: NoAnswer, inquiry: Inquiry, find: Find) -> Unsolvable:
     """What is missing or contradictory for one question."""
-    problem = session.history.arrangement.problem
+    problem = inquiry.history.arrangement.problem
     if error.equation is not None:
-        return contradicted(session.planner.pool[error.equation], session.history, find.span)
-    alone = "" if NEWTON in session.families else f" by {SAID[session.families[0]]} alone"
-    missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, session.history)
+        return contradicted(inquiry.planner.pool[error.equation], inquiry.history, find.span)
+    alone = "" if NEWTON in inquiry.families else f" by {SAID[inquiry.families[0]]} alone"
+    missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, inquiry.history)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
     if error.shortage is None or not missing:
-        help = suggestion((), session.history)
+        help = suggestion((), inquiry.history)
         return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
-    laws = [index for index in error.shortage.equations if is_law(session.planner.pool[index])]
+    laws = [index for index in error.shortage.equations if is_law(inquiry.planner.pool[index])]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
     counted = counted if len(laws) < len(missing) else "nothing settles"
-    message = f"too little is known to find `{find.name}`{alone}: {counted}: {listed(missing, session.history)}"
-    return unsolvable(problem, message, find.span, suggestion(missing, session.history, error.shortage.asked))
+    message = f"too little is known to find `{find.name}`{alone}: {counted}: {listed(missing, inquiry.history)}"
+    return unsolvable(problem, message, find.span, suggestion(missing, inquiry.history, error.shortage.asked))
 
 
 def is_law(equation: Equation) -> bool:

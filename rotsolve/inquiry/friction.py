@@ -16,7 +16,7 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.supports import Driven
-from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
 from rotsolve.motion.arrangement import Arrangement
@@ -125,10 +125,10 @@ def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) ->
     if speed is None:
         return 0
     if rub.contact is None:  # a wheel may have been set going by an event
-        speed = Session(history, families_for(None)).settled(speed)
+        speed = Inquiry(history, families_for(None)).settled(speed)
     if speed is None or any(SEPARATOR in name for name in speed.symbols()):
         return 0
-    number = Session(history, (NEWTON,)).number(speed)
+    number = Inquiry(history, (NEWTON,)).number(speed)
     return 0 if number is None or abs(number) < 1e-12 else 1 if number > 0 else -1
 
 
@@ -149,7 +149,7 @@ def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str])
 def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
     """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
     history = History(arrangement, {**modes, **{rub.key: rub.mode(1) for rub in group}})
-    facts, session = history.facts(group[0].state, virtual=True), Session(history, (NEWTON,))
+    facts, inquiry = history.facts(group[0].state, virtual=True), Inquiry(history, (NEWTON,))
     instant = history.instant(group[0].state, virtual=True)
     speeds = {rub.key: moving_rate(rub, instant) for rub in group}
     sides = [side for rule in facts.rules for side in rule.velocity] + [
@@ -160,7 +160,7 @@ def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str],
     senses = {}
     for key, speed in speeds.items():
         value = speed.substitute(allowed) if speed is not None else ONE
-        number = session.number(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}))
+        number = inquiry.number(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}))
         senses[key] = 1 if number is None or number >= 0 else -1
     first = next(iter(senses.values()))
     return {key: sense * first * way for key, sense in senses.items()}
@@ -178,7 +178,7 @@ def gain(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) 
     """Acceleration along the sense in which it is taken to move; None where the numbers do not tell."""
     history = History(arrangement, modes)
     rate = rub.rate(history.instant(rub.state), acceleration=True)
-    session = Session(history, (NEWTON,))
-    value = session.settled(rate) if rate is not None else None
-    number = session.number(value) if value is not None else None
+    inquiry = Inquiry(history, (NEWTON,))
+    value = inquiry.settled(rate) if rate is not None else None
+    number = inquiry.number(value) if value is not None else None
     return None if number is None else number * sense

@@ -9,7 +9,7 @@ from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Answered, NoAnswer, Session
+from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
@@ -21,10 +21,10 @@ FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
 
 @dataclass(frozen=True)
 class Trial:
-    """A contact tried as sticking: the session with friction and normal force worked out."""
+    """A contact tried as sticking: the inquiry with friction and normal force worked out."""
 
     contact: Touch
-    session: Session
+    inquiry: Inquiry
     friction: Answered
     normal: Answered
 
@@ -34,7 +34,7 @@ def tried(
 ) -> tuple[str, Trial | None] | None:
     """Stick or slip of one contact at rest; None where the numbers do not tell."""
     history = History(arrangement, modes)
-    session = Session(history, (NEWTON,))
+    inquiry = Inquiry(history, (NEWTON,))
     facts = history.facts(state)
     name = history.instant(state).host(contact.pair()[0].owner)
     body = facts.body(name)
@@ -42,26 +42,26 @@ def tried(
     if "friction" not in forces:
         return None
     try:
-        friction = session.answer(question(forces["friction"].size, f"f_{contact.name}"))
-        normal = session.answer(question(forces["normal"].size, f"N_{contact.name}"))
+        friction = inquiry.answer(question(forces["friction"].size, f"f_{contact.name}"))
+        normal = inquiry.answer(question(forces["normal"].size, f"N_{contact.name}"))
     except NoAnswer:
         return None
-    needed = session.number(friction.found.formula) if friction.found.formula is not None else None
-    limit = allowed(session, contact, normal)
+    needed = inquiry.number(friction.found.formula) if friction.found.formula is not None else None
+    limit = allowed(inquiry, contact, normal)
     if needed is None or limit is None:
         return None
-    trial = Trial(contact, session, friction, normal)
+    trial = Trial(contact, inquiry, friction, normal)
     if abs(needed) <= limit:
         return STICKS, None
     return (FORWARD if needed > 0 else BACK), trial
 
 
-def allowed(session: Session, contact: Touch, normal: Answered) -> float | None:
+def allowed(inquiry: Inquiry, contact: Touch, normal: Answered) -> float | None:
     """The greatest friction that the contact can give, μₛ N."""
     static = contact.grip().static
     if static is None or normal.found.formula is None:
         return None
-    return session.number(static * normal.found.formula)
+    return inquiry.number(static * normal.found.formula)
 
 
 def limiting(history: History, contact: str, state: str) -> list[tuple[Equation, Formula]]:
@@ -91,7 +91,7 @@ def question(size: Formula, name: str) -> Asked:
 
 def shown(trial: Trial, first: int) -> tuple[Section, int]:
     """The section that shows why a contact can not stick, and the number of the next equation."""
-    composer = Composer(trial.session, first)
+    composer = Composer(trial.inquiry, first)
     body = spoken(trial.contact.pair()[0].owner)
     derivation = composer.derivation(())
     laws = tuple(law for section in derivation.sections for law in section.laws)
@@ -99,7 +99,7 @@ def shown(trial: Trial, first: int) -> tuple[Section, int]:
     static = trial.contact.grip().static
     needed, normal = trial.friction.found.formula, trial.normal.found.formula
     assert static is not None and needed is not None and normal is not None
-    limit = trial.session.solver.simplify(static * normal)
+    limit = trial.inquiry.solver.simplify(static * normal)
     sizes = [
         certified.text(4).lstrip("−")
         for value in (needed, limit)

@@ -15,7 +15,7 @@ from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, NoAnswer, Session, families_for
+from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
 
@@ -23,41 +23,41 @@ SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular mo
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 
-def checks(session: Session, composer: Composer) -> tuple[Check, ...]:
-    """All checks of a solved session, the second law first."""
+def checks(inquiry: Inquiry, composer: Composer) -> tuple[Check, ...]:
+    """All checks of a solved inquiry, the second law first."""
     return (
-        *alone(session),
-        *second_law(session, composer),
-        *dimensions(session),
-        *limits(session, composer),
-        *requirements(session, composer),
+        *alone(inquiry),
+        *second_law(inquiry, composer),
+        *dimensions(inquiry),
+        *limits(inquiry, composer),
+        *requirements(inquiry, composer),
     )
 
 
-def alone(session: Session) -> Iterator[Check]:
+def alone(inquiry: Inquiry) -> Iterator[Check]:
     """Which answers took more than the law that was asked for."""
-    if session.helped:
+    if inquiry.helped:
         names: list[str | Formula] = []
-        for name in session.helped:
+        for name in inquiry.helped:
             names += [", ", Symbol(name)] if names else [Symbol(name)]
-        yield Check((f"{SAID[session.families[0]]} alone does not give ", *names, ": Newton's laws were used as well"))
+        yield Check((f"{SAID[inquiry.families[0]]} alone does not give ", *names, ": Newton's laws were used as well"))
 
 
-def second_law(session: Session, composer: Composer) -> Iterator[Check]:
+def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [
-        answered for answered in session.answered if answered.found.formula is not None and depends(answered, session)
+        answered for answered in inquiry.answered if answered.found.formula is not None and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
-        other = Session(session.history, families_for(law), spare=True)
+        other = Inquiry(inquiry.history, families_for(law), spare=True)
         agreed = []
         for answered in list(pending):
-            if law in families(answered, session):
+            if law in families(answered, inquiry):
                 continue
             formula = again(other, answered)
             if formula is None or not independent(other, law):
                 continue
-            if same(formula, answered.found.formula, session):
+            if same(formula, answered.found.formula, inquiry):
                 pending.remove(answered)
                 agreed.append(answered)
             elif over_a_phase(other):
@@ -72,33 +72,33 @@ def second_law(session: Session, composer: Composer) -> Iterator[Check]:
             yield Check((f"{SAID[law]} {verb} the same ", *names))
 
 
-def over_a_phase(other: Session) -> bool:
+def over_a_phase(other: Inquiry) -> bool:
     """Whether the other way sums over a phase; all that holds at single moments has been compared with the answers before."""
     return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
 
 
-def depends(answered: Answered, session: Session) -> bool:
+def depends(answered: Answered, inquiry: Inquiry) -> bool:
     """Whether an answer rests on a law at all, and not on definitions alone."""
-    return bool(families(answered, session))
+    return bool(families(answered, inquiry))
 
 
-def families(answered: Answered, session: Session) -> set[str]:
+def families(answered: Answered, inquiry: Inquiry) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
     found: set[str] = set()
     pending, seen = [answered], set()
-    by_letter = {item.asked.letter: item for item in session.answered}
+    by_letter = {item.asked.letter: item for item in inquiry.answered}
     while pending:
         item = pending.pop()
         for index in item.used:
-            equation = session.planner.pool[index]
+            equation = inquiry.planner.pool[index]
             if equation.family:
                 found.add(equation.family)
-            elif session.refs.get(index, ("law", 0))[0] == "step":
+            elif inquiry.refs.get(index, ("law", 0))[0] == "step":
                 found |= {
                     equation.family
-                    for other in session.answered
+                    for other in inquiry.answered
                     for k in other.used
-                    if (equation := session.planner.pool[k]).family
+                    if (equation := inquiry.planner.pool[k]).family
                 }
             for name in equation.symbols():
                 if name in by_letter and name not in seen:
@@ -107,38 +107,38 @@ def families(answered: Answered, session: Session) -> set[str]:
     return found & set(LAWS)
 
 
-def again(other: Session, answered: Answered) -> Formula | None:
-    """The answer by another session's laws, None where they do not give it."""
+def again(other: Inquiry, answered: Answered) -> Formula | None:
+    """The answer by another inquiry's laws, None where they do not give it."""
     try:
         return other.answer(answered.asked).found.formula
     except NoAnswer:
         return None
 
 
-def independent(other: Session, law: str) -> bool:
+def independent(other: Inquiry, law: str) -> bool:
     """Whether the other way really used its law for the last answer."""
     return law in families(other.answered[-1], other)
 
 
-def same(one: Formula, other: Formula | None, session: Session) -> bool:
+def same(one: Formula, other: Formula | None, inquiry: Inquiry) -> bool:
     """Exact equality, else agreement of the certified numbers."""
     if other is None:
         return False
-    if equal(one, other, session.solver.positive):
+    if equal(one, other, inquiry.solver.positive):
         return True
     try:
-        gap = evaluate(one - other, session.values, digits=12)
-        size = evaluate(other, session.values, digits=12)
+        gap = evaluate(one - other, inquiry.values, digits=12)
+        size = evaluate(other, inquiry.values, digits=12)
     except (Undefined, ValueError):
         return False
     return abs(gap.float) <= 1e-9 * max(abs(size.float), 1e-300)
 
 
-def dimensions(session: Session) -> Iterator[Check]:
+def dimensions(inquiry: Inquiry) -> Iterator[Check]:
     """Whether every closed form has the dimension of what was asked."""
-    known = {given.name: given.dimension for given in session.givens.values() if given.dimension is not None}
+    known = {given.name: given.dimension for given in inquiry.givens.values() if given.dimension is not None}
     checked = 0
-    for answered in session.answered:
+    for answered in inquiry.answered:
         formula, wanted = answered.found.formula, answered.asked.dimension
         if formula is None or wanted is None or formula == ZERO or not formula.symbols() <= set(known) | {"time"}:
             continue
@@ -152,17 +152,17 @@ def dimensions(session: Session) -> Iterator[Check]:
         yield Check(("dimensions agree",))
 
 
-def limits(session: Session, composer: Composer) -> Iterator[Check]:
+def limits(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
     best: tuple[int, Words] | None = None
-    for answered in session.answered[:2]:
+    for answered in inquiry.answered[:2]:
         formula = answered.found.formula
         if formula is None or formula.symbols() == frozenset():
             continue
-        for given in session.givens.values():
+        for given in inquiry.givens.values():
             if given.name not in formula.symbols() or given.dimension != DIMENSIONS["mass"]:
                 continue
-            value = limit(formula, given.name, session)
+            value = limit(formula, given.name, inquiry)
             if value is None or length(value) > SHORT or value == formula or length(formula) < 6:
                 continue
             words: Words = (Symbol(given.name), " → 0 gives ", Symbol(answered.asked.find.name), " = ", value)
@@ -172,81 +172,81 @@ def limits(session: Session, composer: Composer) -> Iterator[Check]:
         yield Check(best[1])
 
 
-def limit(formula: Formula, name: str, session: Session) -> Formula | None:
+def limit(formula: Formula, name: str, inquiry: Inquiry) -> Formula | None:
     """The formula with a letter set to zero, None where it has no value there."""
     try:
-        return session.solver.simplify(formula.substitute({name: ZERO}))
+        return inquiry.solver.simplify(formula.substitute({name: ZERO}))
     except (ZeroDivisionError, ValueError):
         return None
 
 
-def requirements(session: Session, composer: Composer) -> Iterator[Check]:
+def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
-    aside = Session(session.history, families_for(NEWTON))
+    aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
-    for state in session.history.arrangement.timeline.states:
-        for need in session.history.facts(state.name).requirements:
-            key = f"{need.owner}{need.otherwise}{session.history.section(state.name)}"
-            if key in told or not concerns(need, session):
+    for state in inquiry.history.arrangement.timeline.states:
+        for need in inquiry.history.facts(state.name).requirements:
+            key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
+            if key in told or not concerns(need, inquiry):
                 continue
             gap = aside.settled(need.left - need.right)
-            sign = sign_of(gap, session) if gap is not None else None
+            sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
             if sign >= 0:
                 if len(told) <= 3:
-                    yield Check(said(need, session, composer, aside, touching=sign == 0))
+                    yield Check(said(need, inquiry, composer, aside, touching=sign == 0))
             else:
-                yield Check(objection(need, state.name, session, composer), False)
+                yield Check(objection(need, state.name, inquiry, composer), False)
 
 
-def concerns(need: Requirement, session: Session) -> bool:
+def concerns(need: Requirement, inquiry: Inquiry) -> bool:
     """Whether the body that the requirement is about takes part in the derivation."""
     used = {
-        name for answered in session.answered for index in answered.used for name in session.planner.pool[index].bodies
+        name for answered in inquiry.answered for index in answered.used for name in inquiry.planner.pool[index].bodies
     }
-    item = next((item for item in session.history.arrangement.problem.connections if item.name == need.owner), None)
+    item = next((item for item in inquiry.history.arrangement.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
 
 
-def sign_of(value: Formula, session: Session) -> int | None:
+def sign_of(value: Formula, inquiry: Inquiry) -> int | None:
     try:
-        return evaluate(value, session.values, digits=6).sign
+        return evaluate(value, inquiry.values, digits=6).sign
     except (Undefined, ValueError):
         return None
 
 
-def objection(need: Requirement, state: str, session: Session, composer: Composer) -> Words:
+def objection(need: Requirement, state: str, inquiry: Inquiry, composer: Composer) -> Words:
     """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
-    letters = lettered(need, session, composer)
+    letters = lettered(need, inquiry, composer)
     left, right = (side.substitute(letters) for side in (need.left, need.right))
     relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
 
 
-def lettered(need: Requirement, session: Session, composer: Composer) -> dict[str, Formula]:
+def lettered(need: Requirement, inquiry: Inquiry, composer: Composer) -> dict[str, Formula]:
     """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
     names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
-    plain = {name: Symbol(session.history.registry.quantities[name].letter) for name in names}
+    plain = {name: Symbol(inquiry.history.registry.quantities[name].letter) for name in names}
     return {**plain, **composer.letters}
 
 
-def said(need: Requirement, session: Session, composer: Composer, aside: Session, *, touching: bool) -> Words:
+def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry, *, touching: bool) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"; `touching` where it just holds."""
     if isinstance(need.right, Call):
-        size, limit_ = (decimal(aside.settled(side), session) for side in (need.right, need.left))
+        size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
-    letter = need.left.substitute(lettered(need, session, composer))
+    letter = need.left.substitute(lettered(need, inquiry, composer))
     what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"
     return (letter, " = 0: only just, " if touching else " > 0: ", what)
 
 
-def decimal(value: Formula | None, session: Session) -> str:
+def decimal(value: Formula | None, inquiry: Inquiry) -> str:
     if value is None:
         return "?"
     try:
-        return evaluate(value, session.values).text(4)
+        return evaluate(value, inquiry.values).text(4)
     except (Undefined, ValueError):
         return "?"

@@ -83,18 +83,18 @@ FILES: list[tuple[str, Any, str]] = [
     (
         "brackets",
         b"given: {m: " + b"(" * 300 + b"2*n" + b")" * 300 + b"}\nbodies: {b: {mass: m}}\nfind: {x: b.mass}\n",
-        None,
+        f"error: `{'(' * 59}…` is no formula: nested too deep: at most 60 levels\n  --> x.yaml:1:73\n"
+        f" 1 | …{'(' * 100}…\n   | {' ' * 34}^\n",
     ),
 ]
 
 
 @pytest.mark.parametrize(("name", "content", "message"), FILES, ids=[name for name, _, _ in FILES])
-def test_files(name: str, content: bytes, message: str | None, command: Command) -> None:
+def test_files(name: str, content: bytes, message: str, command: Command) -> None:
     Path("x.yaml").write_bytes(content)
     start = time.monotonic()
     code, out, err = command("solve", "x.yaml")
-    assert (code, out) == (2, "")
-    assert err == message if message is not None else err.startswith("error: ") and "Traceback" not in err
+    assert (code, out, err) == (2, "", message)
     assert time.monotonic() - start < 2
 
 

@@ -28,7 +28,7 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.friction import decide, rubs
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
@@ -69,14 +69,14 @@ def read_all_ways(path: Path) -> tuple[History, ...]:
 
 
 @cache
-def solved(path: Path, law: str | None = None) -> Session:
+def solved(path: Path, law: str | None = None) -> Inquiry:
     """All questions of a scene answered, by one law or by the shortest way."""
     arrangement = Arrangement(load(path))
     history = History(arrangement, decide(arrangement).modes)
-    session = Session(history, families_for(law), spare=law is not None)
+    inquiry = Inquiry(history, families_for(law), spare=law is not None)
     for find in load(path).finds:
-        answer(session, find)
-    return session
+        answer(inquiry, find)
+    return inquiry
 
 
 @pytest.fixture(scope="session")
@@ -90,7 +90,7 @@ def readings() -> Callable[[Path], tuple[History, ...]]:
 
 
 @pytest.fixture(scope="session")
-def session_of() -> Callable[..., Session]:
+def inquiry_of() -> Callable[..., Inquiry]:
     return solved
 
 

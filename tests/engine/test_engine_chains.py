@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
@@ -80,11 +80,11 @@ class Machine:
 def numbers(text: str) -> dict[str, float]:
     """What the engine answers, without its own checks."""
     arrangement = Arrangement(completed(read_text(text)))
-    session = Session(History(arrangement), families_for(None))
+    inquiry = Inquiry(History(arrangement), families_for(None))
     for find in arrangement.problem.finds:
-        answer(session, find)
-    found = {item.asked.find.name: item.found.formula for item in session.answered}
-    return {name: evaluate(formula, session.values).float for name, formula in found.items() if formula is not None}
+        answer(inquiry, find)
+    found = {item.asked.find.name: item.found.formula for item in inquiry.answered}
+    return {name: evaluate(formula, inquiry.values).float for name, formula in found.items() if formula is not None}
 
 
 # chains: bodies in a row from left to right, a pulley or a stepped drum between neighbours

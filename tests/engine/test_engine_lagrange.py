@@ -17,7 +17,7 @@ import sympy
 from sympy import cos, sin, symbols
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.inquiry.answering import Session
+from rotsolve.inquiry.answering import Inquiry
 from rotsolve.scene.model import Problem
 
 HERE = Path(__file__).resolve().parent / "scenes"
@@ -307,15 +307,15 @@ def symbols_of(case: Case) -> set[Any]:
 @pytest.mark.parametrize("case", CASES, ids=[case.scene for case in CASES])
 def test_lagrange_gives_the_same_accelerations(
     case: Case,
-    session_of: Callable[..., Session],
+    inquiry_of: Callable[..., Inquiry],
     number: Callable[[Formula, dict[str, float]], float],
     nearby: Callable[[Problem, random.Random], dict[str, float]],
 ) -> None:
-    session = session_of(HERE / f"{case.scene}.yaml")
+    inquiry = inquiry_of(HERE / f"{case.scene}.yaml")
     chance = random.Random(case.scene)
-    found = {answered.asked.find.name: answered.found.formula for answered in session.answered}
+    found = {answered.asked.find.name: answered.found.formula for answered in inquiry.answered}
     for _ in range(3):
-        values = nearby(session.history.arrangement.problem, chance)
+        values = nearby(inquiry.history.arrangement.problem, chance)
         for name, expected in accelerations(case, values).items():
             formula = found[name]
             assert formula is not None

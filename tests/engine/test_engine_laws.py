@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
-from rotsolve.inquiry.answering import Session, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
@@ -42,27 +42,27 @@ BY_ANGULAR_MOMENTUM = {
 def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
     """The closed forms of all questions that a law can answer, with Newton's help where that is given."""
     arrangement = Arrangement(problem)
-    session = Session(History(arrangement, decide(arrangement).modes), families_for(law), spare=law is not None)
+    inquiry = Inquiry(History(arrangement, decide(arrangement).modes), families_for(law), spare=law is not None)
     for find in problem.finds:
         with suppress(Unsolvable):
-            answer(session, find)
-    return closed_forms(session)
+            answer(inquiry, find)
+    return closed_forms(inquiry)
 
 
-def closed_forms(session: Session) -> dict[str, Formula]:
-    found = {answered.asked.find.name: answered.found.formula for answered in session.answered}
+def closed_forms(inquiry: Inquiry) -> dict[str, Formula]:
+    found = {answered.asked.find.name: answered.found.formula for answered in inquiry.answered}
     return {name: formula for name, formula in found.items() if formula is not None}
 
 
 def test_all_laws_give_the_same_answers(
     file: Path,
     problem_of: ProblemOf,
-    session_of: Callable[..., Session],
+    inquiry_of: Callable[..., Inquiry],
     number: Callable[..., float],
     nearby: Callable[[Problem, random.Random], dict[str, float]],
 ) -> None:
     problem = problem_of(file)
-    plain = closed_forms(session_of(file))
+    plain = closed_forms(inquiry_of(file))
     values = nearby(problem, random.Random(1))
     for law in LAWS:
         for name, formula in answers(problem, law).items():

@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.inquiry.answering import Session
+from rotsolve.inquiry.answering import Inquiry
 from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Problem
 
@@ -22,16 +22,16 @@ POINTS = 3
 
 
 class Place:
-    """All letters of a solved session at one choice of the givens."""
+    """All letters of a solved inquiry at one choice of the givens."""
 
-    def __init__(self, session: Session, values: dict[str, float], number: Number) -> None:
+    def __init__(self, inquiry: Inquiry, values: dict[str, float], number: Number) -> None:
         self.values, self.number = {"time": MOMENT, **values}, number
-        for name, found in session.solver.solved.items():
+        for name, found in inquiry.solver.solved.items():
             if found.formula is not None:
                 self.values[name] = number(found.formula, self.values)
             elif found.number is not None:
                 self.values[name] = found.number.float
-        self.spread([(step.chain[-1].left, step.chain[-1].right) for step in session.solver.steps])
+        self.spread([(step.chain[-1].left, step.chain[-1].right) for step in inquiry.solver.steps])
 
     def spread(self, equalities: Iterable[Sides]) -> None:
         """Letters that stand alone in an equality with known ones, and so on."""
@@ -69,17 +69,17 @@ class Place:
         return abs(self.gap(left, right, self.values)) < 1e-8 * scale
 
 
-def places(session: Session, number: Number, nearby: Nearby) -> list[Place]:
+def places(inquiry: Inquiry, number: Number, nearby: Nearby) -> list[Place]:
     """Some choices of the givens; those of the scene alone where an answer has a number only."""
-    problem = session.history.arrangement.problem
-    if any(found.formula is None for found in session.solver.solved.values()):
-        return [Place(session, nearby(problem, Unchanged()), number)]
+    problem = inquiry.history.arrangement.problem
+    if any(found.formula is None for found in inquiry.solver.solved.values()):
+        return [Place(inquiry, nearby(problem, Unchanged()), number)]
     chance, found = random.Random(problem.title), []
     for _ in range(POINTS):
         try:
-            found.append(Place(session, nearby(problem, chance), number))
+            found.append(Place(inquiry, nearby(problem, chance), number))
         except ValueError:  # an answer that exists in a narrow range only
-            found.append(Place(session, nearby(problem, Unchanged()), number))
+            found.append(Place(inquiry, nearby(problem, Unchanged()), number))
     return found
 
 
@@ -99,10 +99,10 @@ def check(place: Place, sides: Sides, label: str) -> None:
     assert holds, f"{label} does not hold at the answers: {told(sides)}"
 
 
-def test_every_step_holds(file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby) -> None:
-    session = session_of(file)
-    for place in places(session, number, nearby):
-        for step in session.solver.steps:
+def test_every_step_holds(file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby) -> None:
+    inquiry = inquiry_of(file)
+    for place in places(inquiry, number, nearby):
+        for step in inquiry.solver.steps:
             for equality in step.chain:
                 if equality.relation == "=":
                     sides = equality.left, equality.right
@@ -110,11 +110,11 @@ def test_every_step_holds(file: Path, session_of: Callable[..., Session], number
                     check(place, sides, f"step {step.number}")
 
 
-def test_every_law_used_holds(file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby) -> None:
-    session = session_of(file)
-    used = {index for answered in session.answered for index in answered.used}
-    laws = [session.planner.pool[index] for index in sorted(used)]
-    for place in places(session, number, nearby):
+def test_every_law_used_holds(file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby) -> None:
+    inquiry = inquiry_of(file)
+    used = {index for answered in inquiry.answered for index in answered.used}
+    laws = [inquiry.planner.pool[index] for index in sorted(used)]
+    for place in places(inquiry, number, nearby):
         place.spread([(law.left, law.right) for law in laws])
         for law in laws:
             if not hides(law.left) and not hides(law.right):
@@ -130,13 +130,13 @@ def hides(side: Formula) -> bool:
 
 
 def test_all_that_the_laws_write_holds_at_the_answers(
-    file: Path, session_of: Callable[..., Session], number: Number, nearby: Nearby
+    file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby
 ) -> None:
     """Also the equations that no plan used: a second law that disagrees is a fault in one of the two."""
-    session = session_of(file)
-    laws = [law for law in session.history.equations if not hides(law.left) and not hides(law.right)]
+    inquiry = inquiry_of(file)
+    laws = [law for law in inquiry.history.equations if not hides(law.left) and not hides(law.right)]
     laws = [law for law in laws if VIRTUAL not in " ".join(law.symbols())]
-    for place in places(session, number, nearby):
+    for place in places(inquiry, number, nearby):
         place.spread([(law.left, law.right) for law in laws])
         checked = [law for law in laws if place.known((law.left, law.right))]
         if not checked:

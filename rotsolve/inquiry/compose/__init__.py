@@ -1,4 +1,4 @@
-"""Composing: a solved session as a derivation that can be printed."""
+"""Composing: a solved inquiry as a derivation that can be printed."""
 
 from rotsolve.inquiry.compose.composer import Composer, in_letters
 

@@ -1,4 +1,4 @@
-"""Compose: a solved session as a derivation: letters, sections in the order of time, numbered laws, steps, answers."""
+"""Compose: a solved inquiry as a derivation: letters, sections in the order of time, numbered laws, steps, answers."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Session
+from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.scene.model import Condition, Problem
@@ -25,18 +25,18 @@ WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
 class Composer:
-    """Turns what a session found into a derivation."""
+    """Turns what an inquiry found into a derivation."""
 
-    def __init__(self, session: Session, first: int = 1) -> None:
-        self.session = session
+    def __init__(self, inquiry: Inquiry, first: int = 1) -> None:
+        self.inquiry = inquiry
         self.first = first  # number of the first equation
-        self.history = session.history
+        self.history = inquiry.history
         self.problem: Problem = self.history.arrangement.problem
-        self.pool = session.planner.pool
-        self.drafts = drafts_of(session)
+        self.pool = inquiry.planner.pool
+        self.drafts = drafts_of(inquiry)
         self.names = self._names()
         self.numbers = self._numbers()
-        self.results = Results(session, self.printed)
+        self.results = Results(inquiry, self.printed)
 
     def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
@@ -49,11 +49,11 @@ class Composer:
             givens=tuple(
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
-            finds=tuple(self._find(answered) for answered in self.session.in_order()),
+            finds=tuple(self._find(answered) for answered in self.inquiry.in_order()),
             states=tuple(state_words(state.name, state.conditions) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
-            answers=tuple(self.results.answer(answered) for answered in self.session.in_order()),
+            answers=tuple(self.results.answer(answered) for answered in self.inquiry.in_order()),
             checks=checks,
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
@@ -100,7 +100,7 @@ class Composer:
 
     def _numbers(self) -> dict[Ref, int]:
         """Running numbers of laws, and of the steps that a later one uses, in the order of printing."""
-        used = {ref for step in self.session.solver.steps for ref in (step.target, *step.sources) if ref[0] == "step"}
+        used = {ref for step in self.inquiry.solver.steps for ref in (step.target, *step.sources) if ref[0] == "step"}
         numbers: dict[Ref, int] = {}
         for draft in self.drafts:
             for index in draft.laws:
@@ -162,7 +162,7 @@ class Composer:
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
-        for answered in self.session.answered:
+        for answered in self.inquiry.answered:
             chosen.setdefault(answered.asked.letter, answered.asked.find.name)
         used: dict[str, None] = {}
         for name in self._occurring():
@@ -184,7 +184,7 @@ class Composer:
                     yield from sorted(one.left.symbols() | one.right.symbols())
                     yield from sorted(bound(one.left) | bound(one.right))
             yield from self._in_forces(draft)
-        for answered in self.session.answered:
+        for answered in self.inquiry.answered:
             yield from sorted(answered.asked.formula.symbols())
 
     def _in_forces(self, draft: Draft) -> Iterable[str]:
@@ -212,12 +212,12 @@ class Composer:
 
     def _spoken_of(self, name: str) -> bool:
         """Whether a given is the scene's own or occurs in what is printed."""
-        given = self.session.givens[name]
+        given = self.inquiry.givens[name]
         if given.span is not None and not given.automatic:
             return True
         printed = set(self._occurring())
         return name in printed or any(
-            name in (a.found.formula.symbols() if a.found.formula else ()) for a in self.session.answered
+            name in (a.found.formula.symbols() if a.found.formula else ()) for a in self.inquiry.answered
         )
 
     # head

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Session
+from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.history import History
 from rotsolve.solver import Step
 
@@ -19,40 +19,40 @@ class Draft:
     steps: list[Step] = field(default_factory=list)
 
 
-def drafts_of(session: Session) -> list[Draft]:
+def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
     placed: set[int] = set()
-    for answered in session.answered:
-        laws = [index for index in answered.used if is_law(index, session)]
-        key = home(answered, laws, session)
+    for answered in inquiry.answered:
+        laws = [index for index in answered.used if is_law(index, inquiry)]
+        key = home(answered, laws, inquiry)
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
-            index for index in sorted(laws, key=lambda index: law_order(index, session)) if index not in placed
+            index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
         )
         placed.update(laws)
-        draft.steps.extend(session.solver.steps[slice(*answered.steps)])
-    order = {key: place for place, key in enumerate(moments(session.history))}
+        draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
 
 
-def is_law(index: int, session: Session) -> bool:
+def is_law(index: int, inquiry: Inquiry) -> bool:
     """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
-    return session.refs.get(index, ("law", index))[0] == "law"
+    return inquiry.refs.get(index, ("law", index))[0] == "law"
 
 
-def law_order(index: int, session: Session) -> tuple[int, int]:
+def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
     """Laws first, then definitions and rules, as they were written."""
-    equation = session.planner.pool[index]
+    equation = inquiry.planner.pool[index]
     return (0 if equation.family else 1, index)
 
 
-def home(answered: Answered, laws: list[int], session: Session) -> str:
+def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
     """The section of the weightiest law of a plan."""
     if not laws:
         return answered.asked.section
-    pool = session.planner.pool
-    order = {key: place for place, key in enumerate(moments(session.history))}
+    pool = inquiry.planner.pool
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     return max((pool[index].cost, order.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
 
 

@@ -15,7 +15,7 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.answering import Answered, Session, families_for
+from rotsolve.inquiry.answering import Answered, Inquiry, families_for
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -23,9 +23,9 @@ LONG = 220  # nodes of a formula beyond which it is left in letters found before
 
 @dataclass(frozen=True)
 class Results:
-    """The answers of a session; `printed` turns letters of the laws into printed ones."""
+    """The answers of an inquiry; `printed` turns letters of the laws into printed ones."""
 
-    session: Session
+    inquiry: Inquiry
     printed: Callable[[Formula], Formula]
 
     def answer(self, answered: Answered) -> Answer:
@@ -45,7 +45,7 @@ class Results:
         """The closed form; one that no page would hold stays in the letters found before."""
         formula = answered.found.formula
         assert formula is not None
-        steps = self.session.solver.steps[slice(*answered.steps)]
+        steps = self.inquiry.solver.steps[slice(*answered.steps)]
         if length(formula) <= LONG or not steps:
             return formula
         return readable(steps[-1].chain)[-1].right
@@ -66,10 +66,10 @@ class Results:
         )
 
     def value(self, formula: Formula) -> Certified | None:
-        if formula.symbols() - set(self.session.values):
+        if formula.symbols() - set(self.inquiry.values):
             return None
         try:
-            return evaluate(formula, self.session.values)
+            return evaluate(formula, self.inquiry.values)
         except Undefined:
             return None
 
@@ -79,7 +79,7 @@ class Results:
         if asked.vector is not None:
             heading = self.heading_words(asked.vector)
             return heading, not heading
-        quantity = self.session.history.registry.quantities.get(asked.letter)
+        quantity = self.inquiry.history.registry.quantities.get(asked.letter)
         words = asked.words
         if quantity is not None and any((quantity.positive, quantity.negative)):
             words = (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
@@ -91,11 +91,11 @@ class Results:
         """Down and to the right, with the angle left to the numbers."""
         sides = []
         for axis in (UP, RIGHT):
-            component = self.session.solver.with_answers(self._solved(vector.along(axis)))
+            component = self.inquiry.solver.with_answers(self._solved(vector.along(axis)))
             if any(SEPARATOR in name for name in component.symbols()):
-                component = Session(self.session.history, families_for(None)).settled(component) or component
+                component = Inquiry(self.inquiry.history, families_for(None)).settled(component) or component
             try:
-                sides.append(evaluate(component, self.session.values, digits=3).sign or 0)
+                sides.append(evaluate(component, self.inquiry.values, digits=3).sign or 0)
             except (Undefined, ValueError):
                 return ""
         rise = {1: "up", -1: "down", 0: ""}[sides[0]]
@@ -104,7 +104,7 @@ class Results:
 
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""
-        for step in reversed(self.session.solver.steps):
+        for step in reversed(self.inquiry.solver.steps):
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value

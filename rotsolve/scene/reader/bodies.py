@@ -107,6 +107,14 @@ def build(
     body = Body(name, span=key.span, **known)
     if body.holes:
         check_holes(scope, name, entries["holes"][1], body)
+    about = body.inertia_about
+    if about is not None and about not in points_of(body):
+        scope.fault(
+            entries["inertia"][1],
+            f"`{name}` has no point {quoted(about)}",
+            hint(about, points_of(body), "points"),
+            "point",
+        )
     return body
 
 
