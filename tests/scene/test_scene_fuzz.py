@@ -110,14 +110,14 @@ def random_text(chance: random.Random) -> str:
 
 def outcome(text: str, settings: dict[str, str] | None = None) -> str:
     """The messages of a text; it must not end in anything but a Problem or a SceneError, nor take long."""
-    start = time.perf_counter()
+    start = time.process_time()
     try:
         read_text(text, settings=settings)
         message = ""
     except SceneError as error:
         assert error.faults
         message = str(error)
-    assert time.perf_counter() - start < 2, text
+    assert time.process_time() - start < 10, text[:200]
     return message
 
 
