@@ -10,7 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
@@ -139,7 +140,7 @@ def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str])
         senses = senses_of(arrangement, group, modes, way)
         moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
         trial = {key: mode + AT_MOST if mode in (FORWARD, BACK) else mode for key, mode in moving.items()}
-        gains = [gain(arrangement, rub, {**modes, **trial}, senses[rub.key]) for rub in group]
+        gains = [gain(arrangement, rub, {**modes, **trial}, senses[rub.key]) for rub in group if senses[rub.key]]
         if all(number is not None and number > 0 for number in gains):
             return moving
         told = told or all(number is not None for number in gains)
@@ -158,12 +159,22 @@ def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str],
     rates = sorted({name for side in sides for name in side.symbols() if name.startswith(RATES)})
     allowed = one_motion(rates, list(facts.rules)) or {}
     senses = {}
-    for key, speed in speeds.items():
+    for rub in group:
+        slip, speed = rub.rate(instant), speeds[rub.key]
+        if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, inquiry):
+            senses[rub.key] = 0  # the rules keep it at rest whichever way the rest moves: how much it grips stays open
+            continue
         value = speed.substitute(allowed) if speed is not None else ONE
         number = inquiry.number(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}))
-        senses[key] = 1 if number is None or number >= 0 else -1
-    first = next(iter(senses.values()))
+        senses[rub.key] = 1 if number is None or number >= 0 else -1
+    first = next((sense for sense in senses.values() if sense), 1)
     return {key: sense * first * way for key, sense in senses.items()}
+
+
+def smooth(rub: Rub, inquiry: Inquiry) -> bool:
+    """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
+    static = rub.contact.grip().static if rub.contact is not None else None
+    return static is not None and inquiry.number(static) == 0
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:

@@ -244,6 +244,36 @@ def test_friction_decides_whether_and_which_way(n: str) -> None:
     assert close(value(solved(SLOPE.format(n=n)), "a"), push / (2 + load + 0.5))
 
 
+TETHERED = """
+title: Cylinder unwinding down a slope from a string that leaves it where it touches
+given: {{M: 4 kg, R: 10 cm}}
+surfaces: {{ramp: {{slope: 30 deg, down: {down}}}}}
+bodies: {{cylinder: {{shape: cylinder, mass: M, radius: R, moves: down}}}}
+connections:
+  base: {{contact: [cylinder, ramp], friction: {mu}}}
+  cord: {{string: [cylinder, ceiling], along: ramp, under: cylinder}}
+find: {{a: cylinder.acceleration}}
+"""
+
+
+@pytest.mark.parametrize("law", [None, "energy"])
+@pytest.mark.parametrize("mu", ["0.1", "0.9"])
+@pytest.mark.parametrize("down", ["left", "right"])
+def test_a_contact_that_a_string_keeps_at_rest_does_no_work(down: str, mu: str, law: str | None) -> None:
+    """The lowest point rests, so M g R sin 30° = (I + M R²) a/R: a = g/3, and no friction is kinetic."""
+    solution = solved(TETHERED.format(down=down, mu=mu), law)
+    assert close(value(solution, "a"), G / 3)
+    assert "kinetic friction" not in str(solution)
+
+
+def test_a_smooth_contact_that_a_string_keeps_at_rest_leaves_all_to_the_string() -> None:
+    """T R = I α with a = R α = g/3: T = M g/6."""
+    text = TETHERED.format(down="left", mu="0").replace("find: {", "find: {T: cord.tension, ")
+    solution = solved(text)
+    assert close(value(solution, "T"), 4 * G / 6)
+    assert close(value(solution, "a"), G / 3)
+
+
 @pytest.mark.parametrize("law", ["newton", "energy", "angular-momentum"])
 def test_block_on_a_disc_by_every_law(law: str) -> None:
     text = """
