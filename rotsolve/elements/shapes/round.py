@@ -64,46 +64,34 @@ class Annulus(Shape):
 
 
 @dataclass(frozen=True)
-class Cylinder(Shape):
+class Cylinder(Disc):
+    """A disc as far as its axis is concerned."""
+
     word = "cylinder"
     about = "uniform solid cylinder seen along its axis"
-    points = WHEEL
-    radius: Formula | None = extent("radius", "R")
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
-
-    def moment(self, mass: Formula) -> Formula:
-        """½ M R²."""
-        return Number(Fraction(1, 2)) * mass * (self.radius or ZERO) ** 2
-
-    def measure(self) -> Formula:
-        return PI * (self.radius or ZERO) ** 2
 
 
 @dataclass(frozen=True)
-class CylindricalShell(Shape):
+class CylindricalShell(Ring):
+    """A ring as far as its axis is concerned, an annulus where its wall is thick."""
+
     word = "cylindrical shell"
     about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
-    radius: Formula | None = extent("radius", "R")
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 
     def moment(self, mass: Formula) -> Formula:
         """M R² of a thin wall, ½ M (r² + R²) of a thick one."""
-        if self.radii:
-            inner, outer = walls(self.radii)
-            return Number(Fraction(1, 2)) * mass * (inner**2 + outer**2)
-        return mass * (self.radius or ZERO) ** 2
+        return Annulus(self.radii).moment(mass) if self.radii else Ring(self.radius).moment(mass)
 
     def measure(self) -> Formula:
-        if self.radii:
-            inner, outer = walls(self.radii)
-            return PI * (outer**2 - inner**2)
-        return Number(Fraction(2)) * PI * (self.radius or ZERO)
+        return Annulus(self.radii).measure() if self.radii else Ring(self.radius).measure()
 
     @property
     def outer(self) -> Formula | None:
-        return walls(self.radii)[1] if self.radii else self.radius
+        return Annulus(self.radii).outer if self.radii else self.radius
 
 
 @dataclass(frozen=True)

@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.scene.keys import key
 
 Place = tuple[Formula, Formula]
-WHEEL = ("center", "rim", "top", "bottom")
+WHEEL: tuple[str, ...] = ("center", "rim", "top", "bottom")
 
 
 def extent(help: str, letter: str) -> Formula | None:

@@ -52,14 +52,21 @@ def quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
 
 
 def quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    letters = key.letter.split() or [""]
+
+    def read(index: int, item: Node) -> Any:
+        letter = letters[min(index, len(letters) - 1)]
+        return value(scope, item, Want(label, key.dimension, letter, owner, key.limits))
+
+    return every(scope, key, node, label, read)
+
+
+def every(scope: Scope, key: Key, node: Node, label: str, read: Callable[[int, Node], Any]) -> tuple[Any, ...] | None:
+    """All items of a list, or nothing where one of them is faulty."""
     items = listed(scope, key, node, label)
     if items is None:
         return None
-    letters = key.letter.split() or [""] * len(items)
-    found = [
-        value(scope, item, Want(label, key.dimension, letters[min(index, len(letters) - 1)], owner, key.limits))
-        for index, item in enumerate(items)
-    ]
+    found = [read(index, item) for index, item in enumerate(items)]
     return None if None in found else tuple(found)
 
 
@@ -80,11 +87,7 @@ def place(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
 
 
 def places(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    items = listed(scope, key, node, label)
-    if items is None:
-        return None
-    found = [read_place(scope, item, label, owner) for item in items]
-    return None if None in found else tuple(found)
+    return every(scope, key, node, label, lambda _, item: read_place(scope, item, label, owner))
 
 
 def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -156,11 +159,7 @@ def point(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
 
 
 def points(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    items = listed(scope, key, node, label)
-    if items is None:
-        return None
-    found = [read_point(scope, item, label, owner) for item in items]
-    return None if None in found else tuple(found)
+    return every(scope, key, node, label, lambda _, item: read_point(scope, item, label, owner))
 
 
 def directions(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
