@@ -236,7 +236,7 @@ TABLE = [
         "∫[0 → t₁] c time² d time",
         "integral(c*time^2, time, 0, t1)",
     ),
-    (Integral(d, "x", n(0), n(1)), "∫[0 → 1] (d) d x", "integral(d, x, 0, 1)"),
+    (Integral(d, "x", n(0), n(1)), "∫[0 → 1] (d) dx", "integral(d, x, 0, 1)"),
 ]
 
 

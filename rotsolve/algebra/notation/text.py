@@ -165,10 +165,12 @@ def _unicode(formula: Formula) -> Piece:
             return _unicode_call(function, arguments)
         case Integral(integrand, variable, lower, upper):
             body = _unicode(integrand)
-            # A `d` in the integrand would look like the d of the variable.
-            text = f"({body[0]})" if body[1] <= NEGATIVE or "d" in integrand.symbols() else body[0]
+            # A name with a `d` in front would look like the differential.
+            looks = any(name.startswith("d") for name in integrand.symbols())
+            text = f"({body[0]})" if body[1] <= NEGATIVE or looks else body[0]
             bounds = f"{_unicode(lower)[0]} → {_unicode(upper)[0]}"
-            return f"∫[{bounds}] {text} d {name_to_text(variable)}", NEGATIVE
+            gap = "" if len(name_to_text(variable.partition("_")[0])) == 1 else " "  # dt, dω, but d time
+            return f"∫[{bounds}] {text} d{gap}{name_to_text(variable)}", NEGATIVE
     raise TypeError(f"no text for {formula!r}")
 
 
