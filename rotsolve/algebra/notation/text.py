@@ -103,8 +103,9 @@ def join_terms(
     text = ""
     for term in terms:
         positive = unsigned(term)
-        body, level = show(term if positive is None else positive)
-        if level <= NEGATIVE:
+        plain = term if positive is None else positive
+        body, level = show(plain)
+        if level <= NEGATIVE and not isinstance(plain, Integral):  # its differential closes it
             body = f"{opening}{body}{closing}"
         if text:
             text += f" + {body}" if positive is None else f" {minus} {body}"
