@@ -8,6 +8,7 @@ from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.directions import WORDS
+from rotsolve.core.drive import Drive
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.elements.actions import Action
@@ -16,7 +17,7 @@ from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, PointRef, Problem
+from rotsolve.scene.model import ANY_TIME, Body, PointRef, Problem
 
 
 @dataclass(frozen=True)
@@ -146,6 +147,24 @@ class Arrangement:
         hangs = any(item.hangs(body) for item in self.connections(state))
         return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
 
+    def drives(self, name: str, state: str) -> tuple[Drive, ...]:
+        """The motions of a body that are given from outside."""
+        host = self.host(name, state)
+        return tuple(
+            Drive(item.name, host, word, function, component, self.sense(host, state))
+            for item in self.connections(state)
+            for owner, word, component, function in item.prescribes()
+            if self.host(owner, state) == host
+        )
+
+    def sense(self, name: str, state: str) -> int:
+        """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
+        turns = self.bodies[name].turns
+        if turns:
+            return 1 if turns == "counterclockwise" else -1
+        naturals = (item.natural_turn(self.bodies[name], self, state) for item in self.connections(state))
+        return next((natural for natural in naturals if natural), 1)
+
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
         found, pending = set(), [self.host(name, state)]
@@ -199,6 +218,11 @@ class Arrangement:
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
+
+    @cached_property
+    def runs(self) -> bool:
+        """Whether the scene asks for a function of time."""
+        return any(term.at == ANY_TIME for find in self.problem.finds for term in find.terms)
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

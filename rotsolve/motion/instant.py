@@ -8,6 +8,7 @@ from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import opposite
+from rotsolve.core.drive import Drive
 from rotsolve.core.facts import Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD
@@ -120,15 +121,8 @@ class Instant:
         return self.registry.ask(quantity)
 
     def sense(self, name: str) -> int:
-        """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
-        turns = self.body(name).turns
-        if turns:
-            return 1 if turns == "counterclockwise" else -1
-        for item in self.arrangement.connections(self.state):
-            natural = item.natural_turn(self.body(name), self.arrangement, self.state)
-            if natural:
-                return natural
-        return 1
+        """+1 where a body's positive turn is counterclockwise, −1 where it is clockwise."""
+        return self.arrangement.sense(name, self.state)
 
     def turn_words(self, name: str) -> tuple[str, str]:
         return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
@@ -137,6 +131,14 @@ class Instant:
         """Angular velocity or acceleration of a body, counted along its positive sense."""
         when = self.span(name) if word == "angular_acceleration" else self.moving
         return self.ask(word, name, when=when, words=self.turn_words(name))
+
+    def driven(self, drive: Drive, word: str) -> Formula:
+        """The letter of a coordinate that is given, or of its rate or acceleration."""
+        if drive.component:
+            return self.component(word, drive.body, drive.component)
+        if word == "angle":
+            return self.ask("angle", drive.body, words=TURNS)
+        return self.rate(word, drive.body)
 
     def orientation(self, name: str) -> Heading:
         """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
@@ -162,7 +164,10 @@ class Instant:
         problem = self.arrangement.problem
         said = (line.path for state in problem.states for line in state.conditions if line.path)
         asked = (term.path for find in problem.finds for term in find.terms)
-        return any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked))
+        driven = any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state))
+        return driven or any(
+            path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked)
+        )
 
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
@@ -172,7 +177,7 @@ class Instant:
             base = self.point(member.at)
             own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
             return base + own.rotated(self.orientation(host)) if own.parts else base
-        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}
+        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT, **dict.fromkeys(dict(self.body(host).radii), RIGHT)}
         radius = rim_radius(self.body(host), ref.point)
         if ref.point in fixed and radius is not None:
             return self._from_reference(host, NOWHERE) + vector(radius, fixed[ref.point])

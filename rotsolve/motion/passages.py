@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
 from rotsolve.core.directions import opposite
+from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
@@ -56,6 +57,13 @@ def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
     return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
 
 
+def so_far(word: str, name: str, middle: Instant) -> Formula:
+    """Displacement or rotation of a body from the start of a phase up to any moment in it."""
+    line = middle.arrangement.line(name, middle.state)
+    travel = (line[1], opposite(line[1])) if line else ("", "")
+    return middle.ask(word, name, words=travel if word == "displacement" else middle.turn_words(name))
+
+
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
     """The coordinates of a body: along its line, and its turning."""
     pace = first.arrangement.pace(body.name, interval.start)
@@ -75,11 +83,17 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     acceleration = source.travel("acceleration", name, label)
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
-    return Travel(name, "line", before, after, acceleration, change, pace, moving, initial=initial)
+    running = so_far("displacement", name, middle) if first.arrangement.runs else None
+    swift = middle.travel("acceleration", name, label)
+    return Travel(
+        name, "line", before, after, acceleration, change, pace, moving, initial=initial, running=running, swift=swift
+    )
 
 
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
-    """The turning of a body."""
+    """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
+    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TURNING]
+    pace = drives[0].pace if drives else pace
     before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
     source = middle if pace != "constant" else first
     acceleration = source.rate("angular_acceleration", name)
@@ -88,8 +102,12 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
     change = rotation(name, interval, first)
     initial = first.rate("angular_acceleration", name)
+    given = drives[0].order if drives else None
+    running = so_far("rotation", name, middle) if first.arrangement.runs else None
+    ends = (start, end, angles[2])
+    swift = middle.rate("angular_acceleration", name)
     return Travel(
-        name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], initial, sense
+        name, "turn", before, after, acceleration, change, pace, moving, *ends, initial, sense, given, running, swift
     )
 
 
