@@ -52,8 +52,8 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
     )
     words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
     yield equation(after, before + rate * time, words, travel, section)
-    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
     yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
+    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
     yield equation(change, HALF * (before + after) * time, words, travel, section, cost=3)
 
 

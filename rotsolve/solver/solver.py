@@ -224,7 +224,7 @@ class Solver(Textbook):
         if picked is None:
             raise Contradiction(item.index)
         value = candidates[picked[0]]
-        final = self.simplify(self.with_answers(value))
+        final = self._shortest(self.with_answers(value))
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
@@ -235,6 +235,11 @@ class Solver(Textbook):
             self._step(item, asked, final, picked[1] or reason, more)
         others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
         return Found(asked, final, None, others)
+
+    def _shortest(self, value: Formula) -> Formula:
+        """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
+        final = self.simplify(value)
+        return value if 3 * length(value) < 2 * length(final) else final
 
     def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
         """A step whose first equality is in letters found before, and whose last has them put in."""
