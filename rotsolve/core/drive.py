@@ -6,7 +6,8 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Formula, Sum, negate, total
+from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.formula import Formula, negate
 
 TIME = "time"
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
@@ -54,6 +55,5 @@ class Drive:
 
 
 def derivative(function: Formula) -> Formula:
-    """df/dt, each term of a sum on its own, as it is written: 2 c t + 3 d t²."""
-    slope = differentiate(function, TIME)
-    return total([simplify(term) for term in (slope.terms if isinstance(slope, Sum) else (slope,))])
+    """df/dt, a polynomial by its powers: 2 c t + 3 d t²."""
+    return in_powers(simplify(differentiate(function, TIME)), TIME)

@@ -16,6 +16,7 @@ from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.inquiry.transfers import impulse, potential_change, work
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import displacement, rotation, so_far
+from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import ANY_TIME, Find, Path, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
@@ -155,7 +156,7 @@ def run_up(path: Path, middle: Instant) -> Formula:
     """What has come together from the start of a phase up to the running time."""
     name = middle.host(path.owner)
     if path.quantity == "displacement":
-        return so_far("displacement", name, middle)
+        return way(path, name, None, middle)
     if path.quantity in ("rotation", "turns"):
         turned = so_far("rotation", name, middle)
         return turned / (2 * PI) if path.quantity == "turns" else turned
@@ -222,7 +223,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         instant = history.instant(interval.start)
         name = instant.host(path.owner) if path.owner in arrangement.bodies else path.owner
         if path.quantity == "displacement" or path.quantity == "distance":
-            part = displacement(name, interval, instant) if interval.event is None else ZERO
+            part = way(path, name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("rotation", "turns"):
             part = rotation(name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("impulse", "angular_impulse"):
@@ -233,6 +234,16 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     if path.quantity == "turns":
         result = result / (2 * PI)
     return Meaning(result, kind.dimension), intervals[-1].name
+
+
+def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
+    """Displacement along a body's line or a component of it, over a phase, or up to any moment in it where none is named."""
+    axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
+    if path.component and not axis:
+        raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
+    if interval is None:
+        return so_far("displacement", name, instant, axis)
+    return displacement(name, interval, instant, axis)
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

@@ -54,7 +54,15 @@ class Statements:
             if state.balance:
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 self._balance(state.name)
+        self._as_drawn(self._fresh(self.arrangement.timeline.states[0].name))
         return self.stated
+
+    def _as_drawn(self, first: Instant) -> None:
+        """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
+        for body in self.arrangement.present(first.state):
+            angle = first.angle(body.name) if first.marked(body.name) else None
+            if angle is not None:
+                self._set(angle, ZERO)
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
@@ -189,8 +197,11 @@ class Statements:
 
     def _driven(self, instant: Instant) -> None:
         """What a drive prescribes at a moment, and rates of it that vanish."""
-        for body in self.arrangement.present(instant.state):
-            for drive in self.arrangement.drives(body.name, instant.state):
-                for word, function in drive.rates().items():
-                    if word == drive.word or function == ZERO:
-                        self._set(instant.driven(drive, word), function.substitute({TIME: instant.time()}))
+        bodies = self.arrangement.present(instant.state)
+        drives = [drive for body in bodies for drive in self.arrangement.drives(body.name, instant.state)]
+        for drive in drives:
+            self._set(instant.driven(drive, drive.word), drive.function.substitute({TIME: instant.time()}))
+        for drive in drives:
+            for word, function in drive.rates().items():
+                if function == ZERO:
+                    self._set(instant.driven(drive, word), ZERO)

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.directions import WORDS
-from rotsolve.core.drive import Drive
+from rotsolve.core.drive import TIME, Drive
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.elements.actions import Action
@@ -28,6 +31,21 @@ class Member:
     host: str
     at: PointRef
     own: PointRef
+
+
+def along_line(drives: tuple[Drive, ...], way: Heading) -> tuple[Drive, ...]:
+    """Prescribed components as one motion along a body's line of travel."""
+    parts = {(drive.word, drive.component): drive for drive in drives}
+    result = [drive for drive in drives if not drive.component]
+    for (word, component), drive in parts.items():
+        if component == "x":
+            x, y = drive.function, parts[word, "y"].function
+            if not is_zero(y * way.cos() - x * way.sin()):
+                said = f"the prescribed `{word}` of `{drive.body}` is not along the line on which it moves"
+                raise Unsolvable(said, help="leave out `moves` for a body that moves freely in the plane")
+            function = in_powers(simplify(x * way.cos() + y * way.sin()), TIME)
+            result.append(replace(drive, function=function, component=""))
+    return tuple(result)
 
 
 @dataclass(frozen=True)
@@ -150,12 +168,16 @@ class Arrangement:
     def drives(self, name: str, state: str) -> tuple[Drive, ...]:
         """The motions of a body that are given from outside."""
         host = self.host(name, state)
-        return tuple(
+        found = tuple(
             Drive(item.name, host, word, function, component, self.sense(host, state))
             for item in self.connections(state)
             for owner, word, component, function in item.prescribes()
             if self.host(owner, state) == host
         )
+        if not any(drive.component for drive in found):
+            return found
+        line = self.line(host, state)
+        return found if line is None else along_line(found, line[0])
 
     def sense(self, name: str, state: str) -> int:
         """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""

@@ -8,16 +8,18 @@ from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import opposite
-from rotsolve.core.drive import Drive
+from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, PLANE
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
 from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes.shape import WHEEL
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
+FOLLOWED = ("position", "velocity", "acceleration")
 TURNS = ("counterclockwise", "clockwise")
 
 
@@ -136,6 +138,9 @@ class Instant:
         """The letter of a coordinate that is given, or of its rate or acceleration."""
         if drive.component:
             return self.component(word, drive.body, drive.component)
+        if word in TRAVELLING:
+            line = self.arrangement.line(drive.body, self.state)
+            return self.travel(word, drive.body, line[1] if line else "")
         if word == "angle":
             return self.ask("angle", drive.body, words=TURNS)
         return self.rate(word, drive.body)
@@ -154,11 +159,19 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
-        if not rod and not self._speaks_of_angle(name):
-            return None
-        if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
+        if not (rod and self.arrangement.heavy) and not self._speaks_of_angle(name) and not self.marked(name):
             return None
         return self.ask("angle", name, words=TURNS)
+
+    def marked(self, name: str) -> bool:
+        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
+        arrangement, body = self.arrangement, self.body(name)
+        slanted = self.frame(name).cm.parts and shape_of(body).word != "rod"
+        if len(arrangement.timeline.states) < 2 or slanted:
+            return False
+        asked = (term.path for find in arrangement.problem.finds for term in find.terms if term.path.owner == name)
+        still = (None, "cm", "center", *WHEEL, *dict(body.radii))
+        return any(path.point not in still and path.quantity in FOLLOWED and path.component in PLANE for path in asked)
 
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem
@@ -232,6 +245,8 @@ class Instant:
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
         body = self.body(name)
         own = self.frame(name)
+        if any(drive.words == TURNING for drive in self.arrangement.drives(name, self.state)):
+            return True
         if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
             return body.turns is not None and rim_radius(body, None) is not None
         return not on_line or body.turns is not None or rim_radius(body, None) is not None

@@ -13,6 +13,7 @@ from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
 TIME = "time"
+CHANGE = {"turn": "angle turned", "line": "displacement"}
 
 
 def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
@@ -28,7 +29,7 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None:
             change = travel.end - travel.start
-            yield equation(travel.change, change, "angle turned", travel, section, cost=1)
+            yield equation(travel.change, change, CHANGE[travel.kind], travel, section, cost=1)
         if travel.running is not None:
             yield from at_any_time(travel, passage, section)
     if passage.times[0] != passage.times[1]:
@@ -89,7 +90,7 @@ def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equa
         yield equation(change, way, f"{words}, at any time", travel, section)
     if travel.start is not None and travel.coordinate is not None:
         gained = signed(travel.coordinate, travel.sense) - travel.start
-        yield equation(change, gained, "angle turned, at any time", travel, section, cost=1)
+        yield equation(change, gained, f"{CHANGE[travel.kind]}, at any time", travel, section, cost=1)
 
 
 def by_place(travel: Travel, section: str) -> Iterator[Equation]:

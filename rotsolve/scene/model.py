@@ -83,7 +83,10 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later)."""
+    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
+
+    `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.
+    """
 
     name: str
     shape: Shape | None = None
@@ -101,6 +104,7 @@ class Body:
     moves: str | None = None
     turns: str | None = None
     span: Span | None = None
+    moved: tuple[tuple[str, str, Formula], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

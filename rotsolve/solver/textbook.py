@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rotsolve.algebra.calculus import differentiate, integrate
+from rotsolve.algebra.calculus import integrate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import coefficients, is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Symbol, total
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.formula import Call, Formula, Integral
 from rotsolve.core.drive import TIME
 from rotsolve.solver.step import Found
-
-LONGEST = 12  # powers of the time in a polynomial that is written by them
 
 
 class Textbook:
@@ -28,21 +27,7 @@ class Textbook:
         value = simplify(value, order=self.order, positive=self.positive)
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
             value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
-        return self._in_powers_of_time(value)
-
-    def _in_powers_of_time(self, value: Formula) -> Formula:
-        """A polynomial in the running time by its powers: ω₀ + a t − ½ b t²."""
-        if TIME not in value.symbols() or coefficients(value, TIME) is None:
-            return value
-        terms: list[Formula] = []
-        slope, factor = value, 1
-        for power in range(LONGEST):
-            part = simplify(slope.substitute({TIME: ZERO}) / factor, order=self.order, positive=self.positive)
-            terms.append(simplify(part * Symbol(TIME) ** power, order=self.order, positive=self.positive))
-            slope, factor = differentiate(slope, TIME), factor * (power + 1)
-            if is_zero(slope):
-                return total(terms)
-        return value
+        return in_powers(value, TIME, order=self.order, positive=self.positive)
 
     def _without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""
