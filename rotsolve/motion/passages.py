@@ -68,7 +68,7 @@ def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
 def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formula:
     """Displacement or rotation of a body from the start of a phase up to any moment in it."""
     words = ways(name, middle, component) if word == "displacement" else middle.turn_words(name)
-    return middle.ask(word, name, words=words, component=component)
+    return middle.ask(word, name, words=words, component=component, letter="phi" if word == "rotation" else "s")
 
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:

@@ -43,6 +43,7 @@ SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[
 _INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
+_RUNNING = re.compile(r"([A-Za-z0-9_]+)\((t|time)\)")  # omega(t)
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
 
 
@@ -88,7 +89,9 @@ def _greek(head: str) -> str:
 
 
 def name_to_text(name: str) -> str:
-    """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ; `a_end` and paths stay as they are."""
+    """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `omega(t)` is ω(t); `a_end` and paths stay as they are."""
+    if match := _RUNNING.fullmatch(name):
+        return f"{name_to_text(match[1])}({match[2]})"
     if match := _INDEXED.fullmatch(name):
         return _greek(match[1]) + subscripted(match[2])
     if match := _LETTERED.fullmatch(name):
@@ -113,6 +116,8 @@ def _latex_subscript(text: str) -> str:
 
 def name_to_latex(name: str) -> str:
     """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
+    if match := _RUNNING.fullmatch(name):
+        return f"{name_to_latex(match[1])}({match[2]})"
     if match := _INDEXED.fullmatch(name):
         return f"{_latex_head(match[1])}_{{{match[2]}}}"
     if match := _WORDED.fullmatch(name):
