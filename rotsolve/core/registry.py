@@ -105,7 +105,6 @@ def _as_index(part: str) -> str:
 def _indices(time: str) -> tuple[Callable[[Quantity], str], ...]:
     """Ways to index a letter, from the plainest on; ω(t) for one in the midst of a phase."""
     return (
-        lambda q: _join(q.letter, q.component),
         lambda q: _join(q.letter, q.component) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.owner) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.when),
