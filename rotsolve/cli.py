@@ -66,6 +66,16 @@ def read_settings(pairs: list[str]) -> dict[str, str]:
     return settings
 
 
+def moment_checked(text: str | None) -> str | None:
+    """The time as it is written, if it is one."""
+    from rotsolve.scene.moment import read_moment
+
+    try:
+        return None if text is None else read_moment(text).text
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="'--at'") from None
+
+
 Files = Annotated[list[str], typer.Argument(metavar="FILES...", help="Scene files; - reads one from standard input.")]
 Law = Annotated[
     str | None,
@@ -88,6 +98,9 @@ Digits = Annotated[int, typer.Option(metavar="N", min=1, max=50, help="Significa
 Settings = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
+]
+At = Annotated[
+    str | None, typer.Option(metavar="t=TIME", help="The value of functions of time at this moment, as t=2s.")
 ]
 Show = Annotated[
     str | None,
@@ -132,6 +145,7 @@ def solve(
     output: Output = None,
     digits: Digits = 4,
     settings: Settings = None,
+    at: At = None,
     show: Show = None,
     width: Width = None,
 ) -> None:
@@ -156,7 +170,9 @@ def solve(
     chosen = format or (by_name.name if by_name else "text")
     if width is None:
         width = page_width(output)
-    request = Request(tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width)
+    request = Request(
+        tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width, moment_checked(at)
+    )
     with orderly():
         code = run(request)
     raise typer.Exit(code)

@@ -34,6 +34,7 @@ from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.scene.model import Find, Problem
+from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
 
@@ -44,8 +45,9 @@ def solve(
     law: str | None = None,
     settings: Mapping[str, str] | None = None,
     digits: int = 4,
+    at: str | None = None,
 ) -> Solution:
-    """Solve a scene: a path, or YAML text (text with a line break).
+    """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
 
     Raises SceneError for a scene that can't be read, Unsolvable for one without an answer.
     """
@@ -53,10 +55,10 @@ def solve(
         problem = read_text(source, settings=settings or {})
     else:
         problem = read_file(Path(source), settings=settings or {})
-    return solve_problem(problem, law=law, digits=digits)
+    return solve_problem(problem, law=law, digits=digits, at=at)
 
 
-def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) -> Solution:
+def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, at: str | None = None) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
@@ -76,12 +78,14 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(inquiry, arrangement.problem.finds)
+    if at is not None and not arrangement.runs:
+        raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     broken = contradiction(inquiry)
     if broken is not None:
         raise contradicted(broken, history)
     if law is not None:
         check_law(inquiry, law)
-    composer = Composer(inquiry, decision.numbered + 1)
+    composer = Composer(inquiry, decision.numbered + 1, read_moment(at) if at else None)
     derivation = with_missing_told(
         composer.derivation(checks(inquiry, composer), decision.sections), arrangement.problem
     )

@@ -33,6 +33,7 @@ class Request:
     settings: dict[str, str] = field(default_factory=dict)
     show: str | None = None
     width: int = 120
+    at: str | None = None
 
 
 @dataclass(frozen=True)
@@ -68,7 +69,7 @@ def attempt(file: str, request: Request) -> Outcome:
     from rotsolve.pipeline import solve
 
     try:
-        solution = solve(source(file), law=request.law, settings=request.settings, digits=request.digits)
+        solution = solve(source(file), law=request.law, settings=request.settings, digits=request.digits, at=request.at)
     except SceneError as error:
         not_yet = bool(getattr(error, "not_yet", False))
         return Outcome(file, UNSOLVED if not_yet else BAD, None, error.render(), "not yet" if not_yet else "scene")

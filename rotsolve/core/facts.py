@@ -6,11 +6,13 @@ into the sense that the scene declares. Vectors are in the plane, headings count
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
+from rotsolve.core.drive import Drive
 from rotsolve.core.heading import NOWHERE, Heading, Vector
 
 
@@ -130,6 +132,15 @@ class Potential:
 
 
 @dataclass(frozen=True, slots=True)
+class GivenMotion:
+    """A given motion at one moment: the drive, the letters of the moment by their words, and its running time."""
+
+    drive: Drive
+    letters: Mapping[str, Formula]
+    time: Formula
+
+
+@dataclass(frozen=True, slots=True)
 class Inertia:
     """Moment of inertia about the body's reference: the letter that the laws use, and the formula that defines it."""
 
@@ -178,6 +189,7 @@ class Facts:
     rules: tuple[Rule, ...]
     requirements: tuple[Requirement, ...]
     potentials: tuple[Potential, ...]
+    given: tuple[GivenMotion, ...] = ()
 
     def body(self, name: str) -> BodyFacts | None:
         return next((body for body in self.bodies if body.name == name), None)

@@ -12,6 +12,7 @@ from rotsolve.algebra.units.dimension import Dimension
 SEPARATOR = "|"
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
+COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_"}  # the marks in a printed letter
 
 
@@ -34,6 +35,11 @@ class Quantity:
     @property
     def key(self) -> str:
         return SEPARATOR.join((self.kind, self.owner, self.component, self.when))
+
+    @property
+    def runs(self) -> bool:
+        """Whether it is a coordinate or a rate in the midst of a phase, which a textbook writes as a function of time."""
+        return self.when.startswith(GENERIC) and self.kind in COURSES
 
     @property
     def symbol(self) -> Symbol:
@@ -68,7 +74,7 @@ class Registry:
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
-        for index in _indices():
+        for index in _indices("t" if "t" not in occupied else "time"):
             rest = []
             wanted: dict[str, list[Quantity]] = {}
             for quantity in pending:
@@ -96,11 +102,11 @@ def _as_index(part: str) -> str:
     return "_".join(part.split())
 
 
-def _indices() -> tuple[Callable[[Quantity], str], ...]:
-    """Ways to index a letter, from the plainest on."""
+def _indices(time: str) -> tuple[Callable[[Quantity], str], ...]:
+    """Ways to index a letter, from the plainest on; ω(t) for one in the midst of a phase."""
     return (
-        lambda q: _join(q.letter, q.component),
-        lambda q: _join(q.letter, q.component, q.owner),
+        lambda q: _join(q.letter, q.component) + (f"({time})" if q.runs else ""),
+        lambda q: _join(q.letter, q.component, q.owner) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.when),
         lambda q: _join(q.letter, q.component, q.owner, q.when),
     )

@@ -76,7 +76,8 @@ class Inquiry:
             travel.coordinate.name
             for passage in self.history.passages.values()
             for travel in passage.travels
-            if isinstance(travel.coordinate, Symbol)
+            if travel.pace == "position"
+            and isinstance(travel.coordinate, Symbol)
             and SEPARATOR in travel.coordinate.name
             and GENERIC in travel.coordinate.name
         }

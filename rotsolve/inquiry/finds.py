@@ -14,8 +14,10 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.inquiry.transfers import impulse, potential_change, work
-from rotsolve.motion.passages import displacement, rotation
-from rotsolve.scene.model import Find, Path, Term
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.passages import displacement, rotation, so_far
+from rotsolve.motion.timeline import Interval
+from rotsolve.scene.model import ANY_TIME, Find, Path, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 STORED = ("potential_energy", "energy")
@@ -106,6 +108,8 @@ def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     timeline = history.arrangement.timeline
     start, end = term.start, term.end
+    if term.at == ANY_TIME:
+        return at_any_time(term, history)
     if term.during is not None:
         interval = timeline.interval(term.during)
         if interval is None:
@@ -125,9 +129,43 @@ def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
     return at_state(term, history)
 
 
+def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
+    """The meaning at the running time, in the phase that is named or in the only one; a given motion is one function throughout."""
+    timeline = history.arrangement.timeline
+    intervals = timeline.between(term.start, term.end) if term.start and term.end else timeline.intervals
+    named = [interval for interval in intervals if term.during in (None, interval.name) and interval.event is None]
+    if not named:
+        raise Unclear("a function of time is asked of a phase", help="say `at any time during PHASE`")
+    if len(named) > 1 and not history.arrangement.drives(term.path.owner, named[0].start):
+        names = ", ".join(interval.name for interval in named)
+        raise Unclear("the motion may be another function in each phase", help=f"say `during` which: {names}")
+    if term.modifier not in ("", "size of"):
+        raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
+    start, path = named[0].start, term.path
+    if path.quantity in SPANNED:
+        return Meaning(run_up(path, history.instant(start, generic=True)), BY_WORD[path.quantity].dimension), named[
+            0
+        ].name
+    meaning = history.reader(start, generic=True).meaning(path, term)
+    if term.modifier == "size of":
+        meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
+    return meaning, named[0].name
+
+
+def run_up(path: Path, middle: Instant) -> Formula:
+    """What has come together from the start of a phase up to the running time."""
+    name = middle.host(path.owner)
+    if path.quantity == "displacement":
+        return way(path, name, None, middle)
+    if path.quantity in ("rotation", "turns"):
+        turned = so_far("rotation", name, middle)
+        return turned / (2 * PI) if path.quantity == "turns" else turned
+    raise NotYet(f"`{path.quantity}` as a function of time is not solved yet")
+
+
 def at_state(term: Term, history: History) -> tuple[Meaning, str]:
     """The meaning at one state: the one named, the only one, or any where it is the same throughout."""
-    states = [term.at] if term.at else [state.name for state in history.arrangement.timeline.states]
+    states = [term.at] if term.at else list(history.arrangement.timeline.named)
     found: dict[Formula, tuple[Meaning, str]] = {}
     failed: NotYet | None = None
     for state in states:
@@ -163,7 +201,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     """A quantity of one or several phases: the sum over them."""
     arrangement, timeline = history.arrangement, history.arrangement.timeline
     path, kind = term.path, BY_WORD[term.path.quantity]
-    names = [state.name for state in timeline.states]
+    names = list(timeline.named)
     if term.at is not None and term.at in names:
         start, end = names[max(0, names.index(term.at) - 1)], term.at
     start, end = start or names[0], end or names[-1]
@@ -185,7 +223,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         instant = history.instant(interval.start)
         name = instant.host(path.owner) if path.owner in arrangement.bodies else path.owner
         if path.quantity == "displacement" or path.quantity == "distance":
-            part = displacement(name, interval, instant) if interval.event is None else ZERO
+            part = way(path, name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("rotation", "turns"):
             part = rotation(name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("impulse", "angular_impulse"):
@@ -196,6 +234,16 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     if path.quantity == "turns":
         result = result / (2 * PI)
     return Meaning(result, kind.dimension), intervals[-1].name
+
+
+def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
+    """Displacement along a body's line or a component of it, over a phase, or up to any moment in it where none is named."""
+    axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
+    if path.component and not axis:
+        raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
+    if interval is None:
+        return so_far("displacement", name, instant, axis)
+    return displacement(name, interval, instant, axis)
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

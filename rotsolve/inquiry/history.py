@@ -21,7 +21,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, energy, kinematics, momentum, newton
+from rotsolve.principles import constraints, driven, energy, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
 from rotsolve.scene.model import Condition
 
@@ -52,8 +52,8 @@ class History:
             self._facts[key] = free_bodies(self.instant(state, generic=generic, virtual=virtual))
         return self._facts[key]
 
-    def reader(self, state: str) -> Reader:
-        return Reader(self.instant(state), lambda: self.facts(state))
+    def reader(self, state: str, *, generic: bool = False) -> Reader:
+        return Reader(self.instant(state, generic=generic), lambda: self.facts(state, generic=generic))
 
     @cached_property
     def passages(self) -> dict[str, Passage]:
@@ -133,29 +133,38 @@ class History:
         yield from turning.law_of_rotation(facts, section)
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
+        yield from driven.rates(facts, state)
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
             yield from momentum.rate_of_angular_momentum(facts, group, section)
             yield from energy.power(virtual, group, section)
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
-        """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they vary."""
+        """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""
         section = interval.name
         yield from energy.conservation(passage, section)
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
-        if self.varies(interval):
+        if self.varies(interval) or self.arrangement.runs:
             yield from turning.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
             yield from turning.law_of_rotation(passage.midst, section)
             yield from constraints.for_accelerations(passage.midst, section)
             yield from constraints.for_velocities(passage.midst, section)
+            yield from driven.rates(passage.midst, section)
+        if self.arrangement.runs:
+            changes = {rate.name: way for rate, way in self.ways(passage) if isinstance(rate, Symbol)}
+            yield from constraints.for_displacements(passage.midst, changes, section)
 
     def varies(self, interval: Interval) -> bool:
         """Whether accelerations vary in a phase."""
         return any(travel.pace != "constant" for travel in self.passages[interval.name].travels)
+
+    def ways(self, passage: Passage) -> list[tuple[Formula, Formula]]:
+        """Rates at any time, with the displacements and angles turned up to then."""
+        return [(travel.moving, travel.running) for travel in passage.travels if travel.running is not None]
 
     def changes(self, passage: Passage) -> dict[str, Formula]:
         """Displacements and angles turned by the letters of the rates that they come from."""

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.drive import TIME
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
@@ -26,6 +29,7 @@ RATE_OF = {  # what is zero where a quantity is largest or smallest
     "velocity": "acceleration",
 }
 RATES = ("velocity", "angular_velocity")
+EXTREMES = ("largest", "smallest")
 
 
 @dataclass
@@ -40,24 +44,46 @@ class Statements:
     def take(self) -> list[tuple[Equation, Condition]]:
         """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
         for state in self.arrangement.timeline.states:
+            self._clock(state)
+            self._driven(self._fresh(state.name))
+            self._driven(Instant(self.arrangement, self.registry, state.name, True, self.modes))
+        for state in self.arrangement.timeline.states:
             self._carry_over(state)
             for condition in state.conditions:
                 self._fix(state, condition)
             if state.balance:
-                self._rest(state.name, "all")
+                self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 self._balance(state.name)
-        self._driven()
+        self._as_drawn(self._fresh(self.arrangement.timeline.states[0].name))
         return self.stated
 
-    def _carry_over(self, state: State) -> None:
-        """The clock starts at the first state; an event takes no time, moves nothing, and leaves what it does not touch."""
-        timeline, fresh = self.arrangement.timeline, self._fresh(state.name)
-        before = timeline.before(state.name)
+    def _as_drawn(self, first: Instant) -> None:
+        """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
+        for body in self.arrangement.present(first.state):
+            angle = first.angle(body.name) if first.marked(body.name) else None
+            if angle is not None:
+                self._set(angle, ZERO)
+
+    def _clock(self, state: State) -> None:
+        """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
+        fresh, before = self._fresh(state.name), self.arrangement.timeline.before(state.name)
         if before is None:
             self._set(fresh.time(), ZERO)
-        elif before.event is not None:
+            return
+        last = self._fresh(before.start).time()
+        if before.event is not None:
+            self._set(fresh.time(), last)
+        for line in state.conditions:
+            if line.path is not None and line.path.quantity == "time" and line.value is not None:
+                self._set(fresh.time(), simplify(last + line.value))
+                self._set(fresh.ask("time", "", when=before.name), line.value)
+
+    def _carry_over(self, state: State) -> None:
+        """An event moves nothing, and leaves what it does not touch."""
+        timeline, fresh = self.arrangement.timeline, self._fresh(state.name)
+        before = timeline.before(state.name)
+        if before is not None and before.event is not None:
             last = self._fresh(before.start)
-            self._set(fresh.time(), last.time())
             said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
             touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
             for item in self.arrangement.connections(state.name):
@@ -111,23 +137,30 @@ class Statements:
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
         if condition.rest:
-            self._rest(state.name, condition.owner or "all")
+            self._rest(state, condition)
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
             raise NotYet("`leaves` is not solved yet")
-        elif condition.path is not None and condition.word in ("largest", "smallest"):
+        elif condition.path is not None and condition.word in EXTREMES:
             rate = RATE_OF.get(condition.path.quantity)
             if rate is None:
                 raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
-            self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
-        elif condition.path is not None and condition.value is not None:
-            letter = self._letter(state.name, condition.path)
-            if isinstance(letter, Symbol) and SEPARATOR in letter.name:
-                self._set(letter, condition.value)
-            elif letter != condition.value:
-                label = "stated" if letter.symbols() else "given"
-                self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
+            self._claim(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO, state.name, condition)
+        elif condition.path is not None and condition.value is not None and condition.path.quantity != "time":
+            self._claim(self._letter(state.name, condition.path), condition.value, state.name, condition)
+
+    def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
+        """Fix a letter that is free; what is known otherwise becomes an equation."""
+        if isinstance(letter, Symbol) and SEPARATOR in letter.name:
+            self._set(letter, value)
+        elif letter != value:
+            label, section = "stated" if letter.symbols() else "given", state
+            before = self.arrangement.timeline.before(state)
+            if condition.word in EXTREMES and condition.path is not None:
+                label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
+                section = before.name if before is not None else state  # it tells how long the phase takes
+            self.stated.append((Equation(letter, value, label, section, "", 1), condition))
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
@@ -144,12 +177,12 @@ class Statements:
             )
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
-    def _rest(self, state: str, owner: str) -> None:
-        instant = self._fresh(state)
-        for body in self.arrangement.present(state):
-            if owner in ("all", body.name):
+    def _rest(self, state: State, condition: Condition) -> None:
+        instant = self._fresh(state.name)
+        for body in self.arrangement.present(state.name):
+            if condition.owner in ("all", "", body.name):
                 for rate in self._rates(instant, body.name):
-                    self._set(rate, ZERO)
+                    self._claim(rate, ZERO, state.name, condition)
 
     def _balance(self, state: str) -> None:
         """In equilibrium nothing accelerates."""
@@ -162,16 +195,13 @@ class Statements:
             for rate in rates:
                 self._set(rate, ZERO)
 
-    def _driven(self) -> None:
-        """Rates that a drive prescribes."""
-        for state in self.arrangement.timeline.states:
-            instant = self._fresh(state.name)
-            for item in self.arrangement.connections(state.name):
-                for word in ("angle", "angular_velocity", "angular_acceleration"):
-                    value = getattr(item, word, None)
-                    if isinstance(value, Formula):
-                        name = instant.host(item.touches()[-1].owner)
-                        letter = instant.ask("angle", name) if word == "angle" else instant.rate(word, name)
-                        self._set(letter, value.substitute({"time": instant.time()}))
-                    if isinstance(value, Formula) and word == "angular_velocity" and "time" not in value.symbols():
-                        self._set(instant.rate("angular_acceleration", name), ZERO)
+    def _driven(self, instant: Instant) -> None:
+        """What a drive prescribes at a moment, and rates of it that vanish."""
+        bodies = self.arrangement.present(instant.state)
+        drives = [drive for body in bodies for drive in self.arrangement.drives(body.name, instant.state)]
+        for drive in drives:
+            self._set(instant.driven(drive, drive.word), drive.function.substitute({TIME: instant.time()}))
+        for drive in drives:
+            for word, function in drive.rates().items():
+                if function == ZERO:
+                    self._set(instant.driven(drive, word), ZERO)

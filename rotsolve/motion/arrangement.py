@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.directions import WORDS
+from rotsolve.core.drive import TIME, Drive
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.elements.actions import Action
@@ -16,7 +20,7 @@ from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, PointRef, Problem
+from rotsolve.scene.model import ANY_TIME, Body, PointRef, Problem
 
 
 @dataclass(frozen=True)
@@ -27,6 +31,21 @@ class Member:
     host: str
     at: PointRef
     own: PointRef
+
+
+def along_line(drives: tuple[Drive, ...], way: Heading) -> tuple[Drive, ...]:
+    """Prescribed components as one motion along a body's line of travel."""
+    parts = {(drive.word, drive.component): drive for drive in drives}
+    result = [drive for drive in drives if not drive.component]
+    for (word, component), drive in parts.items():
+        if component == "x":
+            x, y = drive.function, parts[word, "y"].function
+            if not is_zero(y * way.cos() - x * way.sin()):
+                said = f"the prescribed `{word}` of `{drive.body}` is not along the line on which it moves"
+                raise Unsolvable(said, help="leave out `moves` for a body that moves freely in the plane")
+            function = in_powers(simplify(x * way.cos() + y * way.sin()), TIME)
+            result.append(replace(drive, function=function, component=""))
+    return tuple(result)
 
 
 @dataclass(frozen=True)
@@ -146,6 +165,28 @@ class Arrangement:
         hangs = any(item.hangs(body) for item in self.connections(state))
         return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
 
+    def drives(self, name: str, state: str) -> tuple[Drive, ...]:
+        """The motions of a body that are given from outside."""
+        host = self.host(name, state)
+        found = tuple(
+            Drive(item.name, host, word, function, component, self.sense(host, state))
+            for item in self.connections(state)
+            for owner, word, component, function in item.prescribes()
+            if self.host(owner, state) == host
+        )
+        if not any(drive.component for drive in found):
+            return found
+        line = self.line(host, state)
+        return found if line is None else along_line(found, line[0])
+
+    def sense(self, name: str, state: str) -> int:
+        """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
+        turns = self.bodies[name].turns
+        if turns:
+            return 1 if turns == "counterclockwise" else -1
+        naturals = (item.natural_turn(self.bodies[name], self, state) for item in self.connections(state))
+        return next((natural for natural in naturals if natural), 1)
+
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
         found, pending = set(), [self.host(name, state)]
@@ -199,6 +240,11 @@ class Arrangement:
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
+
+    @cached_property
+    def runs(self) -> bool:
+        """Whether the scene asks for a function of time."""
+        return any(term.at == ANY_TIME for find in self.problem.finds for term in find.terms)
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

@@ -8,6 +8,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.rims import shape_of
@@ -49,7 +50,8 @@ def completed(problem: Problem) -> Problem:
         if not ref.point
     }
     bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
-    connections = tuple(_connection(item, letters) for item in problem.connections)
+    guides = (guide(body) for body in bodies if body.moved)
+    connections = (*(_connection(item, letters) for item in problem.connections), *guides)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 

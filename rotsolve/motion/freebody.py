@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from rotsolve.algebra.formula import ZERO, Formula, total
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Potential, Requirement, Rule
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, GivenMotion, Inertia, Potential, Requirement, Rule
 from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
@@ -32,7 +34,16 @@ def free_bodies(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Rule)),
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
+        tuple(given for body in bodies for given in given_motions(body.name, instant)),
     )
+
+
+def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
+    """What is given of a body's motion, with the letters of this moment for all that follows from it."""
+    for drive in instant.arrangement.drives(name, instant.state):
+        yield GivenMotion(
+            drive, {word: instant.driven(drive, word) for word in drive.words[drive.order :]}, instant.time()
+        )
 
 
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:

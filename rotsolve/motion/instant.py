@@ -8,15 +8,18 @@ from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import opposite
+from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, PLANE
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
 from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes.shape import WHEEL
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
+FOLLOWED = ("position", "velocity", "acceleration")
 TURNS = ("counterclockwise", "clockwise")
 
 
@@ -120,15 +123,8 @@ class Instant:
         return self.registry.ask(quantity)
 
     def sense(self, name: str) -> int:
-        """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
-        turns = self.body(name).turns
-        if turns:
-            return 1 if turns == "counterclockwise" else -1
-        for item in self.arrangement.connections(self.state):
-            natural = item.natural_turn(self.body(name), self.arrangement, self.state)
-            if natural:
-                return natural
-        return 1
+        """+1 where a body's positive turn is counterclockwise, −1 where it is clockwise."""
+        return self.arrangement.sense(name, self.state)
 
     def turn_words(self, name: str) -> tuple[str, str]:
         return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
@@ -137,6 +133,17 @@ class Instant:
         """Angular velocity or acceleration of a body, counted along its positive sense."""
         when = self.span(name) if word == "angular_acceleration" else self.moving
         return self.ask(word, name, when=when, words=self.turn_words(name))
+
+    def driven(self, drive: Drive, word: str) -> Formula:
+        """The letter of a coordinate that is given, or of its rate or acceleration."""
+        if drive.component:
+            return self.component(word, drive.body, drive.component)
+        if word in TRAVELLING:
+            line = self.arrangement.line(drive.body, self.state)
+            return self.travel(word, drive.body, line[1] if line else "")
+        if word == "angle":
+            return self.ask("angle", drive.body, words=TURNS)
+        return self.rate(word, drive.body)
 
     def orientation(self, name: str) -> Heading:
         """How far a body's own axes are turned in space: by its angle, or not at all where it stands as drawn."""
@@ -152,17 +159,28 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
-        if not rod and not self._speaks_of_angle(name):
-            return None
-        if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
+        if not (rod and self.arrangement.heavy) and not self._speaks_of_angle(name) and not self.marked(name):
             return None
         return self.ask("angle", name, words=TURNS)
+
+    def marked(self, name: str) -> bool:
+        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
+        arrangement, body = self.arrangement, self.body(name)
+        slanted = self.frame(name).cm.parts and shape_of(body).word != "rod"
+        if len(arrangement.timeline.states) < 2 or slanted:
+            return False
+        asked = (term.path for find in arrangement.problem.finds for term in find.terms if term.path.owner == name)
+        still = (None, "cm", "center", *WHEEL, *dict(body.radii))
+        return any(path.point not in still and path.quantity in FOLLOWED and path.component in PLANE for path in asked)
 
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem
         said = (line.path for state in problem.states for line in state.conditions if line.path)
         asked = (term.path for find in problem.finds for term in find.terms)
-        return any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked))
+        driven = any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state))
+        return driven or any(
+            path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked)
+        )
 
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
@@ -172,7 +190,7 @@ class Instant:
             base = self.point(member.at)
             own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
             return base + own.rotated(self.orientation(host)) if own.parts else base
-        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}
+        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT, **dict.fromkeys(dict(self.body(host).radii), RIGHT)}
         radius = rim_radius(self.body(host), ref.point)
         if ref.point in fixed and radius is not None:
             return self._from_reference(host, NOWHERE) + vector(radius, fixed[ref.point])
@@ -227,6 +245,8 @@ class Instant:
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
         body = self.body(name)
         own = self.frame(name)
+        if any(drive.words == TURNING for drive in self.arrangement.drives(name, self.state)):
+            return True
         if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
             return body.turns is not None and rim_radius(body, None) is not None
         return not on_line or body.turns is not None or rim_radius(body, None) is not None

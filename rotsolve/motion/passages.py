@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
 from rotsolve.core.directions import opposite
+from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
@@ -44,11 +45,19 @@ def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[froze
     return tuple(groups)
 
 
-def displacement(name: str, interval: Interval, instant: Instant) -> Formula:
-    """Displacement of a body along its line in a phase, counted along its positive sense."""
+def displacement(name: str, interval: Interval, instant: Instant, component: str = "") -> Formula:
+    """Displacement of a body along its line in a phase, counted along its positive sense; or a component of it."""
+    return instant.ask(
+        "displacement", name, when=interval.name, words=ways(name, instant, component), component=component
+    )
+
+
+def ways(name: str, instant: Instant, component: str) -> tuple[str, str]:
+    """The words for the two senses in which a body travels."""
+    if component:
+        return ("right", "left") if component == "x" else ("up", "down")
     line = instant.arrangement.line(name, instant.state)
-    words = (line[1], opposite(line[1])) if line else ("", "")
-    return instant.ask("displacement", name, when=interval.name, words=words)
+    return (line[1], opposite(line[1])) if line else ("", "")
 
 
 def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
@@ -56,11 +65,21 @@ def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
     return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
 
 
+def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formula:
+    """Displacement or rotation of a body from the start of a phase up to any moment in it."""
+    words = ways(name, middle, component) if word == "displacement" else middle.turn_words(name)
+    return middle.ask(word, name, words=words, component=component, letter="phi" if word == "rotation" else "s")
+
+
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
     """The coordinates of a body: along its line, and its turning."""
     pace = first.arrangement.pace(body.name, interval.start)
     if body.motion.kind == "line":
         yield line_travel(body.name, interval, pace, first, last, middle)
+    elif body.motion.kind == "plane":
+        for drive in first.arrangement.drives(body.name, interval.start):
+            if drive.component:
+                yield component_travel(drive, interval, first, last, middle)
     if body.motion.turns:
         yield turn_travel(body.name, interval, pace, first, last, middle)
 
@@ -69,17 +88,55 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     """The way of a body along its line."""
     words = first.arrangement.line(name, interval.start)
     label = words[1] if words else ""
+    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TRAVELLING]
+    pace, given = (drives[0].pace, drives[0].order) if drives else (pace, None)
+    places = [moment.travel("position", name, label) if given == 0 else None for moment in (first, last, middle)]
     before, after = (moment.travel("velocity", name, label) for moment in (first, last))
     moving = middle.travel("velocity", name, label)
     source = middle if pace != "constant" else first
     acceleration = source.travel("acceleration", name, label)
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
-    return Travel(name, "line", before, after, acceleration, change, pace, moving, initial=initial)
+    running = so_far("displacement", name, middle) if first.arrangement.runs else None
+    swift = middle.travel("acceleration", name, label)
+    ends = (places[0], places[1], places[2])
+    return Travel(
+        name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, given, running, swift
+    )
+
+
+def component_travel(drive: Drive, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """One component of the way of a body that is moved freely in the plane."""
+    name, axis = drive.body, drive.component
+    before, after, moving = (moment.component("velocity", name, axis) for moment in (first, last, middle))
+    initial, swift = (moment.component("acceleration", name, axis) for moment in (first, middle))
+    acceleration = initial if drive.pace == "constant" else swift
+    places = [moment.component("position", name, axis) for moment in (first, last, middle)]
+    change = displacement(name, interval, first, axis)
+    running = so_far("displacement", name, middle, axis) if first.arrangement.runs else None
+    ends = (places[0], places[1], places[2])
+    return Travel(
+        name,
+        "line",
+        before,
+        after,
+        acceleration,
+        change,
+        drive.pace,
+        moving,
+        *ends,
+        initial,
+        1,
+        drive.order,
+        running,
+        swift,
+    )
 
 
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
-    """The turning of a body."""
+    """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
+    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TURNING]
+    pace = drives[0].pace if drives else pace
     before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
     source = middle if pace != "constant" else first
     acceleration = source.rate("angular_acceleration", name)
@@ -88,8 +145,12 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
     change = rotation(name, interval, first)
     initial = first.rate("angular_acceleration", name)
+    given = drives[0].order if drives else None
+    running = so_far("rotation", name, middle) if first.arrangement.runs else None
+    ends = (start, end, angles[2])
+    swift = middle.rate("angular_acceleration", name)
     return Travel(
-        name, "turn", before, after, acceleration, change, pace, moving, start, end, angles[2], initial, sense
+        name, "turn", before, after, acceleration, change, pace, moving, *ends, initial, sense, given, running, swift
     )
 
 

@@ -7,7 +7,9 @@ from functools import cached_property
 from itertools import pairwise
 
 from rotsolve.elements.events import Event
-from rotsolve.scene.model import Problem, State
+from rotsolve.scene.model import ANY_TIME, Problem, State
+
+OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 
 
 @dataclass(frozen=True)
@@ -27,6 +29,11 @@ class Timeline:
 
     states: tuple[State, ...]
     intervals: tuple[Interval, ...]
+
+    @property
+    def named(self) -> tuple[str, ...]:
+        """The states that the scene speaks of."""
+        return tuple(state.name for state in self.states if state.name != OPEN)
 
     @cached_property
     def order(self) -> dict[str, int]:
@@ -61,6 +68,8 @@ class Timeline:
 def timeline(problem: Problem) -> Timeline:
     """The timeline of a problem: neighbouring states are joined by a phase unless an event joins them."""
     states = problem.states or (State(""),)
+    if len(states) == 1 and any(term.at == ANY_TIME for find in problem.finds for term in find.terms):
+        states = (*states, State(OPEN))
     intervals = []
     for before, after in pairwise(states):
         event = next((item for item in problem.events if (item.from_, item.to) == (before.name, after.name)), None)

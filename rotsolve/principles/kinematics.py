@@ -13,12 +13,15 @@ from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
 TIME = "time"
+CHANGE = {"turn": "angle turned", "line": "displacement"}
 
 
 def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
     """The equations of motion of every coordinate, by how its acceleration varies."""
     for travel in passage.travels:
-        if travel.pace == "constant":
+        if travel.given == 0:
+            pass  # the change of a given coordinate is told by its values at both ends
+        elif travel.pace == "constant":
             yield from constant(travel, passage, section)
         elif travel.pace == "time":
             yield from varying(travel, passage, section)
@@ -26,7 +29,9 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None:
             change = travel.end - travel.start
-            yield equation(travel.change, change, "angle turned", travel, section, cost=1)
+            yield equation(travel.change, change, CHANGE[travel.kind], travel, section, cost=1)
+        if travel.running is not None:
+            yield from at_any_time(travel, passage, section)
     if passage.times[0] != passage.times[1]:
         yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, KINEMATICS, 1)
 
@@ -48,24 +53,44 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
     )
     words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
     yield equation(after, before + rate * time, words, travel, section)
-    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
     yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
+    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
     yield equation(change, HALF * (before + after) * time, words, travel, section, cost=3)
 
 
 def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
-    """v₂ = v₁ + ∫ a dt, and the change of the coordinate as ∫ v dt."""
+    """v₂ = v₁ + ∫ a dt where the velocity is not given, and the change of the coordinate as ∫ v dt."""
     start, end = passage.times
-    words = "velocity from acceleration" if travel.kind == "line" else "angular velocity from angular acceleration"
-    yield equation(
-        travel.after, travel.before + Integral(travel.acceleration, TIME, start, end), words, travel, section
-    )
-    words = f"{words}, at any time"
-    yield equation(
-        travel.moving, travel.before + Integral(travel.acceleration, TIME, start, Symbol(TIME)), words, travel, section
-    )
+    if travel.given != 1:
+        words = "velocity from acceleration" if travel.kind == "line" else "angular velocity from angular acceleration"
+        gained = Integral(travel.acceleration, TIME, start, end)
+        yield equation(travel.after, travel.before + gained, words, travel, section)
+        gained = Integral(travel.acceleration, TIME, start, Symbol(TIME))
+        yield equation(travel.moving, travel.before + gained, f"{words}, at any time", travel, section)
     words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
     yield equation(travel.change, Integral(travel.moving, TIME, start, end), words, travel, section)
+
+
+def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
+    """v(t) and the change of the coordinate up to any time, and what the coordinate is then."""
+    start, now = passage.times[0], Symbol(TIME)
+    change = travel.running
+    assert change is not None
+    if travel.pace == "constant" and travel.given != 0:
+        words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
+        rate, passed = travel.acceleration, now - start
+        if travel.swift is not None:
+            yield equation(travel.swift, rate, words, travel, section, cost=1)
+        yield equation(travel.moving, travel.before + rate * passed, f"{words}, at any time", travel, section)
+        way = travel.before * passed + HALF * rate * square(passed)
+        yield equation(change, way, f"{words}, at any time", travel, section)
+    elif travel.pace == "time" and travel.given != 0:
+        words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
+        way = Integral(travel.moving, TIME, start, now)
+        yield equation(change, way, f"{words}, at any time", travel, section)
+    if travel.start is not None and travel.coordinate is not None:
+        gained = signed(travel.coordinate, travel.sense) - travel.start
+        yield equation(change, gained, f"{CHANGE[travel.kind]}, at any time", travel, section, cost=1)
 
 
 def by_place(travel: Travel, section: str) -> Iterator[Equation]:

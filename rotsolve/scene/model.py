@@ -83,7 +83,10 @@ class Condition:
 
 @dataclass(frozen=True, slots=True)
 class Body:
-    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later)."""
+    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
+
+    `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.
+    """
 
     name: str
     shape: Shape | None = None
@@ -101,6 +104,7 @@ class Body:
     moves: str | None = None
     turns: str | None = None
     span: Span | None = None
+    moved: tuple[tuple[str, str, Formula], ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -136,12 +140,15 @@ class Phase:
     span: Span | None = None
 
 
+ANY_TIME = "any time"  # in place of a state: the moment that runs through a phase
+
+
 @dataclass(frozen=True, slots=True)
 class Term:
     """One operand of a `find`: a path with its modifier and its own time.
 
     modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of', 'which of'.
-    A `time from A to B` has path.quantity 'time'. `at` names one state, `during` a phase or event, `start`/`end` two states.
+    A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 
     path: Path
@@ -170,10 +177,18 @@ class Find:
 
 
 @dataclass(frozen=True, slots=True)
+class Moment:
+    """A time at which functions of time are evaluated: as written, and in seconds."""
+
+    text: str
+    value: Formula
+
+
+@dataclass(frozen=True, slots=True)
 class Published:
     """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
 
-    `values` are the numbers of a vector or of several roots.
+    `values` are the numbers of a vector or of several roots; `at` says when a function of time has the number.
     """
 
     name: str
@@ -184,6 +199,7 @@ class Published:
     span: Span | None = None
     values: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
+    at: Moment | None = None
 
 
 @dataclass(frozen=True, slots=True)

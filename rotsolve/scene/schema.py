@@ -135,6 +135,7 @@ def value(key: Key, word: str = "") -> dict[str, Any]:
         "inertia": {"anyOf": [SCALAR, TENSOR, ABOUT]},
         "count": {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]},
         "axis": {"anyOf": [SCALAR, PLACE]},
+        "motion": {"anyOf": [SCALAR, PLACE]},
     }
     return kinds.get(key.kind, ANYTHING)
 

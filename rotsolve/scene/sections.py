@@ -62,17 +62,17 @@ BODY: dict[str, Key] = {
     "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
     "thickness": Key("quantity", "thickness", dimension="length", letter="d", limits="positive", later=True),
     "axis": Key("axis", "symmetry axis in body coordinates", later=True),
-    "angle": Key("quantity", "driven angle", dimension="angle", letter="theta", varies=True, later=True),
+    "position": Key("motion", "prescribed place of its centre of mass", dimension="length", letter="r", varies=True),
+    "velocity": Key("motion", "prescribed velocity `[vx, vy]`", dimension="velocity", letter="v", varies=True),
+    "acceleration": Key(
+        "motion", "prescribed acceleration `[ax, ay]`", dimension="acceleration", letter="a", varies=True
+    ),
+    "angle": Key("motion", "prescribed angle", dimension="angle", letter="theta", varies=True),
     "angular_velocity": Key(
-        "quantity", "driven angular velocity", dimension="angular velocity", letter="omega", varies=True, later=True
+        "motion", "prescribed angular velocity", dimension="angular velocity", letter="omega", varies=True
     ),
     "angular_acceleration": Key(
-        "quantity",
-        "driven angular acceleration",
-        dimension="angular acceleration",
-        letter="alpha",
-        varies=True,
-        later=True,
+        "motion", "prescribed angular acceleration", dimension="angular acceleration", letter="alpha", varies=True
     ),
 }
 

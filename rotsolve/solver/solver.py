@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
@@ -224,7 +224,7 @@ class Solver(Textbook):
         if picked is None:
             raise Contradiction(item.index)
         value = candidates[picked[0]]
-        final = self.simplify(self.with_answers(value))
+        final = self._shortest(self.with_answers(value))
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
@@ -235,6 +235,13 @@ class Solver(Textbook):
             self._step(item, asked, final, picked[1] or reason, more)
         others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
         return Found(asked, final, None, others)
+
+    def _shortest(self, value: Formula) -> Formula:
+        """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
+        final = self.simplify(value)
+        roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
+        sums = all(isinstance(root, Sum) for root in roots)
+        return value if sums and 3 * length(value) < 2 * length(final) else final
 
     def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
         """A step whose first equality is in letters found before, and whose last has them put in."""
@@ -256,7 +263,7 @@ class Solver(Textbook):
         gap = left - right
         written = isolated(item, asked)
         if written is not None:
-            return [self.simplify(self.carried_out(written))], [], ()
+            return [self._shortest(self.carried_out(written))], [], ()
         parts = coefficients(gap, asked, order=self.order, positive=self.positive)
         if parts is not None and len(parts) < 2:
             raise (

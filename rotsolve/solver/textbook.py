@@ -8,7 +8,9 @@ from rotsolve.algebra.calculus import integrate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral
+from rotsolve.core.drive import TIME
 from rotsolve.solver.step import Found
 
 
@@ -25,7 +27,7 @@ class Textbook:
         value = simplify(value, order=self.order, positive=self.positive)
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
             value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
-        return value
+        return in_powers(value, TIME, order=self.order, positive=self.positive)
 
     def _without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""

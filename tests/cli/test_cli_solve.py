@@ -86,8 +86,10 @@ def test_a_scene_that_uses_a_word_without_physics_is_not_solvable(
 
 
 def test_options_reach_the_engine(rotsolve: Run, engine: Any) -> None:
-    rotsolve("solve", "one.yaml", "--law", "energy", "--digits", "9", "--set", "m=3kg", "--set", "v = 2 m/s")
-    assert engine.asked == [("one.yaml", {"law": "energy", "settings": {"m": "3kg", "v": "2 m/s"}, "digits": 9})]
+    options = ("--law", "energy", "--digits", "9", "--at", "t=2s")
+    rotsolve("solve", "one.yaml", *options, "--set", "m=3kg", "--set", "v = 2 m/s")
+    settings = {"m": "3kg", "v": "2 m/s"}
+    assert engine.asked == [("one.yaml", {"law": "energy", "settings": settings, "digits": 9, "at": "2 s"})]
 
 
 @pytest.mark.parametrize("stage", ["facts", "equations", "plan"])

@@ -73,17 +73,18 @@ def expressions(item: Tied, names: set[str], asks: list[str]) -> dict[str, str]:
     return {**same, **{name: text for name, text in item.asks.items() if name in asks}}
 
 
-def solved_as(item: Tied, record: dict[str, Any]) -> Solution:
-    """The problem with the numbers of the record."""
+def solved_as(item: Tied, record: dict[str, Any], at: str | None = None) -> Solution:
+    """The problem with the numbers of the record, functions of time evaluated where it says."""
     own = {given.name for given in read_file(item.file).givens if not given.asked and not given.automatic}
     values = {name: str(value) for name, value in record["givens"].items()}
     settings = {name: values[item.givens.get(name, name)] for name in own if item.givens.get(name, name) in values}
-    return solve(item.file, settings=settings)
+    return solve(item.file, settings=settings, at=at)
 
 
 def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]]:
     """The asks that this file answers, and how its answers differ from the record's."""
     solution = solved_as(item, record)
+    letters = {*record["givens"], "t"}  # t is the running time
     asks = {ask["name"]: ask for ask in record["asks"]}
     answered, wrong = [], []
     for name, text in expressions(item, set(solution.answers), list(asks)).items():
@@ -93,10 +94,11 @@ def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]
         found = formula_of(expression, solution)
         expected = asks[name].get("symbolic")
         if expected is not None and found is not None:
-            formula = renamed(parse(str(expected).replace("**", "^"), set(record["givens"])), item)
+            formula = renamed(parse(str(expected).replace("**", "^"), letters), item)
             if not equal(found, formula, {given.name for given in solution.problem.givens} | {"g"}):
                 wrong.append(f"{place} = {to_text(found)}; the record has {expected}")
-        value = number_of(expression, solution)
+        moment = asks[name].get("at", {}).get("t")
+        value = number_of(expression, solution if moment is None else solved_as(item, record, str(moment)))
         recorded = recorded_value(asks[name])
         if abs(value - recorded) > ACCURACY * max(abs(value), abs(recorded)):
             wrong.append(f"{place} = {value!r} in SI units; the record has {recorded!r}")

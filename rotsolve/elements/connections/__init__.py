@@ -3,6 +3,7 @@
 from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
 from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.guides import guide as guide
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Weld
@@ -23,4 +24,4 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Rides,
 )
 
-__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "String", "Weld"]
+__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "String", "Weld", "guide"]

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule
 from rotsolve.core.heading import Heading
 from rotsolve.scene.model import Body, PointRef
@@ -60,6 +61,10 @@ class Connection:
     def pace(self, arrangement: Arrangement, state: str) -> str:
         """How its forces and rules vary while bodies move: 'constant', 'time' or 'position'."""
         return "constant"
+
+    def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
+        """Motions that it forces on bodies: (body, word, component, formula of `time`)."""
+        return iter(())
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         """The forces, couples, rules and requirements that it adds at a moment."""

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Couple, Force, Rule, signed
 from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -49,9 +50,18 @@ class Driven(Connection):
         """The bodies that turn about it."""
         return ()
 
+    def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
+        for word in TURNING:
+            value = getattr(self, word)
+            if value is not None:
+                yield from ((ref.owner, word, "", value) for ref in self.held())
+
     def pace(self, arrangement: Arrangement, state: str) -> str:
-        driven = (self.angle, self.angular_velocity, self.angular_acceleration, self.friction_torque)
-        return "time" if any(value is not None and "time" in value.symbols() for value in driven) else "constant"
+        """Of its torques; a drive's couple follows what it drives."""
+        drives = (drive for ref in self.held() for drive in arrangement.drives(ref.owner, state))
+        friction = self.friction_torque
+        rubs = "time" if friction is not None and "time" in friction.symbols() else "constant"
+        return max((rubs, *(drive.pace for drive in drives)), key=("constant", "time").index)
 
     def couples(self, instant: Instant) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
@@ -59,7 +69,7 @@ class Driven(Connection):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
-            elif self.driven or instant.arrangement.asks(self.name, "torque"):
+            if self.driven or (self.friction_torque is None and instant.arrangement.asks(self.name, "torque")):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
 
@@ -81,7 +91,7 @@ class Driven(Connection):
 
     @property
     def driven(self) -> bool:
-        return any(value is not None for value in (self.angle, self.angular_velocity, self.angular_acceleration))
+        return any(getattr(self, word) is not None for word in TURNING)
 
 
 @dataclass(frozen=True)

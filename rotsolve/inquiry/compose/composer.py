@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.drive import TIME
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
@@ -16,7 +17,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
-from rotsolve.scene.model import Condition, Problem
+from rotsolve.scene.model import Condition, Moment, Problem
 from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
@@ -27,7 +28,7 @@ WITH_FORCES = ("newton", "energy", "angular-momentum")
 class Composer:
     """Turns what an inquiry found into a derivation."""
 
-    def __init__(self, inquiry: Inquiry, first: int = 1) -> None:
+    def __init__(self, inquiry: Inquiry, first: int = 1, at: Moment | None = None) -> None:
         self.inquiry = inquiry
         self.first = first  # number of the first equation
         self.history = inquiry.history
@@ -36,7 +37,7 @@ class Composer:
         self.drafts = drafts_of(inquiry)
         self.names = self._names()
         self.numbers = self._numbers()
-        self.results = Results(inquiry, self.printed)
+        self.results = Results(inquiry, self.printed, at)
 
     def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
@@ -50,7 +51,9 @@ class Composer:
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
             finds=tuple(self._find(answered) for answered in self.inquiry.in_order()),
-            states=tuple(state_words(state.name, state.conditions) for state in self.problem.states),
+            states=tuple(
+                state_words(state.name, state.conditions, self._reached(state.name)) for state in self.problem.states
+            ),
             conventions=self._conventions(),
             sections=tuple(sections),
             answers=tuple(self.results.answer(answered) for answered in self.inquiry.in_order()),
@@ -58,6 +61,11 @@ class Composer:
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
         )
+
+    def _reached(self, state: str) -> str:
+        """What is said of a state that has no lines of its own."""
+        before = self.history.arrangement.timeline.before(state)
+        return "the clock starts" if before is None else "as the event leaves it" if before.event else "later"
 
     # sections
 
@@ -227,7 +235,12 @@ class Composer:
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
-        return (("angles from the rightward horizontal, counterclockwise positive",),) if angles else ()
+        said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+        arrangement = self.history.arrangement
+        if arrangement.runs:
+            first = arrangement.timeline.states[0].name
+            said.append((self.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time"))
+        return tuple(said)
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
@@ -259,8 +272,8 @@ def without_torque(silent: list[str]) -> tuple[Words, ...]:
     return ((f"{listed} {verb} at the {support}: no torque about it",),)
 
 
-def state_words(name: str, conditions: Sequence[Condition]) -> Words:
-    """What the scene says of a state, on one line."""
+def state_words(name: str, conditions: Sequence[Condition], bare: str) -> Words:
+    """What the scene says of a state, on one line; `bare` where it says nothing."""
     parts = []
     for line in conditions:
         if line.rest:
@@ -269,7 +282,7 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
             parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
-    return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
+    return (f"{spoken(name)}: " + (", ".join(parts) if parts else bare),)
 
 
 def stated(value: Formula) -> str:

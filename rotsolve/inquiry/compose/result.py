@@ -12,10 +12,12 @@ from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.derivation import Answer, Equality
+from rotsolve.core.derivation import Answer, Equality, Words
+from rotsolve.core.drive import TIME
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
+from rotsolve.scene.model import Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -27,6 +29,7 @@ class Results:
 
     inquiry: Inquiry
     printed: Callable[[Formula], Formula]
+    at: Moment | None = None  # when functions of time are evaluated
 
     def answer(self, answered: Answered) -> Answer:
         """The exact form, the certified value and the direction in words."""
@@ -37,9 +40,13 @@ class Results:
         )
         value = self._value_in(found, unit)
         direction, signed = self._direction(answered, value)
-        return Answer(
-            asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed
-        )
+        symbol, remark = Symbol(asked.find.name), self._when(found)
+        return Answer(asked.find.name, symbol, formula, value, unit, asked.dimension, direction, signed, remark=remark)
+
+    def _when(self, found: Found) -> Words:
+        """The time at which a function of time has the value that is printed."""
+        runs = found.formula is not None and TIME in found.formula.symbols()
+        return ("at ", self.printed(Symbol(TIME)), f" = {self.at.text}") if self.at is not None and runs else ()
 
     def _readable(self, answered: Answered) -> Formula:
         """The closed form; one that no page would hold stays in the letters found before."""
@@ -66,10 +73,11 @@ class Results:
         )
 
     def value(self, formula: Formula) -> Certified | None:
-        if formula.symbols() - set(self.inquiry.values):
+        values = {**self.inquiry.values, **({} if self.at is None else {TIME: self.at.value})}
+        if formula.symbols() - set(values):
             return None
         try:
-            return evaluate(formula, self.inquiry.values)
+            return evaluate(formula, values)
         except Undefined:
             return None
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
-from rotsolve.core.facts import BodyFacts, signed, square
+from rotsolve.algebra.formula import ZERO, Formula, Number, add, sqrt, total
+from rotsolve.core.facts import BodyFacts, Motion, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
@@ -24,7 +24,7 @@ class OfBodies(Moment):
 
     def at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("velocity", "speed", "acceleration") and (
+        return path.quantity in ("position", "velocity", "speed", "acceleration") and (
             path.point is not None or not self._travels(path)
         )
 
@@ -37,22 +37,34 @@ class OfBodies(Moment):
         instant = self.instant
         ref = PointRef(path.owner, path.point or "cm", path.argument)
         motion, arm = instant.motion(path.owner), instant.point(ref)
+        if path.quantity == "position":
+            return self._place(path, arm)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
         dimension = BY_WORD[path.quantity].dimension
+        label = f"{path.quantity} of {spoken_point(path)}{carried(motion, arm, path.quantity)}"
         if path.component in ("x", "y"):
-            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
+            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension, label=label)
         if path.component in ("tangential", "normal"):
             turned = arm.turned(90).times(motion.spin_rate if path.quantity == "acceleration" else motion.spin)
             inward = arm.turned(180).times(square(motion.spin)) if path.quantity == "acceleration" else Vector()
             part = turned if path.component == "tangential" else inward
             return Meaning(size_of(part, signed_by=motion.sense), dimension, part)
-        label = f"{path.quantity} of {spoken_point(path)}"
         remark = (
             "at rest: no centripetal part"
             if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns
             else ""
         )
         return Meaning(size_of(vector), dimension, vector, remark, label)
+
+    def _place(self, path: Path, arm: Vector) -> Meaning:
+        """A component of a point's place: that of the body's reference, and from there to the point."""
+        if path.component not in ("x", "y"):
+            raise NotYet("a place is asked by its components", help=f"ask for `{path_text(path)}.x` and `.y`")
+        name, direction = self.instant.host(path.owner), RIGHT if path.component == "x" else UP
+        if self.instant.motion(name).kind != "plane":
+            raise NotYet(f"where `{name}` is in the scene is not told", help="ask for a displacement")
+        place = self.instant.component("position", name, path.component)
+        return Meaning(add(place, arm.along(direction)), BY_WORD["position"].dimension)
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""
@@ -218,6 +230,13 @@ class OfBodies(Moment):
         else:
             parts += [couple.torque * body.motion.spin for couple in body.couples]
         return total([part for part in parts if part != ZERO])
+
+
+def carried(motion: Motion, arm: Vector, quantity: str) -> str:
+    """How a point moves with a body that travels and turns; nothing where that is plain."""
+    if motion.kind != "plane" or motion.spin == ZERO or not arm.parts:
+        return ""
+    return ", a_P = a + α × r − ω² r" if quantity == "acceleration" else ", v_P = v + ω × r"
 
 
 def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:

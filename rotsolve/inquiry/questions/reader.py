@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rotsolve.algebra.formula import Formula, total
+from rotsolve.core.directions import opposite
 from rotsolve.core.facts import signed
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.inquiry.questions.bodies import OfBodies
@@ -43,7 +44,16 @@ class Reader(Moment):
         if path.quantity in ("torque", "angular_momentum"):
             name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)
             return self.instant.turn_words(self.instant.host(name)) if name else ("", "")
+        if path.owner in self.instant.arrangement.bodies and not (path.point or path.component):
+            return self._senses(self.instant.host(path.owner), path.quantity)
         return ("", "")
+
+    def _senses(self, name: str, quantity: str) -> tuple[str, str]:
+        """The two senses of a body's turn, or of its travel along its line."""
+        if quantity in ("angular_velocity", "angular_acceleration"):
+            return self.instant.turn_words(name)
+        line = self.instant.arrangement.line(name, self.instant.state)
+        return (line[1], opposite(line[1])) if line and quantity in ("velocity", "acceleration") else ("", "")
 
     def _of_system(self, path: Path) -> Formula:
         """A quantity of all bodies together."""

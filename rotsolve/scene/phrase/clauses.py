@@ -7,7 +7,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import Unit, UnitError, parse_unit
-from rotsolve.scene.model import Condition, Path, PointRef, Term
+from rotsolve.scene.model import ANY_TIME, Condition, Path, PointRef, Term
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.reader.points import read_point
 from rotsolve.scene.reader.states import EXTREMES, dimension_word
@@ -76,7 +76,10 @@ class Clauses:
     def state(self, part: Text) -> str | None:
         return self.named(part, ("state",), "state", "states")
 
-    read_at = read_start = read_end = state
+    read_start = read_end = state
+
+    def read_at(self, part: Text) -> str | None:
+        return ANY_TIME if part.value.split() == ANY_TIME.split() else self.state(part)
 
     def named(self, part: Text, kinds: tuple[str, ...], what: str, plural: str) -> str | None:
         word = part.value.strip()

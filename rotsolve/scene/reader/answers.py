@@ -8,14 +8,15 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.parse import FormulaError, parse
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Fault
-from rotsolve.scene.model import Published
+from rotsolve.scene.model import Moment, Published
+from rotsolve.scene.moment import read_moment
 from rotsolve.scene.tree.nodes import List, Node, Text
 from rotsolve.scene.values.expressions import expression
 from rotsolve.scene.values.literals import LITERAL, Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
-KEYS = ("formula", "symbolic", "value", "tolerance", "word")
+KEYS = ("formula", "symbolic", "value", "at", "tolerance", "word")
 FORM = "write `4.9 N`, a formula, a word, or `{formula: …, value: …, tolerance: …}`"
 
 
@@ -30,6 +31,8 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
         if word in ("formula", "symbolic") and isinstance(written, Text):
             found["formula"] = formula_of(scope, written, asked)
             texts.append(written.value)
+        elif word == "at":
+            found["at"] = moment_of(scope, written)
         elif word == "tolerance":
             found["tolerance"] = number_of(scope, written)
         else:
@@ -95,6 +98,15 @@ def quantity_of(text: str) -> Quantity | None:
     try:
         return parse_quantity(text)
     except UnitError:
+        return None
+
+
+def moment_of(scope: Scope, node: Node) -> Moment | None:
+    """When a function of time has the published number."""
+    try:
+        return read_moment(node.value if isinstance(node, Text) else "")
+    except ValueError:
+        scope.fault(node, "`at` wants a time, such as `2 s`", kind="form")
         return None
 
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.drive import TURNING
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.elements.shapes.flat import Triangle
-from rotsolve.scene.keys import keys_of
+from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.model import Body, Part
 from rotsolve.scene.reader.declared import read_keys, read_value
 from rotsolve.scene.reader.points import points_of, read_place
@@ -96,6 +97,9 @@ def build(
         declared = BODY[word]
         if declared.later:
             scope.later(place, word)
+        if declared.kind == "motion":
+            fields["moved"] = (*fields.get("moved", ()), *motion(scope, declared, node, word, name))
+            continue
         reader = READERS.get(declared.kind)
         found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
@@ -116,6 +120,22 @@ def build(
             "point",
         )
     return body
+
+
+def motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
+    """A prescribed motion: one value or formula of `time` for a turn, `[x, y]` for a travel."""
+    if word in TURNING:
+        parts = {"": node}
+    elif isinstance(node, List) and len(node.items) == 2:
+        parts = dict(zip("xy", node.items, strict=True))
+    else:
+        scope.fault(node, f"`{word}` of a body wants `[x, y]`", "write its two components", "form")
+        return
+    for component, item in parts.items():
+        owner = f"{component}_{name}" if component else name
+        found = value(scope, item, Want(word, key.dimension, key.letter, owner, varies=key.varies))
+        if found is not None:
+            yield word, component, found
 
 
 def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:

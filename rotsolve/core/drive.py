@@ -1,0 +1,59 @@
+"""Drive: a motion that is given and not caused: a coordinate of a body, its rate or its acceleration, as a formula of `time`."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.formula import Formula, negate
+
+TIME = "time"
+TURNING = ("angle", "angular_velocity", "angular_acceleration")
+TRAVELLING = ("position", "velocity", "acceleration")
+
+
+@dataclass(frozen=True, slots=True)
+class Drive:
+    """What is given of a body: one of the words of TURNING, or of TRAVELLING with the component x or y.
+
+    An angle counts counterclockwise; its rates, given or worked out, count along the body's positive turn `sense`.
+    """
+
+    owner: str
+    body: str
+    word: str
+    function: Formula
+    component: str = ""
+    sense: int = 1
+
+    @property
+    def words(self) -> tuple[str, str, str]:
+        """The coordinate, its rate and its acceleration."""
+        return TURNING if self.word in TURNING else TRAVELLING
+
+    @property
+    def order(self) -> int:
+        """0 where the coordinate is given, 1 for its rate, 2 for its acceleration."""
+        return self.words.index(self.word)
+
+    def rates(self) -> dict[str, Formula]:
+        """What is given and all that differentiation makes of it: ω = dθ/dt, α = dω/dt."""
+        found, current = {self.word: self.function}, self.function
+        for word in self.words[self.order + 1 :]:
+            current = derivative(current)
+            if word == "angular_velocity" and self.sense < 0:
+                current = negate(current)
+            found[word] = current
+        return found
+
+    @property
+    def pace(self) -> str:
+        """How the acceleration varies: 'constant' or 'time'."""
+        return "time" if TIME in self.rates()[self.words[2]].symbols() else "constant"
+
+
+def derivative(function: Formula) -> Formula:
+    """df/dt, a polynomial by its powers: 2 c t + 3 d t²."""
+    return in_powers(simplify(differentiate(function, TIME)), TIME)
