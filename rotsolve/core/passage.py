@@ -14,7 +14,7 @@ from rotsolve.core.heading import Vector
 class Travel:
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `words` name it ("block", "disc, rotation"); `pace` is 'constant', 'time' or 'position'; for varying paces `midway` is the
+    `words` name it ("block", "disc, rotation"); `pace` is as in core.varying; for varying paces `midway` is the
     acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
     """
 
@@ -31,6 +31,7 @@ class Travel:
     coordinate: Formula | None = None  # the coordinate at any moment between
     initial: Formula | None = None  # the acceleration at the start of the phase
     sense: int = 1  # +1 where the positive turn is counterclockwise, as the coordinate counts it
+    leads: bool = False  # whether the forces of its group vary with this coordinate, or with this rate
 
 
 @dataclass(frozen=True, slots=True)

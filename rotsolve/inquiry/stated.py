@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.varying import CONSTANT, pace_of
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
@@ -172,6 +173,6 @@ class Statements:
                     if isinstance(value, Formula):
                         name = instant.host(item.touches()[-1].owner)
                         letter = instant.ask("angle", name) if word == "angle" else instant.rate(word, name)
-                        self._set(letter, value.substitute({"time": instant.time()}))
-                    if isinstance(value, Formula) and word == "angular_velocity" and "time" not in value.symbols():
+                        self._set(letter, instant.now(value))
+                    if isinstance(value, Formula) and word == "angular_velocity" and pace_of(value) == CONSTANT:
                         self._set(instant.rate("angular_acceleration", name), ZERO)

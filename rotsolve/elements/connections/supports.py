@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Couple, Force, Rule, signed
 from rotsolve.core.heading import RIGHT, UP, unit
+from rotsolve.core.varying import combined, pace_of
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
@@ -51,7 +52,7 @@ class Driven(Connection):
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
         driven = (self.angle, self.angular_velocity, self.angular_acceleration, self.friction_torque)
-        return "time" if any(value is not None and "time" in value.symbols() for value in driven) else "constant"
+        return combined(pace_of(value) for value in driven if value is not None)
 
     def couples(self, instant: Instant) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
