@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
-from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
 from rotsolve.core.directions import along_text
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
@@ -92,7 +92,12 @@ class Force(Action):
             return
         size = self.now(instant)
         push, arm = self.aim(instant, self.on)
-        words = ("force ", size, self.told(push, arm, instant))
+        told = self.told(push, arm, instant)
+        if isinstance(size, Negative) and len(push.parts) == 1:  # −k x to the right is k x to the left
+            size, push = size.operand, -push
+            along = along_text(push.parts[0][1])
+            told = f", {along}" if along else f"{told}, backwards"
+        words = ("force ", size, told)
         yield facts.Force(self.name, "applied", instant.host(self.on.owner), size, push, arm, words)
 
     def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
@@ -152,6 +157,8 @@ class Couple(Action):
             return
         name, size = instant.host(self.on.owner), self.now(instant)
         turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), instant.sense(name))
+        if isinstance(size, Negative):  # a drag −c ω is a torque c ω the other way
+            size, turn = size.operand, -turn
         words = ("torque ", size, ", clockwise" if turn < 0 else ", counterclockwise")
         yield facts.Couple(self.name, "applied", name, facts.signed(size, turn), words)
 

@@ -225,8 +225,10 @@ class Way:
         letters = effort.symbols()
         if not running(letters):
             return effort * change
+        if running(letters, RATES):
+            return None
         lead = self.lead if self.lead is not None else place_of(name, "angle", self.first, self.last, self.middle)
-        if lead is None or running(letters, RATES):
+        if lead is None:
             return None
         return Integral(effort * share(rate, lead.rate), lead.letter.name, lead.start, lead.end)
 

@@ -38,14 +38,16 @@ def letter_of(word: str, name: str, instant: Instant) -> Formula:
 
 
 def since_first(word: str, name: str, instant: Instant) -> Formula:
-    """Rotation or displacement since the first state: over the phases gone by, and in the midst of a phase what has come since."""
+    """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
     words = instant.turn_words(name) if word == "rotation" else line_words(name, instant)
+    if instant.generic:
+        return instant.ask(word, name, words=words)
     timeline = instant.arrangement.timeline
     result: Formula = ZERO
     for interval in timeline.between(timeline.states[0].name, instant.state):
         if interval.event is None:
             result = result + instant.ask(word, name, when=interval.name, words=words)
-    return result + instant.ask(word, name, words=words) if instant.generic else result
+    return result
 
 
 def line_words(name: str, instant: Instant) -> tuple[str, str]:

@@ -14,6 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
@@ -135,11 +136,16 @@ class Solver(Textbook):
         if explicit is not None:
             explicit = self.carried_out(explicit)
             return self.simplify(explicit) if item.sources else explicit
-        value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
-        if value is not None and self._hollow(item.left - item.right, name):
+        gap = (
+            self.carried_out(item.left) - self.carried_out(item.right)
+            if name not in inner(item)
+            else item.left - item.right
+        )
+        value = solve_linear(gap, name, order=self.order, positive=self.positive)
+        if value is not None and self._hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
-            roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
+            roots = solve_polynomial(gap, name, order=self.order, positive=self.positive)
             choice = self.choose(name, [self.with_answers(root) for root in roots]) if roots else None
             return roots[choice[0]] if choice else None
         return value
@@ -189,7 +195,7 @@ class Solver(Textbook):
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
-        item.left, item.right = item.left.substitute(values), item.right.substitute(values)
+        item.left, item.right = (self.tidied(side.substitute(values)) for side in (item.left, item.right))
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:
@@ -228,7 +234,7 @@ class Solver(Textbook):
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
-            first = [*more, Equality(Symbol(asked), value)] if not integrals else list(more)
+            first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
             item.sources[:0] = [("known", name) for name in used]
             self._keep_written(item, asked, first, final, picked[1] or reason)
         elif item.sources or written != final:
@@ -271,8 +277,15 @@ class Solver(Textbook):
             return roots, more, ()
         if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
+        roots = solve_unwrapped(gap, asked, order=self.order, positive=self.positive)
+        if roots:
+            return roots, self._unfolded(item, Equality(left, right)), ()
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], [], ()
+
+    def _unfolded(self, item: Item, done: Equality) -> list[Equality]:
+        """The equation with its integrals carried out, where that is not how it stands."""
+        return [] if (done.left, done.right) == (item.left, item.right) else [done]
 
     def _numeric(self, item: Item, asked: str) -> Found:
         """A certified root where there is no closed form."""

@@ -11,7 +11,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
@@ -168,10 +168,20 @@ class Composer:
         for name in self._occurring():
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
+        chosen |= self._running(used, taken | set(chosen.values()))
         names = self.history.registry.letters(used, taken - set(chosen.values()), chosen)
         if "t" not in taken | set(names.values()):
             names["time"] = "t"  # the running time is an ordinary t where nothing else is
         return names
+
+    def _running(self, used: Iterable[str], taken: frozenset[str]) -> dict[str, str]:
+        """Plain letters for what runs through a phase, the same in every phase: ω at any moment, as t is any time."""
+        quantities = self.history.registry.quantities
+        running = [quantities[key] for key in used if key in quantities and quantities[key].when.startswith(GENERIC)]
+        owners: dict[str, set[tuple[str, str, str]]] = {}
+        for item in running:
+            owners.setdefault(item.letter, set()).add((item.kind, item.owner, item.component))
+        return {item.key: item.letter for item in running if len(owners[item.letter]) == 1 and item.letter not in taken}
 
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""
