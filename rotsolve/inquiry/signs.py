@@ -36,10 +36,11 @@ class Signs:
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
         moved = [entry for entry in real if abs(entry[1]) > TINY]
+        dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
-            real = moved  # the root 0 is the start itself
+            real, dropped = moved, ("the root 0 is the start itself",)
         if len(real) == 1:
-            return real[0][0], ()
+            return real[0][0], dropped
         sign, words = self.expected(name)
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
@@ -122,6 +123,8 @@ class Statements:
             if rate is None:
                 raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
             self._set(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO)
+        elif condition.path is not None and condition.path.quantity == "time" and condition.value is not None:
+            self._clock(state.name, condition.value)
         elif condition.path is not None and condition.value is not None:
             letter = self._letter(state.name, condition.path)
             if isinstance(letter, Symbol) and SEPARATOR in letter.name:
@@ -129,6 +132,13 @@ class Statements:
             elif letter != condition.value:
                 label = "stated" if letter.symbols() else "given"
                 self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
+
+    def _clock(self, state: str, passed: Formula) -> None:
+        """A time counts from the state before."""
+        fresh, before = self._fresh(state), self.arrangement.timeline.before(state)
+        if before is not None:
+            self._set(fresh.time(), simplify(self._fresh(before.start).time() + passed))
+            self._set(fresh.ask("time", "", when=before.name), passed)
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""

@@ -37,7 +37,7 @@ def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: 
 
 def place_of(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:
     """Angle, rotation or displacement of a body as the leading place."""
-    letter = middle.ask(word, name)
+    letter = letter_of(word, name, middle)
     if not isinstance(letter, Symbol):
         return None
     start, end = (letter_of(word, name, moment) for moment in (first, last))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.directions import opposite
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.registry import Registry
+from rotsolve.core.registry import GENERIC, Registry
 from rotsolve.core.varying import TIME, paths_in
 from rotsolve.scene.keys import varying
 
@@ -40,9 +40,9 @@ def letter_of(word: str, name: str, instant: Instant) -> Formula:
 def since_first(word: str, name: str, instant: Instant) -> Formula:
     """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
     words = instant.turn_words(name) if word == "rotation" else line_words(name, instant)
-    if instant.generic:
-        return instant.ask(word, name, words=words)
     timeline = instant.arrangement.timeline
+    if instant.generic:
+        return instant.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
     result: Formula = ZERO
     for interval in timeline.between(timeline.states[0].name, instant.state):
         if interval.event is None:

@@ -192,7 +192,9 @@ def reaction(
     They are reversed on the carrier of a joint, where `opposite` is the other body.
     """
     name = instant.host(ref.owner)
-    span = instant.span(instant.host((opposite or ref).owner))
+    held = instant.host((opposite or ref).owner)
+    # what carries an off-centre body round changes its direction with it, so that it belongs to one moment
+    span = instant.when if instant.frame(held).cm.parts else instant.span(held)
     for axis, direction in (("x", RIGHT), ("y", UP)):
         component = f"{axis}_{name}" if several else axis
         words = ("right", "left") if axis == "x" else ("up", "down")

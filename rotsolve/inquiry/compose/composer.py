@@ -169,9 +169,9 @@ class Composer:
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
         chosen |= self._running(used, taken | set(chosen.values()))
+        if "time" in used and "t" not in taken | set(chosen.values()):
+            chosen["time"] = "t"  # the running time is an ordinary t where nothing else is
         names = self.history.registry.letters(used, taken - set(chosen.values()), chosen)
-        if "t" not in taken | set(names.values()):
-            names["time"] = "t"  # the running time is an ordinary t where nothing else is
         return names
 
     def _running(self, used: Iterable[str], taken: frozenset[str]) -> dict[str, str]:
