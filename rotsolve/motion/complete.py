@@ -82,7 +82,7 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     mass = body.mass
     parts = tuple(_part(part, letters) for part in body.parts)
     if body.density is not None and shape is not None:
-        mass = body.density * shape.measure()
+        mass = body.density * shape.content()
     elif mass is None and not body.parts:
         mass = letters.make("m", body.name, "mass")
     radius, inertia = body.radius, body.inertia
@@ -119,8 +119,6 @@ def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
         if declared is None or declared.kind != "quantity" or item.name not in ("radius", "length"):
             continue
         if getattr(shape, item.name) is None and not getattr(shape, "radii", ()):
-            if item.name == "length" and hasattr(shape, "radius"):
-                continue  # the length of a cylinder along its axis is no matter in the plane
             changes[item.name] = letters.make(
                 declared.letter or item.name[0], body.name, declared.dimension or "length"
             )

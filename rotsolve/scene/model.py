@@ -96,7 +96,7 @@ class Body:
     radii: tuple[tuple[str, Formula], ...] = ()
     parts: tuple[Part, ...] = ()
     holes: tuple[Part, ...] = ()
-    points: tuple[tuple[str, tuple[Formula, Formula]], ...] = ()
+    points: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
     count: int = 1
     moves: str | None = None
     turns: str | None = None
@@ -105,10 +105,13 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it."""
+    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it.
+
+    A third coordinate of `at`, as of a body's `points`, is the height above the picture.
+    """
 
     body: Body
-    at: tuple[Formula, Formula] | None = None
+    at: tuple[Formula, ...] | None = None
     start: tuple[Formula, Formula] | None = None
     end: tuple[Formula, Formula] | None = None
     angle: Formula | None = None

@@ -56,7 +56,7 @@ BODY: dict[str, Key] = {
     "radii": Key("radii", "named rims of a stepped drum: `{big: R, small: r}`"),
     "parts": Key("parts", "bodies that make up this one"),
     "holes": Key("parts", "what is cut out"),
-    "points": Key("points map", "named points `P: [x, y]` from the body's centre"),
+    "points": Key("points map", "named points `P: [x, y]` (or `[x, y, z]`) from the body's centre"),
     "count": Key("count", "how many identical bodies stand for this one"),
     "moves": Key("choice", "positive direction of its motion (default right; up on a slope)", choices=SENSES),
     "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
@@ -77,7 +77,7 @@ BODY: dict[str, Key] = {
 }
 
 PART: dict[str, Key] = {
-    "at": Key("place", "where its centre is, from the body's centre"),
+    "at": Key("spot", "where its centre is, from the body's centre: `[x, y]`, or `[x, y, z]` with its height"),
     "start": Key("place", "where a rod begins"),
     "end": Key("place", "where a rod ends"),
     "angle": Key("quantity", "how far it is turned, counterclockwise", dimension="angle", letter="theta"),

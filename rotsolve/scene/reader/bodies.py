@@ -12,7 +12,7 @@ from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.scene.keys import keys_of
 from rotsolve.scene.model import Body, Part
 from rotsolve.scene.reader.declared import read_keys, read_value
-from rotsolve.scene.reader.points import points_of, read_place
+from rotsolve.scene.reader.points import points_of, read_spot
 from rotsolve.scene.sections import BODY, PART
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
@@ -222,13 +222,13 @@ def part(scope: Scope, name: str, key: Text, node: Node) -> Part:
     return Part(body, **fields)
 
 
-def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, Formula]], ...]:
+def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
     found = []
     for name, (key, written) in scope.entries(node, f"the points of `{owner}`").items():
         if not NAME.fullmatch(name):
             scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
             continue
-        place = read_place(scope, written, name, owner)
+        place = read_spot(scope, written, name, owner)
         if place is not None:
             found.append((name, place))
     return tuple(found)

@@ -7,7 +7,7 @@ from typing import Any
 
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Key, keys_of
-from rotsolve.scene.reader.points import read_place, read_point
+from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.rough import rough
@@ -84,6 +84,10 @@ def listed(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ...] |
 
 def place(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return read_place(scope, node, label, owner)
+
+
+def spot(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return read_spot(scope, node, label, owner)
 
 
 def places(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -221,6 +225,7 @@ READERS: dict[str, Reader] = {
     "quantity": quantity,
     "quantities": quantities,
     "place": place,
+    "spot": spot,
     "places": places,
     "radii": radii,
     "choice": choice,
