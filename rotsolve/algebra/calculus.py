@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
@@ -206,7 +206,7 @@ def _antiderivative(problem: Problem, factor: Ratio, atom: Formula, n: int, name
 
 
 def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
-    """∫ sin², ∫ cos² and ∫ sin cos of one linear argument."""
+    """∫ sin², ∫ cos², ∫ sin³, ∫ cos³ and ∫ sin cos of one linear argument."""
     factors = atom.factors if isinstance(atom, Product) else (atom,)
     calls = [f.base if isinstance(f, Power) else f for f in factors]
     if not all(isinstance(c, Call) and c.function in ("sin", "cos") for c in calls):
@@ -221,6 +221,10 @@ def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
     s, c = call("sin", argument), call("cos", argument)
     if len(factors) == 2 and all(isinstance(f, Call) for f in factors):
         return divide(_power(s, 2), multiply(two, slope))
+    if len(factors) == 1 and factors[0] in (_power(s, 3), _power(c, 3)):
+        one, other = (c, s) if factors[0] == _power(s, 3) else (s, c)  # sin³ = sin (1 − cos²)
+        cube = add(one, negate(divide(_power(one, 3), Number(Fraction(3)))))
+        return divide(negate(cube) if other == s else cube, slope)
     if len(factors) == 1 and factors[0] in (_power(s, 2), _power(c, 2)):
         half = divide(multiply(s, c), multiply(two, slope))
         linear = divide(Symbol(name), two)
@@ -249,6 +253,20 @@ def integrate(
     from rotsolve.algebra.sympy_bridge import definite_integral
 
     return definite_integral(f, name, lower, upper, positive)
+
+
+def carried_out(
+    f: Formula, positive: Collection[str] = (), tidied: Callable[[Formula], Formula] | None = None
+) -> Formula:
+    """All integrals in closed form where there is one, each result `tidied`."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Integral):
+            return node
+        done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=positive)
+        return node if done is None else tidied(done) if tidied else done
+
+    return f.transform(change)
 
 
 def _continuous(primitive: Formula, name: str, lower: Formula, upper: Formula, positive: Collection[str]) -> bool:

@@ -31,6 +31,9 @@ DIMENSIONS: dict[str, Dimension] = {  # the words in which element keys and mess
     "momentum": base.MOMENTUM,
     "angular momentum": base.ANGULAR_MOMENTUM,
     "frequency": base.FREQUENCY,
+    "density per length": base.LINE_DENSITY,
+    "density per area": base.AREA_DENSITY,
+    "density": base.DENSITY,
 }
 
 PLANE = ("x", "y")

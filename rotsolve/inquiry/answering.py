@@ -14,7 +14,8 @@ from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.signs import Signs, positive_letters
+from rotsolve.inquiry.signs import Signs
+from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver

@@ -156,6 +156,7 @@ class Term:
     on: str | None = None
     about: PointRef | None = None
     along: Formula | str | None = None
+    by: str | None = None
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,7 +42,10 @@ BODY: dict[str, Key] = {
     ),
     "mass": Key("quantity", "mass; 0 for a light body", dimension="mass", letter="m", limits="nonnegative"),
     "density": Key(
-        "density", "mass per length, area or volume: a value, or a formula of x and y", letter="rho", later=True
+        "density",
+        "mass per length, area or volume: a value, or a formula of the shape's coordinates "
+        "(x of a rod from its start, r of a disc, those of a lamina)",
+        letter="rho",
     ),
     "inertia": Key(
         "inertia",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from rotsolve.algebra.calculus import integrate
+from rotsolve.algebra.calculus import carried_out
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Call, Formula, Integral
+from rotsolve.algebra.formula import Call, Formula
 from rotsolve.solver.step import Found
 
 
@@ -45,11 +45,4 @@ class Textbook:
 
     def carried_out(self, value: Formula) -> Formula:
         """All integrals in closed form where there is one."""
-
-        def change(node: Formula) -> Formula:
-            if not isinstance(node, Integral):
-                return node
-            done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
-            return node if done is None else self.simplify(done)
-
-        return value.transform(change)
+        return carried_out(value, self.positive, self.simplify)

@@ -44,6 +44,7 @@ class CylindricalShell(Ring):
     about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     flat = False
+    coordinates = ()
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
     length: Formula | None = extent("length along the axis; no matter in the plane", "L")
 

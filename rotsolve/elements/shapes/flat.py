@@ -20,6 +20,7 @@ class Rectangle(Shape):
     spread = "surface"
     about = "thin uniform rectangle; corners counterclockwise from the lower left: corner1 … corner4"
     points = ("center", "corner1", "corner2", "corner3", "corner4")
+    coordinates = ("x",)
     sides: tuple[Formula, ...] = key(
         "quantities", "width and height", dimension="length", letter="a b", limits="positive", count=(2, 2), default=()
     )

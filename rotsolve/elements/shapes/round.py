@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
 from rotsolve.core.tensor import InertiaTensor, round_about
@@ -20,6 +21,7 @@ class Disc(Shape):
     spread = "surface"
     about = "uniform solid disc"
     points = WHEEL
+    coordinates: ClassVar[tuple[str, ...]] = ("r",)
     radius: Formula | None = extent("radius", "R")
 
     def moment(self, mass: Formula) -> Formula:
@@ -72,6 +74,7 @@ class Annulus(Shape):
     spread = "surface"
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
+    coordinates = ("r",)
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
@@ -101,6 +104,7 @@ class Annulus(Shape):
 class Sphere(Shape):
     word = "sphere"
     flat = False
+    coordinates = ("r",)
     spread = "volume"
     about = "uniform solid sphere"
     points = WHEEL
@@ -118,8 +122,12 @@ class Sphere(Shape):
         """Discs of radius √(R² − z²) and thickness dz."""
         z, radius = coordinate("z"), self.radius or ZERO
         square = radius**2 - z**2
-        element = ("discs of radius √(", square, ") and thickness d", z)
+        element = ("discs of radius ", call("sqrt", square), " and thickness d", z)
         return on_axis(element, Range(z, -radius, radius), PI * square, (square / 4, square / 4))
+
+    def layers(self, density: Formula) -> Slicing:
+        """A density that varies with the distance from the centre: thin spherical shells."""
+        return spheres(ZERO, self.radius or ZERO)
 
     def measure(self) -> Formula:
         return Number(Fraction(4, 3)) * PI * (self.radius or ZERO) ** 3
@@ -152,10 +160,7 @@ class SphericalShell(Shape):
     def slicing(self) -> Slicing:
         """Rings of radius R sin θ round the z axis; of a thick wall thin shells of thickness dr, with ⅔ r² each."""
         if self.radii:
-            r, third = coordinate("r"), Number(Fraction(1, 3))
-            element = ("spherical shells of radius ", r, " and thickness d", r)
-            mean = third * r**2
-            return about_axis(element, Range(r, *walls(self.radii)), 4 * PI * r**2, 2 * mean, mean)
+            return spheres(*walls(self.radii))
         theta, radius = coordinate("theta"), self.radius or ZERO
         ring, z = radius * call("sin", theta), radius * call("cos", theta)
         element = ("rings of radius ", ring, " and width ", radius, " d", theta)
@@ -178,6 +183,14 @@ def rings(inner: Formula, outer: Formula) -> Slicing:
     """Rings of radius r and width dr."""
     r = coordinate("r")
     return about_axis(("rings of radius ", r, " and width d", r), Range(r, inner, outer), 2 * PI * r, r**2)
+
+
+def spheres(inner: Formula, outer: Formula) -> Slicing:
+    """Spherical shells of radius r and thickness dr, with x² = y² = z² = ⅓ r² on average."""
+    r = coordinate("r")
+    mean = Number(Fraction(1, 3)) * r**2
+    element = ("spherical shells of radius ", r, " and thickness d", r)
+    return about_axis(element, Range(r, inner, outer), 4 * PI * r**2, 2 * mean, mean)
 
 
 def walls(radii: Radii) -> tuple[Formula, Formula]:

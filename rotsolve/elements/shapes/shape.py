@@ -31,6 +31,8 @@ class Shape:
     later: ClassVar[bool] = False
     spread: ClassVar[str] = "point"  # over what mass is spread: point, line, surface, volume
     flat: ClassVar[bool] = True  # all mass at one height
+    tabled: ClassVar[bool] = True  # whether a table of moments of inertia holds it
+    coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
 
     def moment(self, mass: Formula) -> Formula:
         """Moment of inertia about the centre of mass, axis square to the plane."""
@@ -46,6 +48,10 @@ class Shape:
     def slicing(self) -> Slicing | None:
         """The elements by which a textbook integrates over the shape; None where it does not."""
         return None
+
+    def layers(self, density: Formula) -> Slicing | None:
+        """Elements on each of which a varying density is the same."""
+        return self.slicing()
 
     def begin(self) -> Spot:
         """Where the coordinates begin in which the scene speaks of the shape, in its own axes."""

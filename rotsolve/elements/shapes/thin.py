@@ -25,6 +25,7 @@ class Rod(Shape):
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
     spread = "line"
+    coordinates = ("x",)
     length: Formula | None = extent("length", "L")
 
     def moment(self, mass: Formula) -> Formula:
@@ -62,6 +63,7 @@ class Arc(Shape):
     about = "thin uniform wire along an arc of a circle, symmetric about its +x axis; `center` is the circle's"
     points = ("center", "start", "middle", "end")
     spread = "line"
+    coordinates = ("phi",)
     radius: Formula | None = extent("radius of the circle", "R")
     opening: Formula | None = key(
         "quantity",

@@ -7,6 +7,7 @@ from typing import Any
 
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Key, keys_of
+from rotsolve.scene.reader.coordinates import profile, region
 from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
@@ -112,6 +113,11 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     if lacking and entries:
         scope.fault(node, f"`{label}` needs `{lacking[0]}` too", "write `radii: {inner: r, outer: R}`", "missing")
     return tuple(found)
+
+
+def limits_of(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """The limits of a lamina, or the profile of a solid of revolution."""
+    return {"region": region, "profile": profile}[key.kind](scope, node, label, owner)
 
 
 def choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -228,6 +234,8 @@ READERS: dict[str, Reader] = {
     "spot": spot,
     "places": places,
     "radii": radii,
+    "region": limits_of,
+    "profile": limits_of,
     "choice": choice,
     "flag": flag,
     "name": name,
