@@ -12,6 +12,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
 
 Place = tuple[Formula, Formula, Formula]
 AXES = ("x", "y", "z")
+ONE_AXIS = ("xx", "yy", "zz")  # the moments of inertia; the others are products
 ENTRIES = ("xx", "yy", "zz", "xy", "yz", "zx")  # the six that differ
 ROWS = (("xx", "xy", "zx"), ("xy", "yy", "yz"), ("zx", "yz", "zz"))
 ORIGIN: Place = (ZERO, ZERO, ZERO)

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
@@ -117,12 +117,17 @@ class Inquiry:
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        for step in asked.definitions:
+            if step not in self.planner.pool:
+                self.planner.extend(step)
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
                 Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
             )
             self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
+        if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
+            self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], ())
         else:
@@ -283,7 +288,7 @@ class Inquiry:
 
 
 def remark_of(asked: Asked) -> Words:
-    return (asked.remark,) if asked.remark else ()
+    return asked.said or ((asked.remark,) if asked.remark else ())
 
 
 def has_calls(value: Formula) -> bool:

@@ -13,6 +13,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call,
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
 from rotsolve.core.tensor import InertiaTensor, about_z
+from rotsolve.core.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Particle, Rod, Shape
@@ -26,7 +27,8 @@ class Piece:
     """A piece of a rigid body: mass, own moment of inertia about its centre of mass, and where that is.
 
     `tensor` are all its second moments, None where only the moment about its axis is known; `height` is the third coordinate.
-    `measure` is the area (length, volume) by which its mass is the share that it has of the material, where that is so.
+    `measure` is the area (length, volume) by which its mass is the share that it has of the material, where that is so;
+    `whole` says that the piece is a body's own shape, whose axes are the body's.
     """
 
     name: str
@@ -37,12 +39,22 @@ class Piece:
     tensor: InertiaTensor | None = None
     shape: Shape = Particle()
     measure: Formula | None = None
+    heading: Heading = RIGHT
+    whole: bool = False
+
+    def place(self) -> Spot:
+        """Where its centre of mass is, in the axes of the body."""
+        x, y = (simplify(part) if isinstance(part, Sum) else part for part in (self.at.along(RIGHT), self.at.along(UP)))
+        return (x, y, self.height)
+
+    def weighing(self, mass: Formula) -> Piece:
+        """The piece with another mass, all its moments in terms of that."""
+        tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
+        return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
 
     def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> Piece:
         """The piece turned in the plane and moved; with a minus sign it is cut out."""
-        turned = self.tensor
-        if turned is not None and direction != RIGHT:
-            turned = turned.turned(about_z(direction.cos(), direction.sin()))
+        turned = None if self.tensor is None else turned_by(self.tensor, direction)
         return replace(
             self,
             mass=sign * self.mass,
@@ -51,7 +63,14 @@ class Piece:
             height=add(self.height, height),
             tensor=None if turned is None else turned.times(sign),
             measure=None if self.measure is None else sign * self.measure,
+            heading=self.heading + direction,
+            whole=False,
         )
+
+
+def turned_by(tensor: InertiaTensor, direction: Heading) -> InertiaTensor:
+    """The tensor of what is turned in the plane."""
+    return tensor if direction == RIGHT else tensor.turned(about_z(direction.cos(), direction.sin()))
 
 
 def mass_of(body: Body) -> Formula:
@@ -79,8 +98,8 @@ def _own_piece(body: Body) -> Piece | None:
     at, height = place(shape.centroid()), shape.rise()
     if body.inertia is not None or body.gyration is not None:
         moment = body.inertia if body.inertia is not None else mass * (body.gyration or ZERO) ** 2
-        return Piece(body.name, mass, moment, at, height, None, shape, measure)
-    return Piece(body.name, mass, shape.moment(mass), at, height, shape.tensor(mass), shape, measure)
+        return Piece(body.name, mass, moment, at, height, None, shape)
+    return Piece(body.name, mass, shape.moment(mass), at, height, shape.tensor(mass), shape, measure, whole=True)
 
 
 def _rest(body: Body) -> Formula:
@@ -105,8 +124,7 @@ def _placed(part: Part, sign: Formula) -> tuple[Piece, ...]:
     """The pieces of a part, turned and moved to its place."""
     direction, origin = part_frame(part)
     height = part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
-    found = (piece.moved(direction, origin, height, sign) for piece in pieces(part.body))
-    return tuple(replace(piece, name=part.body.name) for piece in found)
+    return tuple(piece.moved(direction, origin, height, sign) for piece in pieces(part.body))
 
 
 def part_frame(part: Part) -> tuple[Heading, Vector]:

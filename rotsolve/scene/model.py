@@ -161,7 +161,10 @@ class Term:
 
 @dataclass(frozen=True, slots=True)
 class Find:
-    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`."""
+    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`.
+
+    An entry of a matrix or vector that is asked for as a whole has the name of that in `whole`.
+    """
 
     name: str
     formula: Formula
@@ -171,6 +174,12 @@ class Find:
     unit: Unit | None = None
     text: str = ""
     span: Span | None = None
+    whole: str = ""
+
+    @property
+    def group(self) -> str:
+        """The name under which the scene asks for it."""
+        return self.whole or self.name
 
 
 @dataclass(frozen=True, slots=True)

@@ -181,6 +181,7 @@ class Revolution(Integrated):
 class Graded(Integrated):
     """A shape of varying density: its elements weigh density times their length, area or volume."""
 
+    graded = True
     shape: Shape = Shape()
     density: Formula = ONE
 

@@ -32,6 +32,7 @@ class Shape:
     spread: ClassVar[str] = "point"  # over what mass is spread: point, line, surface, volume
     flat: ClassVar[bool] = True  # all mass at one height
     tabled: ClassVar[bool] = True  # whether a table of moments of inertia holds it
+    graded: ClassVar[bool] = False  # whether its density varies
     coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
 
     def moment(self, mass: Formula) -> Formula:

@@ -59,6 +59,26 @@ class Slicing:
             return negate(squares[entry])
         return simplify(add(*(squares[name] for name in SQUARES[entry])))
 
+    def renamed(self, letters: dict[str, Symbol]) -> Slicing:
+        """The slicing with other letters for its coordinates."""
+        names: dict[str, Formula] = dict(letters)
+
+        def put(parts: tuple[Formula, ...]) -> tuple[Formula, ...]:
+            return tuple(part.substitute(names) for part in parts)
+
+        x, y, z = put(self.centre)
+        ranges = (
+            Range(letters[item.variable.name], *put((item.lower, item.upper))) for item in self.ranges
+        )
+        return replace(
+            self,
+            element=tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.element),
+            ranges=tuple(ranges),
+            weight=self.weight.substitute(names),
+            centre=(x, y, z),
+            squares=put(self.squares),
+        )
+
     def measured_from(self, place: Place) -> Slicing | None:
         """The same elements with their coordinates counted from a place; None where a variable is no such coordinate."""
         moved = self
