@@ -4,22 +4,29 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units import dimension as base
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
+from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.core.tensor import ORIGIN, Place
 from rotsolve.motion.rigid import Piece
 
 DENSITY = {"line": ("lambda", "length"), "surface": ("sigma", "area"), "volume": ("rho", "volume")}
+EXTENTS = {"line": ("s", "length"), "surface": ("A", "area"), "volume": ("V", "volume")}
 LETTERS = {  # letter and dimension of what a derivation gives a letter of its own
     "inertia": ("I", base.INERTIA),
     "cm": ("", base.LENGTH),
     "mass": ("m", base.MASS),
-    "density": ("", base.NONE),
-    "extent": ("", base.NONE),
-    "coordinate": ("", base.LENGTH),
+    "lambda": ("lambda", base.LINE_DENSITY),
+    "sigma": ("sigma", base.AREA_DENSITY),
+    "rho": ("rho", base.DENSITY),
+    "s": ("s", base.LENGTH),
+    "A": ("A", base.AREA),
+    "V": ("V", base.VOLUME),
 }
 
 
@@ -44,14 +51,27 @@ class Spread:
     integrates: bool = False
     begin: Place = ORIGIN
     positive: frozenset[str] = frozenset()
+    givens: tuple[tuple[str, Dimension | None], ...] = ()
 
-    def letter(self, kind: str, component: str) -> Symbol:
+    def letter(self, kind: str, component: str = "") -> Symbol:
         """A letter of the derivation, printed with its index where it has one."""
         letter, dimension = LETTERS[kind]
+        kind = f"{kind} by integration" if self.integrates else kind
         index = "_".join(component.split())
         quantity = Quantity(kind, self.name, "", index, letter, dimension)
         self.registry.ask(quantity)
         return quantity.symbol
+
+    def coordinate(self, name: str) -> Symbol:
+        """The printed letter of a coordinate: x, or x₁ where a given has that name."""
+        quantity = Quantity(f"coordinate {name}", "1", "", "", name, base.LENGTH)
+        self.registry.ask(quantity)
+        return quantity.symbol
+
+    def tidy(self, formula: Formula) -> Formula:
+        """Textbook form, with the letters in the order in which a textbook writes them."""
+        own = [(quantity.key, quantity.dimension) for quantity in self.registry.quantities.values()]
+        return simplify(formula, order=letter_order([*self.givens, *own]), positive=self.positive)
 
     def define(self, letter: Formula, formula: Formula, label: str, said: Words = ()) -> Equation:
         """What a letter stands for."""

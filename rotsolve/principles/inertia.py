@@ -6,7 +6,21 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, Sum, Symbol, add, multiply, negate, sqrt, total
+from rotsolve.algebra.formula import (
+    ZERO,
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    add,
+    multiply,
+    negate,
+    sqrt,
+    total,
+)
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.heading import NOWHERE, RIGHT, Heading
@@ -14,7 +28,7 @@ from rotsolve.core.tensor import AXES, ONE_AXIS, Place
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.rigid import MINUS, Piece
 from rotsolve.motion.spread import DENSITY, Spread
-from rotsolve.principles.integration import by_integration, centre_letter
+from rotsolve.principles.integration import INDICES, by_integration, centre_letter
 
 OTHERS = {"xx": (1, 2), "yy": (0, 2), "zz": (0, 1)}  # the coordinates whose squares make the distance from an axis
 HALF = Number(Fraction(1, 2))
@@ -39,7 +53,7 @@ def moment(spread: Spread, entry: str) -> Told:
     told = product(spread, entry) if entry not in ONE_AXIS else one_axis(spread, entry)
     if told.formula == ZERO or isinstance(told.formula, Symbol):
         return told
-    letter = spread.letter("inertia", f"{index(entry)} {spread.spot}")
+    letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.spot}")
     return Told(letter, "", (), (*told.definitions, spread.define(letter, told.formula, told.label, told.said)))
 
 
@@ -68,7 +82,9 @@ def perpendicular(spread: Spread) -> Told | None:
         return None
     across = [moment(spread, entry) for entry in ("xx", "yy")]
     defined = tuple(dict.fromkeys(step for told in across for step in told.definitions))
-    return Told(add(across[0].formula, across[1].formula), "perpendicular axes of a flat body, I_z = I_x + I_y", (), defined)
+    return Told(
+        add(across[0].formula, across[1].formula), "perpendicular axes of a flat body, I_z = I_x + I_y", (), defined
+    )
 
 
 def is_flat(spread: Spread) -> bool:
@@ -124,11 +140,17 @@ def share(spread: Spread, piece: Piece, mass: Formula, entry: str) -> tuple[Form
     """What one piece adds, as a letter of its own: its moment about its centre of mass, moved by the parallel-axes theorem."""
     cut_out = is_negative(mass)
     size = negate(mass) if cut_out else mass
-    positive = piece.weighing(size) if piece.measure is not None else piece.moved(RIGHT, NOWHERE, ZERO, MINUS) if cut_out else piece
+    positive = (
+        piece.weighing(size)
+        if piece.measure is not None
+        else piece.moved(RIGHT, NOWHERE, ZERO, MINUS)
+        if cut_out
+        else piece
+    )
     distances, tabled = apart(spread, piece, entry), entry_of(positive, entry)
     if tabled == ZERO:
         return mass * sum_of_squares(distances) if distances else ZERO, []
-    letter = spread.letter("inertia", f"{index(entry)} {spread.called(piece)} {spread.spot}")
+    letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.called(piece)} {spread.spot}")
     square = sum_of_squares(distances)
     said: Words = (*distance_words(distances, square),) if distances else ()
     what = f"moment of inertia, {spoken(spread.called(piece))}"
@@ -222,7 +244,7 @@ def piece_masses(spread: Spread) -> tuple[list[Formula], tuple[Equation, ...]]:
     sigma: Formula = simplify(total([piece.mass for piece in shared]) / rest)
     defined = []
     if not isinstance(sigma, Symbol):
-        sigma = spread.letter("density", letter)
+        sigma = spread.letter(letter)
         defined.append(spread.define(sigma, spread.mass / rest, f"mass per {word}"))
     masses: list[Formula] = []
     for piece in spread.pieces:
@@ -274,11 +296,6 @@ def sum_of_squares(parts: list[Formula]) -> Formula:
 
 def distance_words(parts: list[Formula], square: Formula) -> Words:
     return ("d = ", parts[0]) if len(parts) == 1 else ("d² = ", square)
-
-
-def index(entry: str) -> str:
-    """The index of a letter: nothing for the axis square to the picture, x, y, or the two letters of a product."""
-    return {"xx": "x", "yy": "y", "zz": ""}.get(entry, entry)
 
 
 def noun(piece: Piece) -> str:

@@ -15,9 +15,16 @@ WIDEST = 76
 
 def cells(answer: Answer, voice: Voice, digits: int) -> tuple[list[list[str]], list[list[str]]]:
     """The exact forms and the numbers of all entries; nothing where one of them has none."""
-    formulas = [[voice.formula(part.formula) if part.formula is not None else "" for part in row] for row in answer.rows]
-    numbers = [[voice.quantity(text, None) if (text := certified(part, digits)[0]) else "" for part in row] for row in answer.rows]
-    symbolic = any(exact(part) is not None and part.formula.symbols() for row in answer.rows for part in row if part.formula)
+    formulas = [
+        [voice.formula(part.formula) if part.formula is not None else "" for part in row] for row in answer.rows
+    ]
+    numbers = [
+        [voice.quantity(text, None) if (text := certified(part, digits)[0]) else "" for part in row]
+        for row in answer.rows
+    ]
+    symbolic = any(
+        exact(part) is not None and part.formula.symbols() for row in answer.rows for part in row if part.formula
+    )
     return (
         formulas if symbolic and all(all(row) for row in formulas) else [],
         numbers if all(all(row) for row in numbers) else [],

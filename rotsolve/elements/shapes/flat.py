@@ -106,6 +106,7 @@ class Triangle(Shape):
             (u * mx, u * my, ZERO),
             tuple(multiply(u**2, square) for square in squares),
             (*apex, ZERO),
+            "corner1",
         )
 
     def centroid(self) -> Place:

@@ -44,7 +44,9 @@ class Integrated(Shape):
     def centre(self) -> Spot:
         """The centre of mass from the origin of the slicing."""
         cut = self.elements()
-        x, y, z = (simplify(self.closed(cut.total(cut.first(axis))) / self.whole, positive=self.positive) for axis in AXES)
+        x, y, z = (
+            simplify(self.closed(cut.total(cut.first(axis))) / self.whole, positive=self.positive) for axis in AXES
+        )
         return (x, y, z)
 
     @cached_property
@@ -127,7 +129,9 @@ class Lamina(Integrated):
         (x, y, _), weight = self._place()
 
         def gathered(part: Formula) -> Formula:
-            return carried_out(Integral(simplify(part * weight), inner.variable.name, inner.lower, inner.upper), self.positive)
+            return carried_out(
+                Integral(simplify(part * weight), inner.variable.name, inner.lower, inner.upper), self.positive
+            )
 
         parts = [gathered(part) for part in (ONE, x, y, x**2, y**2, x * y)]
         if any(isinstance(node, Integral) for part in parts for node in part.walk()):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rotsolve.algebra.exact.normal import simplify
@@ -31,7 +32,8 @@ class Range:
 class Slicing:
     """Elements of length, area or volume `weight` d(variables), outermost variable first.
 
-    `centre` is where an element's centre of mass is, `squares` are the means of xx, yy, zz, xy, yz, zx over an element.
+    `centre` is where an element's centre of mass is, `squares` are the means of xx, yy, zz, xy, yz, zx over an element;
+    `at` is the name of the point of the body where the coordinates begin.
     """
 
     element: Words
@@ -40,10 +42,11 @@ class Slicing:
     centre: Place = ORIGIN
     squares: tuple[Formula, ...] = (ZERO,) * 6
     origin: Place = ORIGIN
+    at: str = "center"
 
-    def total(self, integrand: Formula) -> Formula:
+    def total(self, integrand: Formula, tidied: Callable[[Formula], Formula] = simplify) -> Formula:
         """∫ integrand · weight over all elements."""
-        result = simplify(multiply(integrand, self.weight))
+        result = tidied(multiply(integrand, self.weight))
         for item in reversed(self.ranges):
             result = Integral(result, item.variable.name, item.lower, item.upper)
         return result
@@ -67,9 +70,7 @@ class Slicing:
             return tuple(part.substitute(names) for part in parts)
 
         x, y, z = put(self.centre)
-        ranges = (
-            Range(letters[item.variable.name], *put((item.lower, item.upper))) for item in self.ranges
-        )
+        ranges = (Range(letters[item.variable.name], *put((item.lower, item.upper))) for item in self.ranges)
         return replace(
             self,
             element=tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.element),
@@ -114,7 +115,9 @@ class Slicing:
         )
 
 
-def on_line(element: Words, item: Range, weight: Formula = ONE, across: tuple[Formula, Formula] = (ZERO, ZERO)) -> Slicing:
+def on_line(
+    element: Words, item: Range, weight: Formula = ONE, across: tuple[Formula, Formula] = (ZERO, ZERO)
+) -> Slicing:
     """Elements along x whose other two dimensions have the mean squares `across`."""
     x = item.variable
     return Slicing(element, (item,), weight, (x, ZERO, ZERO), (x**2, *across, ZERO, ZERO, ZERO))

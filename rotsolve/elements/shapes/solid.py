@@ -16,7 +16,9 @@ from rotsolve.scene.keys import key
 @dataclass(frozen=True)
 class Cone(Shape):
     word = "cone"
-    about = "uniform solid cone seen along its axis, with the middle of its base at the centre and its tip at z = length"
+    about = (
+        "uniform solid cone seen along its axis, with the middle of its base at the centre and its tip at z = length"
+    )
     points = ("tip", "base", "center")
     spread = "volume"
     flat = False
@@ -38,7 +40,7 @@ class Cone(Shape):
         ring = radius * u / length
         element = ("discs of radius ", ring, " and thickness d", u, ", ", u, " from the tip")
         discs = on_axis(element, Range(u, ZERO, length), PI * ring**2, (ring**2 / 4, ring**2 / 4))
-        return replace(discs, centre=(ZERO, ZERO, -u), origin=(ZERO, ZERO, length))
+        return replace(discs, centre=(ZERO, ZERO, -u), origin=(ZERO, ZERO, length), at="tip")
 
     def rise(self, point: str = "cm") -> Formula:
         length = self.length or ZERO

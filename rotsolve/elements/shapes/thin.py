@@ -39,7 +39,9 @@ class Rod(Shape):
     def slicing(self) -> Slicing:
         """Pieces of length dx, x from the start."""
         x = coordinate("x")
-        return replace(on_line(("pieces of length d", x), Range(x, ZERO, self.extent())), origin=self.begin())
+        return replace(
+            on_line(("pieces of length d", x), Range(x, ZERO, self.extent())), origin=self.begin(), at="start"
+        )
 
     def begin(self) -> Spot:
         return (-self.extent() / 2, ZERO, ZERO)

@@ -46,9 +46,7 @@ class Results:
         vanish = products and all(part.formula == ZERO for part in products)
         remark: Words = ("the products of inertia vanish by symmetry",) if vanish else ()
         first = entries[0]
-        return Answer(
-            name, Symbol(name), None, None, first.unit, first.dimension, components=entries, remark=remark
-        )
+        return Answer(name, Symbol(name), None, None, first.unit, first.dimension, components=entries, remark=remark)
 
     def answer(self, answered: Answered) -> Answer:
         """The exact form, the certified value and the direction in words."""

@@ -76,7 +76,7 @@ class OfBodies(Moment):
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
                 return self._kinetic(name, component)
-            case "mass" if not shape_of(instant.body(name)).graded:
+            case "mass" if shape_of(instant.body(name)).tabled:
                 return mass_of(instant.body(name))
             case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
                 return OfInertias(instant, self.facts).meaning(path, term)

@@ -60,7 +60,9 @@ class OfInertias(Moment):
         if path.quantity == "inertia_tensor":
             spread = self._spread(path.owner, term)
             flat_zz = path.component == "zz" and not spread.integrates
-            return (inertia.perpendicular(spread) if flat_zz else None) or inertia.moment(spread, path.component or "zz")
+            return (inertia.perpendicular(spread) if flat_zz else None) or inertia.moment(
+                spread, path.component or "zz"
+            )
         told = self._moment_of_inertia(path, term)
         if path.quantity == "gyration":
             spread = self._spread(path.owner, term)
@@ -89,7 +91,9 @@ class OfInertias(Moment):
                 return Told(facts.letter, "")
             return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
         if isinstance(along, str) and along not in ENTRY_OF:
-            raise NotYet(f"`along {along}` is no axis of a moment of inertia", help="write `along x`, `y`, `z` or an angle")
+            raise NotYet(
+                f"`along {along}` is no axis of a moment of inertia", help="write `along x`, `y`, `z` or an angle"
+            )
         if isinstance(along, str):
             return inertia.moment(spread, ENTRY_OF[along])
         return inertia.along(spread, heading(along or ZERO))
@@ -105,8 +109,10 @@ class OfInertias(Moment):
         letters = []
         for axis in "xy":
             for find in self.instant.arrangement.problem.finds:
-                bare = len(find.terms) == 1 and find.formula == Symbol("#0") and find.terms[0].path == replace(
-                    path, span=find.terms[0].path.span
+                bare = (
+                    len(find.terms) == 1
+                    and find.formula == Symbol("#0")
+                    and find.terms[0].path == replace(path, span=find.terms[0].path.span)
                 )
                 same = bare and replace(find.terms[0], along=None, about=None) == replace(
                     term, path=find.terms[0].path, along=None, about=None
@@ -135,16 +141,19 @@ class OfInertias(Moment):
         return Spread(
             name,
             own.pieces,
-            mass_of(body) if not instant.arrangement.cluster(name, instant.state) else total([p.mass for p in own.pieces]),
+            mass_of(body)
+            if not instant.arrangement.cluster(name, instant.state)
+            else total([p.mass for p in own.pieces]),
             instant.registry,
             instant.state,
             (x, y, height),
-            f"{'cm' if central else _named(ref)}{' by integration' if integrates else ''}",
+            "cm" if central else _named(ref),
             central,
             facts.letter if facts is not None and centred and not integrates else None,
             integrates,
             shape_of(body).begin(),
             positive_letters(instant.arrangement.problem.givens),
+            tuple((given.name, given.dimension) for given in instant.arrangement.problem.givens),
         )
 
     def _point(self, name: str, term: Term | None) -> tuple[Vector, Formula, PointRef | None]:

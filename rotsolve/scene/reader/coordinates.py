@@ -73,7 +73,9 @@ def region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...
         return None
     one, other = found[0], found[1]
     if leans(one, other) and leans(other, one):
-        scope.fault(node, f"the limits of `{label}` lean on each other", "those of one coordinate must be fixed", "form")
+        scope.fault(
+            node, f"the limits of `{label}` lean on each other", "those of one coordinate must be fixed", "form"
+        )
         return None
     return one, other
 

@@ -56,7 +56,8 @@ def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula
         scope.fault(node, f"`{label}` wants a place `[x, y]` or `[x, y, z]`", kind="form")
         return None
     found = [
-        value(scope, item, Want(label, "length", letter, owner)) for item, letter in zip(node.items, "xyz", strict=False)
+        value(scope, item, Want(label, "length", letter, owner))
+        for item, letter in zip(node.items, "xyz", strict=False)
     ]
     return tuple(item for item in found if item is not None) if None not in found else None
 
