@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from typing import Any
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
@@ -126,18 +127,19 @@ def _part(part: Part, letters: _Letters) -> Part:
 def _hole(hole: Part, shape: Shape | None) -> Part:
     """A hole is as long as what it is bored through, where nobody says otherwise."""
     cut, length = hole.body.shape, getattr(shape, "length", None)
-    if cut is None or length is None or getattr(cut, "length", length) is not None:
+    if cut is None or length is None or "length" not in cut.__dataclass_fields__ or getattr(cut, "length", None):
         return hole
-    return replace(hole, body=replace(hole.body, shape=replace(cut, length=length)))  # type: ignore[call-arg]
+    size: dict[str, Any] = {"length": length}
+    return replace(hole, body=replace(hole.body, shape=replace(cut, **size)))
 
 
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
-    changes = {}
+    changes: dict[str, Any] = {}
     for item in fields(shape):
         declared: Key | None = item.metadata.get("key")
         if declared is None or declared.kind != "quantity" or item.name not in ("radius", "length"):
             continue
-        walls = item.name == "radius" and getattr(shape, "radii", ())
+        walls = item.name == "radius" and bool(getattr(shape, "radii", None))
         if getattr(shape, item.name) is None and not walls:
             changes[item.name] = letters.make(
                 declared.letter or item.name[0], body.name, declared.dimension or "length"

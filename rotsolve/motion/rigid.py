@@ -16,7 +16,7 @@ from rotsolve.core.tensor import InertiaTensor, about_z
 from rotsolve.core.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Particle, Rod, Shape
+from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.scene.model import Body, Part
 
 MINUS = Number(Fraction(-1))
@@ -35,9 +35,9 @@ class Piece:
     mass: Formula
     moment: Formula
     at: Vector
+    shape: Shape
     height: Formula = ZERO
     tensor: InertiaTensor | None = None
-    shape: Shape = Particle()
     measure: Formula | None = None
     heading: Heading = RIGHT
     whole: bool = False
@@ -98,8 +98,8 @@ def _own_piece(body: Body) -> Piece | None:
     at, height = place(shape.centroid()), shape.rise()
     if body.inertia is not None or body.gyration is not None:
         moment = body.inertia if body.inertia is not None else mass * (body.gyration or ZERO) ** 2
-        return Piece(body.name, mass, moment, at, height, None, shape)
-    return Piece(body.name, mass, shape.moment(mass), at, height, shape.tensor(mass), shape, measure, whole=True)
+        return Piece(body.name, mass, moment, at, shape, height)
+    return Piece(body.name, mass, shape.moment(mass), at, shape, height, shape.tensor(mass), measure, whole=True)
 
 
 def _rest(body: Body) -> Formula:

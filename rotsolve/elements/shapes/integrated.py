@@ -7,15 +7,16 @@ from functools import cached_property
 
 from rotsolve.algebra.calculus import carried_out
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Symbol, call
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words
-from rotsolve.core.tensor import AXES, ENTRIES, ORIGIN, InertiaTensor, displaced
+from rotsolve.core.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis
 from rotsolve.scene.keys import key
 
 CARTESIAN, POLAR = ("x", "y"), ("r", "phi")
+UNSHAPED = Shape()
 Region = tuple[Range, ...]
 
 
@@ -186,7 +187,7 @@ class Graded(Integrated):
     """A shape of varying density: its elements weigh density times their length, area or volume."""
 
     graded = True
-    shape: Shape = Shape()
+    shape: Shape = UNSHAPED
     density: Formula = ONE
 
     @property

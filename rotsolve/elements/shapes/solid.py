@@ -7,7 +7,6 @@ from fractions import Fraction
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
 from rotsolve.core.tensor import InertiaTensor, round_about
-from rotsolve.core.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis, on_line
 from rotsolve.scene.keys import key

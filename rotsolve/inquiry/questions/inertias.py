@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate, total
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import signed
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
@@ -47,6 +47,8 @@ class OfInertias(Moment):
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether the centres of mass of all pieces lie at the height of the point about which is asked."""
+        if term.about is not None and self.instant.arrangement.pivot(name, self.instant.state) is None:
+            return True  # only what turns about an axis has an angular momentum in space so far
         height = self._point(name, term)[1] if term.about is not None else ZERO
         return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
 
@@ -86,7 +88,7 @@ class OfInertias(Moment):
         if along in (None, "z"):
             reference = self.instant.frame(path.owner).reference
             at_reference = not tidy(self._point(path.owner, term)[0] - reference).parts
-            plain = len(spread.pieces) == 1 and spread.pieces[0].shape.tabled or self._held(path.owner)
+            plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or self._held(path.owner)
             if facts is not None and at_reference and plain and not spread.integrates:
                 return Told(facts.letter, "")
             return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")

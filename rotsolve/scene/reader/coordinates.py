@@ -51,7 +51,7 @@ def limits(scope: Scope, node: Node, name: str, others: Collection[str], label: 
     ends = [of_coordinates(scope, item, others, want) for item in node.items]
     if ends[0] is None or ends[1] is None:
         return None
-    low, high = (rough(end, scope.numbers) for end in ends)
+    low, high = rough(ends[0], scope.numbers), rough(ends[1], scope.numbers)
     if low is not None and high is not None and low >= high:
         scope.fault(node, f"the limits of `{name}` enclose nothing", "write the smaller first", "limits")
         return None
