@@ -121,9 +121,9 @@ class Inquiry:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
         self._take_steps(asked)
         if not asked.direct and asked.letter not in self.defined:
-            definition = Equation(
-                Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
-            )
+            section = asked.section or self._section_of(asked.formula)
+            label = asked.label or "definition"
+            definition = Equation(Symbol(asked.letter), asked.formula, label, section, "", 1, remark_of(asked))
             self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
         if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
@@ -139,6 +139,11 @@ class Inquiry:
             self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
         return answered
 
+    def _section_of(self, formula: Formula) -> str:
+        """Where what is made of earlier answers is written: with the last of them."""
+        earlier = [item.asked for item in self.answered if item.asked.letter in formula.symbols()]
+        return earlier[-1].section if earlier else ""
+
     def _take_steps(self, asked: Asked) -> None:
         """The definitions that lead to a question serve that question alone: as laws they would lead anywhere."""
         own = {self.stepped[step] if step in self.stepped else self._step(step) for step in asked.definitions}
@@ -153,7 +158,10 @@ class Inquiry:
         """The plan that the definitions of a question make, with what was found before and what the laws define."""
         pool, own = self.planner.pool, self.steps.get(letter, set())
         open_ = {index for index in own if not pool[index].left.symbols() <= self.known}
-        allowed = open_ | {index for index, equation in enumerate(pool) if equation.defines}
+        told = {name for index in open_ for name in pool[index].left.symbols()}
+        allowed = open_ | {
+            index for index, equation in enumerate(pool) if equation.defines and equation.defines not in told
+        }
         if letter in self.defined:
             allowed.add(self.defined[letter])
         plan = self.planner.plan(letter, self.known, sorted(allowed - banned)) if own else None

@@ -35,7 +35,8 @@ class Spread:
     """The pieces of a body, and the point about which is asked, in the body's axes.
 
     `central` says that the point is the centre of mass; `spot` is the point's name, an index of letters; `known` is the letter of
-    the moment about the centre of mass that the laws of the scene use; `integrates` where the question says `by integration`;
+    the moment about the centre of mass that the laws of the scene use; `integrates` where the question says `by integration`,
+    `doubled` where the scene asks for the same without integration too, so that the letters must differ;
     `begin` is where the coordinates begin in which the scene speaks of the body.
     """
 
@@ -49,6 +50,7 @@ class Spread:
     central: bool = False
     known: Formula | None = None
     integrates: bool = False
+    doubled: bool = False
     begin: Place = ORIGIN
     positive: frozenset[str] = frozenset()
     givens: tuple[tuple[str, Dimension | None], ...] = ()
@@ -56,7 +58,7 @@ class Spread:
     def letter(self, kind: str, component: str = "") -> Symbol:
         """A letter of the derivation, printed with its index where it has one."""
         letter, dimension = LETTERS[kind]
-        kind = f"{kind} by integration" if self.integrates else kind
+        kind = f"{kind} by integration" if self.doubled else kind
         index = "_".join(component.split())
         quantity = Quantity(kind, self.name, "", index, letter, dimension)
         self.registry.ask(quantity)

@@ -28,7 +28,7 @@ from rotsolve.core.tensor import AXES, ONE_AXIS, Place
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.rigid import MINUS, Piece
 from rotsolve.motion.spread import DENSITY, Spread
-from rotsolve.principles.integration import INDICES, by_integration, centre_letter
+from rotsolve.principles.integration import INDICES, by_integration, centre_letter, mass
 
 OTHERS = {"xx": (1, 2), "yy": (0, 2), "zz": (0, 1)}  # the coordinates whose squares make the distance from an axis
 HALF = Number(Fraction(1, 2))
@@ -54,6 +54,8 @@ def moment(spread: Spread, entry: str) -> Told:
     if told.formula == ZERO or isinstance(told.formula, Symbol):
         return told
     letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.spot}")
+    if isinstance(spread.known, Symbol) and spread.central and entry == "zz":
+        letter = spread.known
     return Told(letter, "", (), (*told.definitions, spread.define(letter, told.formula, told.label, told.said)))
 
 
@@ -74,6 +76,18 @@ def of_one(spread: Spread, entry: str) -> Told:
     square = sum_of_squares(distances)
     said = (*distance_words(distances, square), " from the centre of mass")
     return Told(letter + piece.mass * square, "parallel axes, I = I_cm + M d²", said, defined)
+
+
+def by_symmetry(spread: Spread, entry: str) -> Told | None:
+    """I_y = I_x and the like, of a single shape that is the same about both axes through its centre of mass."""
+    tensor = spread.pieces[0].tensor
+    if len(spread.pieces) > 1 or tensor is None or not spread.central or entry not in ONE_AXIS:
+        return None
+    for other in {"xx": ("zz",), "yy": ("zz", "xx"), "zz": ()}[entry]:
+        if tensor.entry(other) == tensor.entry(entry) != ZERO:
+            told = moment(spread, other)
+            return Told(told.formula, f"by symmetry, I_{entry} = I_{other}", (), told.definitions)
+    return None
 
 
 def perpendicular(spread: Spread) -> Told | None:
@@ -98,7 +112,7 @@ def own(spread: Spread, piece: Piece, entry: str) -> Told:
     if tensor is not None and entry in ("xx", "yy") and piece.shape.flat and even(piece):
         letter, defined = central(spread, piece, "zz")
         return Told(HALF * letter, "perpendicular axes, I_z = I_x + I_y, and I_x = I_y", (), defined)
-    return Told(entry_of(piece, entry), f"moment of inertia, {noun(piece)}{about_axis(piece, entry)}")
+    return Told(spread.tidy(entry_of(piece, entry)), f"moment of inertia, {noun(piece)}{about_axis(piece, entry)}")
 
 
 def even(piece: Piece) -> bool:
@@ -122,13 +136,13 @@ def of_all(spread: Spread, entry: str) -> Told:
     before = (*before, *shares)
     if all(entry_of(piece, entry) == ZERO for piece in seen.pieces):
         terms = []
-        for piece, mass in zip(seen.pieces, masses, strict=True):
+        for piece, weight in zip(seen.pieces, masses, strict=True):
             distances = apart(seen, piece, entry)
-            terms.append(mass * sum_of_squares(distances) if distances else ZERO)
+            terms.append(weight * sum_of_squares(distances) if distances else ZERO)
         return Told(total(flat(terms)), "moment of inertia, sum of m d² over the parts", (), before)
     terms, defined = [], list(before)
-    for piece, mass in zip(seen.pieces, masses, strict=True):
-        letter, equations = share(seen, piece, mass, entry)
+    for piece, weight in zip(seen.pieces, masses, strict=True):
+        letter, equations = share(seen, piece, weight, entry)
         terms.append(letter)
         defined += equations
     holes = any(is_negative(piece.mass) for piece in spread.pieces)
@@ -153,7 +167,7 @@ def share(spread: Spread, piece: Piece, mass: Formula, entry: str) -> tuple[Form
     letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.called(piece)} {spread.spot}")
     square = sum_of_squares(distances)
     said: Words = (*distance_words(distances, square),) if distances else ()
-    what = f"moment of inertia, {spoken(spread.called(piece))}"
+    what = f"moment of inertia, {spoken(spread.called(piece))}{'' if noun(piece) == spoken(piece.name) else f' ({noun(piece)})'}"
     label = f"{what}, parallel axes" if distances else what
     equation = spread.define(letter, add(tabled, size * square) if distances else tabled, label, said)
     return (negate(letter) if cut_out else letter), [equation]
@@ -167,10 +181,10 @@ def product(spread: Spread, entry: str) -> Told:
     masses, shares = piece_masses(seen)
     i, j = (AXES.index(axis) for axis in entry)
     terms: list[Formula] = []
-    for piece, mass in zip(seen.pieces, masses, strict=True):
+    for piece, weight in zip(seen.pieces, masses, strict=True):
         arm = arm_of(seen, piece)
         inner = entry_of(piece, entry)
-        terms += [inner, negate(multiply(multiply(mass, arm[i]), arm[j]))]
+        terms += [inner, negate(multiply(multiply(weight, arm[i]), arm[j]))]
     written = total(flat(terms))
     if simplify(plain(written, (*before, *shares))) == ZERO:
         return Told(ZERO, "product of inertia")
@@ -195,9 +209,11 @@ def along(spread: Spread, direction: Heading) -> Told:
     return Told(total(flat(terms)), "moment of inertia about an axis in the plane", (), tuple(dict.fromkeys(defined)))
 
 
-def gyration(spread: Spread, told: Told, mass: Formula) -> Told:
+def gyration(spread: Spread, told: Told) -> Told:
     """k = √(I/M)."""
-    return Told(sqrt(told.formula / mass), "radius of gyration, I = M k²", (), told.definitions)
+    whole, steps = mass(spread, spread.pieces[0]) if len(spread.pieces) == 1 else (spread.mass, ())
+    defined = tuple(dict.fromkeys((*told.definitions, *steps)))
+    return Told(sqrt(told.formula / whole), "radius of gyration, I = M k²", (), defined)
 
 
 def centre(spread: Spread, axis: str) -> Told:
@@ -212,7 +228,7 @@ def centre(spread: Spread, axis: str) -> Told:
         return Told(at, f"centre of mass, {noun(piece)}")
     masses, shares = piece_masses(spread)
     places = [piece.place()[number] for piece in spread.pieces]
-    above = total(flat([multiply(mass, at) for mass, at in zip(masses, places, strict=True)]))
+    above = total(flat([multiply(weight, at) for weight, at in zip(masses, places, strict=True)]))
     whole = spread.mass if any(piece.measure is not None for piece in spread.pieces) else total(flat(masses))
     if above == ZERO or simplify(plain(above, shares)) == ZERO:
         return Told(ZERO, "centre of mass")
@@ -239,22 +255,22 @@ def piece_masses(spread: Spread) -> tuple[list[Formula], tuple[Equation, ...]]:
     shared = [piece for piece in spread.pieces if piece.measure is not None]
     if not shared:
         return [piece.mass for piece in spread.pieces], ()
-    letter, word = DENSITY[shared[0].shape.spread]
-    rest = total([piece.measure for piece in shared if piece.measure is not None])
+    name, word = DENSITY[shared[0].shape.spread]
+    rest = spread.tidy(total([piece.measure for piece in shared if piece.measure is not None]))
     sigma: Formula = simplify(total([piece.mass for piece in shared]) / rest)
     defined = []
     if not isinstance(sigma, Symbol):
-        sigma = spread.letter(letter)
+        sigma = spread.letter(name)
         defined.append(spread.define(sigma, spread.mass / rest, f"mass per {word}"))
     masses: list[Formula] = []
     for piece in spread.pieces:
         if piece.measure is None:
             masses.append(piece.mass)
             continue
-        size = negate(piece.measure) if is_negative(piece.measure) else piece.measure
-        mass = spread.letter("mass", spread.called(piece))
-        defined.append(spread.define(mass, sigma * size, f"mass of {spoken(spread.called(piece))}"))
-        masses.append(negate(mass) if is_negative(piece.mass) else mass)
+        size = spread.tidy(negate(piece.measure) if is_negative(piece.measure) else piece.measure)
+        letter = spread.letter("mass", spread.called(piece))
+        defined.append(spread.define(letter, sigma * size, f"mass of {spoken(spread.called(piece))}"))
+        masses.append(negate(letter) if is_negative(piece.mass) else letter)
     return masses, tuple(defined)
 
 

@@ -51,7 +51,7 @@ def density(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     letter, word = DENSITY[shape.spread]
     sigma = spread.letter(letter)
     if shape.tabled:
-        return sigma, (spread.define(sigma, spread.mass / shape.content(), f"mass per {word}"),)
+        return sigma, (spread.define(sigma, spread.mass / spread.tidy(shape.content()), f"mass per {word}"),)
     extent, steps = content(spread, piece)
     return sigma, (*steps, spread.define(sigma, spread.mass / extent, f"mass per {word}"))
 

@@ -186,7 +186,7 @@ class Find:
 class Published:
     """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
 
-    `values` are the numbers of a vector or of several roots.
+    `values` are the numbers of a vector, of a matrix row by row, or of several roots; `formulas` the exact entries.
     """
 
     name: str
@@ -197,6 +197,7 @@ class Published:
     span: Span | None = None
     values: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
+    formulas: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

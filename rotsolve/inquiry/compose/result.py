@@ -42,9 +42,15 @@ class Results:
         if not group[0].asked.find.whole:
             return parts[0]
         entries = tuple(replace(part, name=part.name.removeprefix(f"{name}_")) for part in parts)
+        alike: dict[str, list[str]] = {}
+        for answered, part in zip(group, entries, strict=True):
+            if part.name in ONE_AXIS:
+                alike.setdefault(answered.asked.letter, []).append(f"I_{part.name}")
+        equal = [" = ".join(names) for names in alike.values() if len(names) > 1]
         products = [part for part in entries if part.name in ENTRIES and part.name not in ONE_AXIS]
         vanish = products and all(part.formula == ZERO for part in products)
-        remark: Words = ("the products of inertia vanish by symmetry",) if vanish else ()
+        said = [*equal, *(["the products of inertia vanish"] if vanish else [])]
+        remark: Words = (f"by symmetry {', and '.join(said)}",) if said else ()
         first = entries[0]
         return Answer(name, Symbol(name), None, None, first.unit, first.dimension, components=entries, remark=remark)
 

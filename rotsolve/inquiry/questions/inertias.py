@@ -6,12 +6,11 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, multiply, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import signed
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
@@ -61,14 +60,13 @@ class OfInertias(Moment):
             return Told(letter, "mass", (), defined)
         if path.quantity == "inertia_tensor":
             spread = self._spread(path.owner, term)
-            flat_zz = path.component == "zz" and not spread.integrates
-            return (inertia.perpendicular(spread) if flat_zz else None) or inertia.moment(
-                spread, path.component or "zz"
-            )
+            entry = path.component or "zz"
+            known = inertia.perpendicular(spread) if entry == "zz" else None
+            return known or inertia.by_symmetry(spread, entry) or inertia.moment(spread, entry)
         told = self._moment_of_inertia(path, term)
         if path.quantity == "gyration":
             spread = self._spread(path.owner, term)
-            return inertia.gyration(spread, told, total([piece.mass for piece in spread.pieces]))
+            return inertia.gyration(spread, told)
         return told
 
     def _centre(self, path: Path) -> Told:
@@ -106,29 +104,11 @@ class OfInertias(Moment):
 
     def _perpendicular(self, path: Path, term: Term | None, spread: Spread) -> Told | None:
         """I_z = I_x + I_y of a flat body where both are asked for about the same point."""
-        if spread.integrates or term is None or not inertia.is_flat(spread):
+        if term is None or spread.integrates:
             return None
-        letters = []
-        for axis in "xy":
-            for find in self.instant.arrangement.problem.finds:
-                bare = (
-                    len(find.terms) == 1
-                    and find.formula == Symbol("#0")
-                    and find.terms[0].path == replace(path, span=find.terms[0].path.span)
-                )
-                same = bare and replace(find.terms[0], along=None, about=None) == replace(
-                    term, path=find.terms[0].path, along=None, about=None
-                )
-                if same and find.terms[0].along == axis and self._same_point(find.terms[0].about, term.about):
-                    letters.append(Symbol(f"asked{SEPARATOR}{find.name}"))
-                    break
-        if len(letters) < 2:
-            return None
-        return Told(add(letters[0], letters[1]), "perpendicular axes of a flat body, I_z = I_x + I_y")
-
-    def _same_point(self, one: PointRef | None, other: PointRef | None) -> bool:
-        bare = [None if ref is None else replace(ref, span=None) for ref in (one, other)]
-        return bare[0] == bare[1]
+        asked = {self._bare(other) for find in self.instant.arrangement.problem.finds for other in find.terms}
+        across = {self._bare(replace(term, path=path, along=axis)) for axis in "xy"}
+        return inertia.perpendicular(spread) if across <= asked else None
 
     def _spread(self, name: str, term: Term | None) -> Spread:
         """The pieces of a body and the point about which is asked."""
@@ -140,6 +120,7 @@ class OfInertias(Moment):
         facts = self.body(name).inertia if instant.host(name) == name else None
         centred = facts is not None and not own.cm.parts and len(own.pieces) == 1 and own.pieces[0].shape.tabled
         integrates = term is not None and term.by == "integration"
+        doubled = integrates and self._asked_twice(term)
         return Spread(
             name,
             own.pieces,
@@ -151,12 +132,26 @@ class OfInertias(Moment):
             (x, y, height),
             "cm" if central else _named(ref),
             central,
-            facts.letter if facts is not None and centred and not integrates else None,
+            facts.letter if facts is not None and centred and not doubled else None,
             integrates,
+            doubled,
             shape_of(body).begin(),
             positive_letters(instant.arrangement.problem.givens),
             tuple((given.name, given.dimension) for given in instant.arrangement.problem.givens),
         )
+
+    def _asked_twice(self, term: Term | None) -> bool:
+        """Whether the scene asks for the same without integration as well."""
+        assert term is not None
+        plain = self._bare(replace(term, by=None))
+        return any(
+            self._bare(other) == plain for find in self.instant.arrangement.problem.finds for other in find.terms
+        )
+
+    def _bare(self, term: Term) -> Term:
+        """A term without the places in the file where it stands."""
+        about = None if term.about is None else replace(term.about, span=None)
+        return replace(term, path=replace(term.path, span=None, component=None), about=about)
 
     def _point(self, name: str, term: Term | None) -> tuple[Vector, Formula, PointRef | None]:
         """The point about which is asked, in the body's axes, and its height: the centre of mass where nothing is said."""
