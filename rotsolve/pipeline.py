@@ -25,7 +25,7 @@ from rotsolve.inquiry.explain import (
     unsolvable,
     with_missing_told,
 )
-from rotsolve.inquiry.finds import Unclear, asked
+from rotsolve.inquiry.finds import Unclear, asked, entries
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
@@ -123,12 +123,19 @@ def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
         pending = [find for find, _ in waiting]
     order = {find.name: place for place, find in enumerate(finds)}
     inquiry.order = sorted(
-        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.name]
+        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.group]
     )
 
 
 def answer(inquiry: Inquiry, find: Find) -> None:
-    """Answer one question, or say why there is no answer."""
+    """Answer one question, entry by entry where it asks for a matrix or vector."""
+    for part in entries(find, inquiry.history):
+        if part.name not in inquiry.letters():
+            answer_one(inquiry, part)
+
+
+def answer_one(inquiry: Inquiry, find: Find) -> None:
+    """Answer one question for a single quantity, or say why there is no answer."""
     problem = inquiry.history.arrangement.problem
     try:
         if find.where is not None:

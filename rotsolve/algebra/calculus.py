@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.normal import Problem, simplify
+from rotsolve.algebra.exact.normal import Problem, coefficients, simplify
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -193,6 +193,9 @@ def _antiderivative(problem: Problem, factor: Ratio, atom: Formula, n: int, name
     constant = problem.shaper.ratio(ring.cancel(factor))
     if atom == ONE:
         return multiply(constant, call("log", x))
+    if isinstance(atom, Call) and atom.function == "sqrt" and n >= 0:
+        found = _antiderivative_of_root(atom, n, name)
+        return None if found is None else multiply(constant, found)
     if n or not isinstance(atom, (Call, Power, Product)):
         return None
     if isinstance(atom, Call) and atom.function in ("sin", "cos", "exp"):
@@ -206,7 +209,7 @@ def _antiderivative(problem: Problem, factor: Ratio, atom: Formula, n: int, name
 
 
 def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
-    """∫ sin², ∫ cos² and ∫ sin cos of one linear argument."""
+    """∫ sin², ∫ cos², ∫ sin³, ∫ cos³ and ∫ sin cos of one linear argument."""
     factors = atom.factors if isinstance(atom, Product) else (atom,)
     calls = [f.base if isinstance(f, Power) else f for f in factors]
     if not all(isinstance(c, Call) and c.function in ("sin", "cos") for c in calls):
@@ -221,11 +224,34 @@ def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
     s, c = call("sin", argument), call("cos", argument)
     if len(factors) == 2 and all(isinstance(f, Call) for f in factors):
         return divide(_power(s, 2), multiply(two, slope))
+    if len(factors) == 1 and factors[0] in (_power(s, 3), _power(c, 3)):
+        one, other = (c, s) if factors[0] == _power(s, 3) else (s, c)  # sin³ = sin (1 − cos²)
+        cube = add(one, negate(divide(_power(one, 3), Number(Fraction(3)))))
+        return divide(negate(cube) if other == s else cube, slope)
     if len(factors) == 1 and factors[0] in (_power(s, 2), _power(c, 2)):
         half = divide(multiply(s, c), multiply(two, slope))
         linear = divide(Symbol(name), two)
         return add(linear, negate(half) if factors[0] == _power(s, 2) else half)
     return None
+
+
+def _antiderivative_of_root(root: Call, n: int, name: str) -> Formula | None:
+    """∫ xⁿ √(p − q x²) dx with a number q > 0, by the reduction from n to n − 2."""
+    parts = coefficients(root.arguments[0], name)
+    if parts is None or len(parts) != 3 or parts[1] != ZERO or not isinstance(parts[2], Number) or parts[2].value >= 0:
+        return None
+    x, p, q = Symbol(name), parts[0], negate(parts[2])
+    cube = multiply(root.arguments[0], root)
+    if n == 1:
+        return negate(divide(cube, multiply(Number(Fraction(3)), q)))
+    if n == 0:
+        arc = divide(multiply(p, call("asin", divide(multiply(x, call("sqrt", q)), call("sqrt", p)))), call("sqrt", q))
+        return divide(add(multiply(x, root), arc), Number(Fraction(2)))
+    lower = _antiderivative_of_root(root, n - 2, name)
+    assert lower is not None
+    first = negate(multiply(_power(x, n - 1), cube))
+    rest = multiply(multiply(p, Number(Fraction(n - 1))), lower)
+    return divide(add(first, rest), multiply(q, Number(Fraction(n + 2))))
 
 
 def _constant_slope(argument: Formula, name: str) -> Formula | None:
@@ -249,6 +275,20 @@ def integrate(
     from rotsolve.algebra.sympy_bridge import definite_integral
 
     return definite_integral(f, name, lower, upper, positive)
+
+
+def carried_out(
+    f: Formula, positive: Collection[str] = (), tidied: Callable[[Formula], Formula] | None = None
+) -> Formula:
+    """All integrals in closed form where there is one, each result `tidied`."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Integral):
+            return node
+        done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=positive)
+        return node if done is None else tidied(done) if tidied else done
+
+    return f.transform(change)
 
 
 def _continuous(primitive: Formula, name: str, lower: Formula, upper: Formula, positive: Collection[str]) -> bool:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.tensor import ENTRIES, ROWS
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
@@ -94,6 +95,16 @@ class Answer:
     word: str = ""
     components: tuple[Answer, ...] = ()
     remark: Words = ()
+
+    @property
+    def rows(self) -> tuple[tuple[Answer, ...], ...]:
+        """The entries of a matrix row by row, of a vector without a size as its only row; nothing for other answers."""
+        parts = {part.name: part for part in self.components}
+        if self.formula is not None or self.value is not None:
+            return ()
+        if set(parts) == set(ENTRIES):
+            return tuple(tuple(parts[name] for name in row) for row in ROWS)
+        return (self.components,) if self.components else ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -31,6 +31,9 @@ DIMENSIONS: dict[str, Dimension] = {  # the words in which element keys and mess
     "momentum": base.MOMENTUM,
     "angular momentum": base.ANGULAR_MOMENTUM,
     "frequency": base.FREQUENCY,
+    "density per length": base.LINE_DENSITY,
+    "density per area": base.AREA_DENSITY,
+    "density": base.DENSITY,
 }
 
 PLANE = ("x", "y")
@@ -147,7 +150,14 @@ QUANTITIES = (
     kind("precession", "angular velocity", "Omega", (BODY,), "rate at which the spin axis turns", later=True),
     kind("spin", "angular velocity", "s", (BODY,), "rate about the symmetry axis, in the precessing frame", later=True),
     kind("nutation", "angular velocity", "nu", (BODY,), "rate at which the spin axis nods", later=True),
-    kind("inertia_tensor", "moment of inertia", "I", (BODY,), "tensor about `cm`, or `about` a point", later=True),
+    kind(
+        "inertia_tensor",
+        "moment of inertia",
+        "I",
+        (BODY,),
+        "tensor about `cm`, or `about` a point; its products are −Σ m x y",
+        ("xx", "yy", "zz", "xy", "yz", "zx"),
+    ),
     kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )

@@ -6,7 +6,7 @@ from dataclasses import dataclass, field
 from itertools import combinations
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
@@ -15,7 +15,8 @@ from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.signs import Signs, positive_letters
+from rotsolve.inquiry.signs import Signs
+from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
@@ -60,6 +61,8 @@ class Inquiry:
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
+    steps: dict[str, set[int]] = field(default_factory=dict)  # pool indices of what leads to a question step by step
+    stepped: dict[Equation, int] = field(default_factory=dict)  # pool index of each such step
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -119,12 +122,15 @@ class Inquiry:
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        self._take_steps(asked)
         if not asked.direct and asked.letter not in self.defined:
-            definition = Equation(
-                Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
-            )
+            section = asked.section or self._section_of(asked.formula)
+            label = asked.label or "definition"
+            definition = Equation(Symbol(asked.letter), asked.formula, label, section, "", 1, remark_of(asked))
             self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
+        if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
+            self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], ())
         else:
@@ -135,6 +141,34 @@ class Inquiry:
         if asked.letter in self.defined and has_calls(asked.formula):
             self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
         return answered
+
+    def _section_of(self, formula: Formula) -> str:
+        """Where what is made of earlier answers is written: with the last of them."""
+        earlier = [item.asked for item in self.answered if item.asked.letter in formula.symbols()]
+        return earlier[-1].section if earlier else ""
+
+    def _take_steps(self, asked: Asked) -> None:
+        """The definitions that lead to a question serve that question alone: as laws they would lead anywhere."""
+        own = {self.stepped[step] if step in self.stepped else self._step(step) for step in asked.definitions}
+        if own:
+            self.steps[asked.letter] = own
+
+    def _step(self, step: Equation) -> int:
+        self.stepped[step] = self.planner.extend(step)
+        return self.stepped[step]
+
+    def _by_steps(self, letter: str, banned: set[int]) -> Plan | None:
+        """The plan that the definitions of a question make, with what was found before and what the laws define."""
+        pool, own = self.planner.pool, self.steps.get(letter, set())
+        open_ = {index for index in own if not pool[index].left.symbols() <= self.known}
+        told = {name for index in open_ for name in pool[index].left.symbols()}
+        allowed = open_ | {
+            index for index, equation in enumerate(pool) if equation.defines and equation.defines not in told
+        }
+        if letter in self.defined:
+            allowed.add(self.defined[letter])
+        plan = self.planner.plan(letter, self.known, sorted(allowed - banned)) if own else None
+        return plan if isinstance(plan, Plan) else None
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""
@@ -190,10 +224,15 @@ class Inquiry:
 
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
+        stepwise = self._by_steps(letter, banned)
+        if stepwise is not None:
+            return stepwise
+        foreign = set(self.stepped.values()) - self.steps.get(letter, set())
         allowed = [
             index
             for index, equation in enumerate(self.planner.pool)
             if index not in banned
+            and index not in foreign
             and index not in self.retired
             and (not equation.family or equation.family in self.families)
         ]
@@ -285,7 +324,7 @@ class Inquiry:
 
 
 def remark_of(asked: Asked) -> Words:
-    return (asked.remark,) if asked.remark else ()
+    return asked.said or ((asked.remark,) if asked.remark else ())
 
 
 def has_calls(value: Formula) -> bool:

@@ -8,9 +8,12 @@ from types import MappingProxyType
 
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
 from rotsolve.core.heading import Vector
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.tensor import AXES, ENTRIES
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.inquiry.transfers import impulse, potential_change, work
@@ -29,7 +32,7 @@ class Asked:
     """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
 
     `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
-    where its definition belongs.
+    where its definition belongs. `said` is a remark with formulas in it, `definitions` are the steps that lead to the formula.
     """
 
     find: Find
@@ -41,6 +44,8 @@ class Asked:
     label: str = ""
     section: str = ""
     words: tuple[str, str] = ("", "")
+    said: Words = ()
+    definitions: tuple[Equation, ...] = ()
 
     @property
     def direct(self) -> bool:
@@ -66,6 +71,7 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
     single = len(meanings) == 1 and find.formula == Symbol("#0")
     first = meanings[0][0] if meanings else None
     section = meanings[0][1] if meanings else ""
+    definitions = tuple(dict.fromkeys(step for meaning, _ in meanings for step in meaning.definitions))
     dimension = first.dimension if single and first is not None else dimension_of_find(find, meanings, history, earlier)
     if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
         words = first.words if single and first else ("", "")
@@ -77,13 +83,48 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
             first.vector if single and first else None,
             section=section,
             words=words,
+            definitions=definitions,
         )
     vector = first.vector if single and first is not None else None
     letter = f"asked{SEPARATOR}{find.name}"
     if not single or first is None:
-        return Asked(find, formula, letter, dimension, vector, "", "", section)
+        return Asked(find, formula, letter, dimension, vector, "", "", section, definitions=definitions)
     words = first.words if find.terms[0].modifier == "" else ("", "")
-    return Asked(find, formula, letter, dimension, vector, first.remark, first.label, section, words)
+    return Asked(
+        find, formula, letter, dimension, vector, first.remark, first.label, section, words, first.said, definitions
+    )
+
+
+def entries(find: Find, history: History) -> tuple[Find, ...]:
+    """A question for a matrix or a vector in space as questions for its entries; any other question alone."""
+    if len(find.terms) != 1 or find.formula != Symbol("#0") or find.terms[0].path.component is not None:
+        return (find,)
+    term = find.terms[0]
+    names = components(term, history)
+    return tuple(
+        replace(
+            find,
+            name=f"{find.name}_{name}",
+            terms=(replace(term, path=replace(term.path, component=name)),),
+            whole=find.name,
+        )
+        for name in names
+    ) or (find,)
+
+
+def components(term: Term, history: History) -> tuple[str, ...]:
+    """The entries that belong to a question for a whole: all of a tensor; the coordinates in which a body extends."""
+    path = term.path
+    if path.owner not in history.arrangement.bodies:
+        return ()
+    if path.quantity == "inertia_tensor":
+        return ENTRIES
+    if path.quantity not in ("cm", "angular_momentum") or term.modifier:
+        return ()
+    flat = history.reader(history.arrangement.timeline.states[0].name).is_flat(path.owner, term)
+    if path.quantity == "cm":
+        return AXES[:2] if flat else AXES
+    return AXES if term.about is not None and not flat else ()
 
 
 def is_unknown(name: str, history: History) -> bool:

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import fields, replace
+from typing import Any
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.elements.shapes import Graded, Integrated, Rod, Shape
 from rotsolve.motion.instant import locate
+from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
@@ -25,6 +28,7 @@ class _Letters:
     def __init__(self, problem: Problem) -> None:
         self.taken = {given.name for given in problem.givens}
         self.made: list[Given] = []
+        self.positive = positive_letters(problem.givens)
 
     def make(self, letter: str, owner: str, dimension: str) -> Formula:
         name = f"{letter}_{owner}"
@@ -83,8 +87,16 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
     parts = tuple(_part(part, letters) for part in body.parts)
-    if body.density is not None and shape is not None:
-        mass = body.density * shape.measure()
+    holes = tuple(_hole(hole, shape) for hole in body.holes)
+    if isinstance(shape, Integrated):
+        shape = replace(shape, positive=letters.positive)
+    if body.density is not None and shape is not None and any(SEPARATOR in name for name in body.density.symbols()):
+        shape = Graded(letters.positive, shape, body.density)
+        mass = shape.measure()
+    elif body.density is not None and shape is not None:
+        whole = shape.measure()
+        rest = whole - total([shape_of(hole.body).measure() for hole in body.holes])
+        mass = body.density * (shape.content() if not body.holes else simplify(shape.content() * rest / whole))
     elif mass is None and not body.parts:
         mass = letters.make("m", body.name, "mass")
     radius, inertia = body.radius, body.inertia
@@ -93,7 +105,7 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
             radius = letters.make("R", body.name, "length")
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
-    return _central(replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia))
+    return _central(replace(body, shape=shape, mass=mass, parts=parts, holes=holes, radius=radius, inertia=inertia))
 
 
 def _central(body: Body) -> Body:
@@ -114,15 +126,23 @@ def _part(part: Part, letters: _Letters) -> Part:
     return replace(part, body=_body(part.body, letters, False))
 
 
+def _hole(hole: Part, shape: Shape | None) -> Part:
+    """A hole is as long as what it is bored through, where nobody says otherwise."""
+    cut, length = hole.body.shape, getattr(shape, "length", None)
+    if cut is None or length is None or "length" not in cut.__dataclass_fields__ or getattr(cut, "length", None):
+        return hole
+    size: dict[str, Any] = {"length": length}
+    return replace(hole, body=replace(hole.body, shape=replace(cut, **size)))
+
+
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
-    changes = {}
+    changes: dict[str, Any] = {}
     for item in fields(shape):
         declared: Key | None = item.metadata.get("key")
         if declared is None or declared.kind != "quantity" or item.name not in ("radius", "length"):
             continue
-        if getattr(shape, item.name) is None and not getattr(shape, "radii", ()):
-            if item.name == "length" and hasattr(shape, "radius"):
-                continue  # the length of a cylinder along its axis is no matter in the plane
+        walls = item.name == "radius" and bool(getattr(shape, "radii", None))
+        if getattr(shape, item.name) is None and not walls:
             changes[item.name] = letters.make(
                 declared.letter or item.name[0], body.name, declared.dimension or "length"
             )

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.core.directions import opposite
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Motion, signed
@@ -43,7 +44,7 @@ def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
             base = locate(arrangement.bodies[name], member.at)
             offset = locate(arrangement.bodies[member.name], member.own)
             own = frame(arrangement, member.name, state).pieces
-            items.extend(Piece(item.name, item.mass, item.moment, tidy(base + item.at - offset)) for item in own)
+            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
     reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
@@ -63,6 +64,23 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
         if part.body.name == ref.point:
             return part_frame(part)[1]
     return place(shape_of(body).locate(ref.point or "", ref.argument))
+
+
+def rise(body: Body, ref: PointRef) -> Formula:
+    """Height of a point above the picture, in the body's axes."""
+    if ref.point == "cm":
+        items = pieces(body)
+        if all(piece.height == ZERO for piece in items):
+            return ZERO
+        whole = total([piece.mass for piece in items])
+        return simplify(total([piece.mass * piece.height for piece in items]) / whole)
+    for name, at in body.points:
+        if name == ref.point:
+            return at[2] if len(at) > 2 else ZERO
+    for part in body.parts:
+        if part.body.name == ref.point:
+            return part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
+    return shape_of(body).rise(ref.point or "center")
 
 
 @dataclass(frozen=True)

@@ -5,27 +5,72 @@ I_P = Σ (I_own + m d²), the parallel-axes theorem over all pieces. Places are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, call, negate, sqrt, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
+from rotsolve.core.tensor import InertiaTensor, about_z
+from rotsolve.core.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Place, Rod, Shape
+from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.scene.model import Body, Part
+
+MINUS = Number(Fraction(-1))
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A piece of a rigid body: mass, own moment of inertia about its centre of mass, and where that is."""
+    """A piece of a rigid body: mass, own moment of inertia about its centre of mass, and where that is.
+
+    `tensor` are all its second moments, None where only the moment about its axis is known; `height` is the third coordinate.
+    `measure` is the area (length, volume) by which its mass is the share that it has of the material, where that is so;
+    `whole` says that the piece is a body's own shape, whose axes are the body's.
+    """
 
     name: str
     mass: Formula
     moment: Formula
     at: Vector
+    shape: Shape
+    height: Formula = ZERO
+    tensor: InertiaTensor | None = None
+    measure: Formula | None = None
+    heading: Heading = RIGHT
+    whole: bool = False
+
+    def place(self) -> Spot:
+        """Where its centre of mass is, in the axes of the body."""
+        x, y = (simplify(part) if isinstance(part, Sum) else part for part in (self.at.along(RIGHT), self.at.along(UP)))
+        return (x, y, self.height)
+
+    def weighing(self, mass: Formula) -> Piece:
+        """The piece with another mass, all its moments in terms of that."""
+        tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
+        return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
+
+    def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> Piece:
+        """The piece turned in the plane and moved; with a minus sign it is cut out."""
+        turned = None if self.tensor is None else turned_by(self.tensor, direction)
+        return replace(
+            self,
+            mass=sign * self.mass,
+            moment=sign * self.moment,
+            at=self.at.rotated(direction) + origin,
+            height=add(self.height, height),
+            tensor=None if turned is None else turned.times(sign),
+            measure=None if self.measure is None else sign * self.measure,
+            heading=self.heading + direction,
+            whole=False,
+        )
+
+
+def turned_by(tensor: InertiaTensor, direction: Heading) -> InertiaTensor:
+    """The tensor of what is turned in the plane."""
+    return tensor if direction == RIGHT else tensor.turned(about_z(direction.cos(), direction.sin()))
 
 
 def mass_of(body: Body) -> Formula:
@@ -38,7 +83,7 @@ def pieces(body: Body) -> tuple[Piece, ...]:
     """The pieces of a body: itself, its parts, and its holes with negative mass."""
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
-    holes = tuple(piece for hole in body.holes for piece in _placed(_filled(hole, body), Number(Fraction(-1))))
+    holes = tuple(piece for hole in body.holes for piece in _cut(hole, body))
     return (*((own,) if own else ()), *parts, *holes)
 
 
@@ -47,37 +92,39 @@ def _own_piece(body: Body) -> Piece | None:
         return None
     shape = shape_of(body)
     mass = body.mass if body.mass is not None else ZERO
+    measure = None
     if body.holes and isinstance(body.shape, Shape):
-        mass = (
-            mass / (shape.measure() - total([shape_of(hole.body).measure() for hole in body.holes])) * shape.measure()
-        )
-    moment = (
-        body.inertia
-        if body.inertia is not None
-        else mass * body.gyration**2
-        if body.gyration is not None
-        else shape.moment(mass)
-    )
-    return Piece(body.name, mass, moment, place(shape.centroid()))
+        mass, measure = mass / _rest(body) * shape.measure(), shape.measure()
+    at, height = place(shape.centroid()), shape.rise()
+    if body.inertia is not None or body.gyration is not None:
+        moment = body.inertia if body.inertia is not None else mass * (body.gyration or ZERO) ** 2
+        return Piece(body.name, mass, moment, at, shape, height)
+    return Piece(body.name, mass, shape.moment(mass), at, shape, height, shape.tensor(mass), measure, whole=True)
 
 
-def _filled(hole: Part, body: Body) -> Part:
-    """A hole with the mass of the material that it would hold, for a body of uniform thickness."""
+def _rest(body: Body) -> Formula:
+    """What its holes leave of a body's length, area or volume."""
+    return shape_of(body).measure() - total([shape_of(hole.body).measure() for hole in body.holes])
+
+
+def _cut(hole: Part, body: Body) -> tuple[Piece, ...]:
+    """The pieces of a hole, with the mass of the material that it would hold, for a body of uniform thickness."""
     if hole.body.mass is not None or body.mass is None:
-        return hole
+        return _placed(hole, MINUS)
     shape, cut = shape_of(body), shape_of(hole.body)
-    rest = shape.measure() - total([shape_of(other.body).measure() for other in body.holes])
-    filled = Body(hole.body.name, hole.body.shape, mass=body.mass / rest * cut.measure())
-    return Part(filled, hole.at, hole.start, hole.end, hole.angle)
+    mass = body.mass / _rest(body) * cut.measure()
+    filled = replace(hole, body=Body(hole.body.name, cut, mass=mass))
+    pieces = tuple(replace(piece, measure=MINUS * cut.measure()) for piece in _placed(filled, MINUS))
+    if cut.flat and not shape.flat:  # how deep it is nobody says
+        return tuple(replace(piece, tensor=None) for piece in pieces)
+    return pieces
 
 
 def _placed(part: Part, sign: Formula) -> tuple[Piece, ...]:
     """The pieces of a part, turned and moved to its place."""
     direction, origin = part_frame(part)
-    return tuple(
-        Piece(part.body.name, sign * piece.mass, sign * piece.moment, piece.at.rotated(direction) + origin)
-        for piece in pieces(part.body)
-    )
+    height = part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
+    return tuple(piece.moved(direction, origin, height, sign) for piece in pieces(part.body))
 
 
 def part_frame(part: Part) -> tuple[Heading, Vector]:
@@ -92,8 +139,9 @@ def part_frame(part: Part) -> tuple[Heading, Vector]:
     return angle, place(part.at) if part.at is not None else NOWHERE
 
 
-def place(at: Place) -> Vector:
-    return cartesian(*at)
+def place(at: tuple[Formula, ...]) -> Vector:
+    """A place in the plane; a height is left out."""
+    return cartesian(*at[:2])
 
 
 def tidy(arm: Vector) -> Vector:

@@ -139,4 +139,5 @@ def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
         "word": answer.word,
         "remark": words(answer.remark),
         "components": [answer_data(component, digits) for component in answer.components],
+        **({"rows": [[entry.name for entry in row] for row in answer.rows]} if answer.rows else {}),
     }

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Move, Section
+from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
 from rotsolve.render.voice import LATEX, exact, lettered, shown
 
@@ -133,6 +134,11 @@ def words_cell(text: str) -> str:
 
 def answer_rows(answer: Answer, digits: int) -> Iterator[str]:
     """An answer and its components, one row each."""
+    if answer.rows:
+        symbol, sides = latex_matrix(answer, LATEX, digits).split(" = ", 1)
+        said = LATEX.words(answer.remark)
+        yield f"{symbol} &= {sides}" + (words_cell(f"({said})") if said else "")
+        return
     formula, amount = exact(answer), LATEX.amount(answer, digits)
     parts = [LATEX.formula(formula)] if formula is not None else []
     parts += [amount] if amount else []

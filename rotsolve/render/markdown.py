@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
+from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
 from rotsolve.render.voice import MARKDOWN, exact, lettered, shown
 
@@ -91,6 +92,9 @@ def move_line(move: Move) -> str:
 
 def answer_lines(answer: Answer, digits: int, inset: str = "") -> Iterator[str]:
     """An answer and, as a list within the list, its components."""
+    if answer.rows:
+        yield f"{inset}- {MARKDOWN.math(latex_matrix(answer, MARKDOWN, digits))}{MARKDOWN.aside(answer, digits)}"
+        return
     formula, amount = exact(answer), MARKDOWN.amount(answer, digits)
     parts = [MARKDOWN.formula(answer.symbol), *([MARKDOWN.formula(formula)] if formula is not None else [])]
     parts += [amount] if amount else []

@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
 from rotsolve.render.layout import ARROW, GAP, HELD, Line, Row, hold, labelled, page, paragraph, release, table, wrap
+from rotsolve.render.matrix import text_rows
 from rotsolve.render.options import Options
 from rotsolve.render.voice import TEXT, exact, lettered, shown
 
@@ -139,6 +140,9 @@ def answer_lines(answers: tuple[Answer, ...], options: Options) -> Iterator[Line
 
 def answer_rows(answer: Answer, digits: int, inset: str = "") -> Iterator[Row]:
     """An answer and, further in, its components: symbol, exact form, certified number, direction."""
+    if answer.rows:
+        yield from text_rows(answer, digits)
+        return
     formula, amount = exact(answer), TEXT.amount(answer, digits)
     symbol, aside = hold(TEXT.formula(answer.symbol)), TEXT.aside(answer, digits)
     sides = [hold(TEXT.formula(formula))] if formula is not None else []

@@ -99,7 +99,7 @@ class Body:
     radii: tuple[tuple[str, Formula], ...] = ()
     parts: tuple[Part, ...] = ()
     holes: tuple[Part, ...] = ()
-    points: tuple[tuple[str, tuple[Formula, Formula]], ...] = ()
+    points: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
     count: int = 1
     moves: str | None = None
     turns: str | None = None
@@ -109,10 +109,13 @@ class Body:
 
 @dataclass(frozen=True, slots=True)
 class Part:
-    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it."""
+    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it.
+
+    A third coordinate of `at`, as of a body's `points`, is the height above the picture.
+    """
 
     body: Body
-    at: tuple[Formula, Formula] | None = None
+    at: tuple[Formula, ...] | None = None
     start: tuple[Formula, Formula] | None = None
     end: tuple[Formula, Formula] | None = None
     angle: Formula | None = None
@@ -160,11 +163,15 @@ class Term:
     on: str | None = None
     about: PointRef | None = None
     along: Formula | str | None = None
+    by: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
 class Find:
-    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`."""
+    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`.
+
+    An entry of a matrix or vector that is asked for as a whole has the name of that in `whole`.
+    """
 
     name: str
     formula: Formula
@@ -174,6 +181,12 @@ class Find:
     unit: Unit | None = None
     text: str = ""
     span: Span | None = None
+    whole: str = ""
+
+    @property
+    def group(self) -> str:
+        """The name under which the scene asks for it."""
+        return self.whole or self.name
 
 
 @dataclass(frozen=True, slots=True)
@@ -188,7 +201,8 @@ class Moment:
 class Published:
     """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
 
-    `values` are the numbers of a vector or of several roots; `at` says when a function of time has the number.
+    `values` are the numbers of a vector, of a matrix row by row, or of several roots; `formulas` the exact entries; `at` says when
+    a function of time has the number.
     """
 
     name: str
@@ -200,6 +214,7 @@ class Published:
     values: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
     at: Moment | None = None
+    formulas: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

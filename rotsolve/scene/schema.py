@@ -13,6 +13,7 @@ from rotsolve.scene.values.scope import NAME
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
 ANYTHING: dict[str, Any] = {}
 PLACE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 3}
+LIMITS: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 2}
 POINT: dict[str, Any] = {"anyOf": [{"type": "string"}, PLACE]}
 TENSOR: dict[str, Any] = {"type": "array", "items": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]}}
 ABOUT: dict[str, Any] = {
@@ -121,6 +122,9 @@ def value(key: Key, word: str = "") -> dict[str, Any]:
         "name": {"type": "string"},
         "names": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
         "place": PLACE,
+        "spot": PLACE,
+        "region": named(LIMITS),
+        "profile": named({"anyOf": [SCALAR, LIMITS]}),
         "places": {"type": "array", "items": PLACE},
         "quantities": {"type": "array", "items": SCALAR},
         "radii": {"type": "object", "additionalProperties": SCALAR},

@@ -42,7 +42,10 @@ BODY: dict[str, Key] = {
     ),
     "mass": Key("quantity", "mass; 0 for a light body", dimension="mass", letter="m", limits="nonnegative"),
     "density": Key(
-        "density", "mass per length, area or volume: a value, or a formula of x and y", letter="rho", later=True
+        "density",
+        "mass per length, area or volume: a value, or a formula of the shape's coordinates "
+        "(x of a rod from its start, r of a disc, those of a lamina)",
+        letter="rho",
     ),
     "inertia": Key(
         "inertia",
@@ -56,7 +59,7 @@ BODY: dict[str, Key] = {
     "radii": Key("radii", "named rims of a stepped drum: `{big: R, small: r}`"),
     "parts": Key("parts", "bodies that make up this one"),
     "holes": Key("parts", "what is cut out"),
-    "points": Key("points map", "named points `P: [x, y]` from the body's centre"),
+    "points": Key("points map", "named points `P: [x, y]` (or `[x, y, z]`) from the body's centre"),
     "count": Key("count", "how many identical bodies stand for this one"),
     "moves": Key("choice", "positive direction of its motion (default right; up on a slope)", choices=SENSES),
     "turns": Key("choice", "positive sense of its rotation (default counterclockwise)", choices=TURNS),
@@ -77,7 +80,7 @@ BODY: dict[str, Key] = {
 }
 
 PART: dict[str, Key] = {
-    "at": Key("place", "where its centre is, from the body's centre"),
+    "at": Key("spot", "where its centre is, from the body's centre: `[x, y]`, or `[x, y, z]` with its height"),
     "start": Key("place", "where a rod begins"),
     "end": Key("place", "where a rod ends"),
     "angle": Key("quantity", "how far it is turned, counterclockwise", dimension="angle", letter="theta"),

@@ -73,7 +73,24 @@ def in_si(answer: AnswerView) -> float | None:
     return answer.float * evaluate(answer.answer.unit.factor, {}, digits=20).float
 
 
+def matrix_differences(entry: Published, answer: AnswerView, solution: Solution) -> list[str]:
+    """Where the entries of a matrix or vector, row by row, differ from the published ones."""
+    wrong = []
+    parts = [AnswerView(part) for row in answer.answer.rows for part in row]
+    for expected, part in zip(entry.formulas or [None] * len(parts), parts, strict=True):
+        if expected is not None and (part.formula is None or not equal(part.formula, expected, letters(solution))):
+            wrong.append(f"{entry.name}.{part.name} = {part.exact}; published {to_text(expected)}")
+    for value, part in zip(entry.values or [None] * len(parts), parts, strict=True):
+        number, found = (0.0 if value is None else evaluate(value, {}, digits=20).float), in_si(part)
+        if value is not None and (found is None or abs(found - number) > ACCURACY * max(abs(number), abs(found))):
+            wrong.append(f"{entry.name}.{part.name} = {part.value}; published {entry.text}")
+    return wrong
+
+
 def differences(entry: Published, answer: AnswerView, solution: Solution) -> list[str]:
+    if answer.answer.rows:
+        assert entry.formulas and entry.values, f"{entry.name} wants formulas and values entry by entry"
+        return matrix_differences(entry, answer, solution)
     wrong = []
     expected = published_formula(entry, solution)
     if expected is not None:

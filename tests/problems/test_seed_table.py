@@ -23,6 +23,7 @@ from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import parse_quantity
+from rotsolve.core.derivation import Answer
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_file
 from rotsolve.solution import Solution
@@ -90,6 +91,9 @@ def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]
     for name, text in expressions(item, set(solution.answers), list(asks)).items():
         answered.append(name)
         place = f"{item.file.name}: {name}"
+        if isinstance(asks[name]["value"], list):
+            wrong += wrong_entries(place, solution.answers[text].answer, asks[name], record, item, solution)
+            continue
         expression = parse(text, set(solution.answers))
         found = formula_of(expression, solution)
         expected = asks[name].get("symbolic")
@@ -103,6 +107,40 @@ def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]
         if abs(value - recorded) > ACCURACY * max(abs(value), abs(recorded)):
             wrong.append(f"{place} = {value!r} in SI units; the record has {recorded!r}")
     return answered, wrong
+
+
+def wrong_entries(
+    place: str, answer: Answer, ask: dict[str, Any], record: dict[str, Any], item: Tied, solution: Solution
+) -> list[str]:
+    """How the entries of a matrix or vector, row by row, differ from the record's."""
+    wrong = []
+    parts = [part for row in answer.rows for part in row]
+    values = [number for row in ask["value"] for number in (row if isinstance(row, list) else [row])]
+    unit = "" if str(ask["unit"]) == "1" else f" {ask['unit']}"
+    for part, symbolic, number in zip(parts, matrix(str(ask["symbolic"])), values, strict=True):
+        expected = renamed(parse(symbolic.replace("**", "^"), set(record["givens"])), item)
+        if part.formula is None or not equal(part.formula, expected, {given.name for given in solution.problem.givens}):
+            wrong.append(f"{place}.{part.name}: the record has {symbolic}")
+        factor = Number(Fraction(1)) if part.unit is None else part.unit.factor
+        value = evaluate(Number(Fraction(part.value.float)) * factor, {}, digits=15).float  # type: ignore[union-attr]
+        recorded = evaluate(parse_quantity(f"{number!r}{unit}").value, {}, digits=15).float
+        if abs(value - recorded) > ACCURACY * max(abs(value), abs(recorded)):
+            wrong.append(f"{place}.{part.name} = {value!r} in SI units; the record has {recorded!r}")
+    return wrong
+
+
+def matrix(text: str) -> list[str]:
+    """The entries of `Matrix([[a, b], [c, d]])`, row by row."""
+    match = re.fullmatch(r"Matrix\(\[(.*)\]\)", text, re.DOTALL)
+    assert match, f"{text} is no matrix"
+    entries, depth = [""], 0
+    for letter in match[1].replace("[", "").replace("]", ""):
+        depth += {"(": 1, ")": -1}.get(letter, 0)
+        if letter == "," and depth == 0:
+            entries.append("")
+        else:
+            entries[-1] += letter
+    return entries
 
 
 def formula_of(expression: Formula, solution: Solution) -> Formula | None:

@@ -26,6 +26,10 @@ from rotsolve.algebra.formula import (
     Negative,
     Number,
     Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
     add,
     call,
     divide,
@@ -224,7 +228,19 @@ class Rewriter:
             return negate(self._inverse(function, (first.operand, *arguments[1:])))
         if function == "acos" and self.split_logs:
             return add(divide(PI, Number(Fraction(2))), negate(self._same("asin", first)))
+        if function == "atan2" and self._surely_positive(arguments[1]):
+            return self._inverse("atan", (self.tidy(divide(first, arguments[1])),))
         return self._same(function, first) if len(arguments) == 1 else call(function, *arguments)
+
+    def _surely_positive(self, node: Formula) -> bool:
+        """Whether a formula is made of positive letters and numbers alone."""
+        if isinstance(node, Number):
+            return node.value > 0
+        if isinstance(node, (Sum, Product, Quotient)):
+            return all(self._surely_positive(child) for child in node.children())
+        if isinstance(node, Power):
+            return self._surely_positive(node.base)
+        return isinstance(node, Symbol) and node.name in self.positive
 
     def _same(self, function: str, argument: Formula) -> Formula:
         """The call, or an earlier call of the function whose argument is equal though written in another way."""

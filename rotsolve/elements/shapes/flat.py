@@ -5,17 +5,22 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.formula import ZERO, Formula, Number, call
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate
+from rotsolve.core.tensor import InertiaTensor
 from rotsolve.elements.shapes import shoelace
 from rotsolve.elements.shapes.shape import Place, Shape
+from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.scene.keys import key
 
 
 @dataclass(frozen=True)
 class Rectangle(Shape):
     word = "rectangle"
+    spread = "surface"
     about = "thin uniform rectangle; corners counterclockwise from the lower left: corner1 … corner4"
     points = ("center", "corner1", "corner2", "corner3", "corner4")
+    coordinates = ("x",)
     sides: tuple[Formula, ...] = key(
         "quantities", "width and height", dimension="length", letter="a b", limits="positive", count=(2, 2), default=()
     )
@@ -24,6 +29,18 @@ class Rectangle(Shape):
         """M (a² + b²)/12."""
         width, height = self.sides
         return Number(Fraction(1, 12)) * mass * (width**2 + height**2)
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """M b²/12, M a²/12 and their sum."""
+        width, height = self.sides
+        twelfth = Number(Fraction(1, 12)) * mass
+        return InertiaTensor(twelfth * height**2, twelfth * width**2, self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Strips of width dx."""
+        x, (width, height) = coordinate("x"), self.sides
+        element = ("strips of height ", height, " and width d", x)
+        return on_line(element, Range(x, -width / 2, width / 2), height, (height**2 / 12, ZERO))
 
     def measure(self) -> Formula:
         return self.sides[0] * self.sides[1]
@@ -42,6 +59,7 @@ class Rectangle(Shape):
 @dataclass(frozen=True)
 class Triangle(Shape):
     word = "triangle"
+    spread = "surface"
     about = "thin uniform triangle: its three `corners`, or its three `sides` (corner1 to corner2 along +x first)"
     points = ("corner1", "corner2", "corner3")
     sides: tuple[Formula, ...] = key(
@@ -64,6 +82,33 @@ class Triangle(Shape):
         a, b, c = self.sides
         return mass * (a**2 + b**2 + c**2) / 36
 
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """From the means of x², y² and x y about the centroid."""
+        return of_corners(self.vertices(), mass, self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Strips parallel to the side opposite the first corner, at the part u of the way from that corner to it."""
+        u, (apex, *others) = coordinate("u"), self.vertices()
+        (ax, ay), (bx, by) = ((x - apex[0], y - apex[1]) for x, y in others)
+        mx, my, wx, wy = (simplify(part) for part in ((ax + bx) / 2, (ay + by) / 2, bx - ax, by - ay))
+        squares = (
+            simplify(mx**2 + wx**2 / 12),
+            simplify(my**2 + wy**2 / 12),
+            ZERO,
+            simplify(mx * my + wx * wy / 12),
+            ZERO,
+            ZERO,
+        )
+        return Slicing(
+            ("strips parallel to a side, at the part ", u, " of the way from the opposite corner"),
+            (Range(u, ZERO, ONE),),
+            2 * self.measure() * u,
+            (u * mx, u * my, ZERO),
+            tuple(multiply(u**2, square) for square in squares),
+            (*apex, ZERO),
+            "corner1",
+        )
+
     def centroid(self) -> Place:
         return shoelace.centroid(self.vertices())
 
@@ -85,6 +130,7 @@ class Triangle(Shape):
 @dataclass(frozen=True)
 class Polygon(Shape):
     word = "polygon"
+    spread = "surface"
     about = "thin uniform polygon by its corners in order: corner1, corner2, …"
     points = ()
     corners: tuple[Place, ...] = key("places", "corners in order", letter="x", count=(3, 40), default=(), required=True)
@@ -92,6 +138,9 @@ class Polygon(Shape):
     def moment(self, mass: Formula) -> Formula:
         """By the shoelace formula."""
         return shoelace.moment(self.corners, mass)
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        return of_corners(self.corners, mass, self.moment(mass))
 
     def centroid(self) -> Place:
         return shoelace.centroid(self.corners)
@@ -101,6 +150,12 @@ class Polygon(Shape):
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         return corner(self.corners, point, self.centroid())
+
+
+def of_corners(corners: tuple[Place, ...], mass: Formula, moment: Formula) -> InertiaTensor:
+    """The tensor of a flat shape from the means of x², y² and x y: I_xx = M y², I_yy = M x², I_xy = −M x y."""
+    xx, yy, xy = shoelace.products(corners, mass)
+    return InertiaTensor(yy, xx, moment, negate(xy))
 
 
 def corner(corners: tuple[Place, ...], point: str, centre: Place) -> Place:

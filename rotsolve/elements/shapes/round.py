@@ -1,12 +1,15 @@
-"""Round shapes: discs, rings, cylinders and spheres, solid or with walls."""
+"""Round shapes: discs, rings and spheres, solid or with walls."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
+from typing import ClassVar
 
-from rotsolve.algebra.formula import PI, ZERO, Formula, Number
+from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
+from rotsolve.core.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.shape import WHEEL, Shape, extent
+from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis
 from rotsolve.scene.keys import key
 
 Radii = tuple[tuple[str, Formula], ...]
@@ -15,13 +18,23 @@ Radii = tuple[tuple[str, Formula], ...]
 @dataclass(frozen=True)
 class Disc(Shape):
     word = "disc"
+    spread = "surface"
     about = "uniform solid disc"
     points = WHEEL
+    coordinates: ClassVar[tuple[str, ...]] = ("r",)
     radius: Formula | None = extent("radius", "R")
 
     def moment(self, mass: Formula) -> Formula:
         """½ M R²."""
         return Number(Fraction(1, 2)) * mass * (self.radius or ZERO) ** 2
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """¼ M R² about a diameter."""
+        return round_about("z", self.moment(mass), Number(Fraction(1, 4)) * mass * (self.radius or ZERO) ** 2)
+
+    def slicing(self) -> Slicing:
+        """Rings of width dr."""
+        return rings(ZERO, self.radius or ZERO)
 
     def measure(self) -> Formula:
         return PI * (self.radius or ZERO) ** 2
@@ -30,6 +43,7 @@ class Disc(Shape):
 @dataclass(frozen=True)
 class Ring(Shape):
     word = "ring"
+    spread = "line"
     about = "thin uniform ring or hoop"
     points = WHEEL
     radius: Formula | None = extent("radius", "R")
@@ -38,6 +52,18 @@ class Ring(Shape):
         """M R²."""
         return mass * (self.radius or ZERO) ** 2
 
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """½ M R² about a diameter."""
+        return round_about("z", self.moment(mass), Number(Fraction(1, 2)) * mass * (self.radius or ZERO) ** 2)
+
+    def slicing(self) -> Slicing:
+        """Pieces of length R dφ."""
+        phi, radius = coordinate("phi"), self.radius or ZERO
+        x, y = radius * call("cos", phi), radius * call("sin", phi)
+        around = Range(phi, ZERO, 2 * PI)
+        element = ("pieces of length ", radius, " d", phi)
+        return Slicing(element, (around,), radius, (x, y, ZERO), (x**2, y**2, ZERO, x * y, ZERO, ZERO))
+
     def measure(self) -> Formula:
         return Number(Fraction(2)) * PI * (self.radius or ZERO)
 
@@ -45,14 +71,25 @@ class Ring(Shape):
 @dataclass(frozen=True)
 class Annulus(Shape):
     word = "annulus"
+    spread = "surface"
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
+    coordinates = ("r",)
     radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
 
     def moment(self, mass: Formula) -> Formula:
         """½ M (r² + R²)."""
         inner, outer = walls(self.radii)
         return Number(Fraction(1, 2)) * mass * (inner**2 + outer**2)
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """¼ M (r² + R²) about a diameter."""
+        inner, outer = walls(self.radii)
+        return round_about("z", self.moment(mass), Number(Fraction(1, 4)) * mass * (inner**2 + outer**2))
+
+    def slicing(self) -> Slicing:
+        """Rings of width dr."""
+        return rings(*walls(self.radii))
 
     def measure(self) -> Formula:
         inner, outer = walls(self.radii)
@@ -64,39 +101,11 @@ class Annulus(Shape):
 
 
 @dataclass(frozen=True)
-class Cylinder(Disc):
-    """A disc as far as its axis is concerned."""
-
-    word = "cylinder"
-    about = "uniform solid cylinder seen along its axis"
-    length: Formula | None = extent("length along the axis; no matter in the plane", "L")
-
-
-@dataclass(frozen=True)
-class CylindricalShell(Ring):
-    """A ring as far as its axis is concerned, an annulus where its wall is thick."""
-
-    word = "cylindrical shell"
-    about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
-    points = (*WHEEL, "inner", "outer")
-    radii: Radii = key("radii", "inner and outer radius", default=(), choices=("inner", "outer"))
-    length: Formula | None = extent("length along the axis; no matter in the plane", "L")
-
-    def moment(self, mass: Formula) -> Formula:
-        """M R² of a thin wall, ½ M (r² + R²) of a thick one."""
-        return Annulus(self.radii).moment(mass) if self.radii else Ring(self.radius).moment(mass)
-
-    def measure(self) -> Formula:
-        return Annulus(self.radii).measure() if self.radii else Ring(self.radius).measure()
-
-    @property
-    def outer(self) -> Formula | None:
-        return Annulus(self.radii).outer if self.radii else self.radius
-
-
-@dataclass(frozen=True)
 class Sphere(Shape):
     word = "sphere"
+    flat = False
+    coordinates = ("r",)
+    spread = "volume"
     about = "uniform solid sphere"
     points = WHEEL
     radius: Formula | None = extent("radius", "R")
@@ -105,6 +114,21 @@ class Sphere(Shape):
         """⅖ M R²."""
         return Number(Fraction(2, 5)) * mass * (self.radius or ZERO) ** 2
 
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """The same about every diameter."""
+        return round_about("z", self.moment(mass), self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Discs of radius √(R² − z²) and thickness dz."""
+        z, radius = coordinate("z"), self.radius or ZERO
+        square = radius**2 - z**2
+        element = ("discs of radius ", call("sqrt", square), " and thickness d", z)
+        return on_axis(element, Range(z, -radius, radius), PI * square, (square / 4, square / 4))
+
+    def layers(self, density: Formula) -> Slicing:
+        """A density that varies with the distance from the centre: thin spherical shells."""
+        return spheres(ZERO, self.radius or ZERO)
+
     def measure(self) -> Formula:
         return Number(Fraction(4, 3)) * PI * (self.radius or ZERO) ** 3
 
@@ -112,6 +136,7 @@ class Sphere(Shape):
 @dataclass(frozen=True)
 class SphericalShell(Shape):
     word = "spherical shell"
+    flat = False
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     radius: Formula | None = extent("radius", "R")
@@ -124,6 +149,25 @@ class SphericalShell(Shape):
             return Number(Fraction(2, 5)) * mass * (outer**5 - inner**5) / (outer**3 - inner**3)
         return Number(Fraction(2, 3)) * mass * (self.radius or ZERO) ** 2
 
+    @property
+    def spread(self) -> str:  # type: ignore[override]
+        return "volume" if self.radii else "surface"
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """The same about every diameter."""
+        return round_about("z", self.moment(mass), self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Rings of radius R sin θ round the z axis; of a thick wall thin shells of thickness dr, with ⅔ r² each."""
+        if self.radii:
+            return spheres(*walls(self.radii))
+        theta, radius = coordinate("theta"), self.radius or ZERO
+        ring, z = radius * call("sin", theta), radius * call("cos", theta)
+        element = ("rings of radius ", ring, " and width ", radius, " d", theta)
+        mean = ring**2 / 2
+        squares = (mean, mean, z**2, ZERO, ZERO, ZERO)
+        return Slicing(element, (Range(theta, ZERO, PI),), 2 * PI * radius * ring, (ZERO, ZERO, z), squares)
+
     def measure(self) -> Formula:
         if self.radii:
             inner, outer = walls(self.radii)
@@ -133,6 +177,20 @@ class SphericalShell(Shape):
     @property
     def outer(self) -> Formula | None:
         return walls(self.radii)[1] if self.radii else self.radius
+
+
+def rings(inner: Formula, outer: Formula) -> Slicing:
+    """Rings of radius r and width dr."""
+    r = coordinate("r")
+    return about_axis(("rings of radius ", r, " and width d", r), Range(r, inner, outer), 2 * PI * r, r**2)
+
+
+def spheres(inner: Formula, outer: Formula) -> Slicing:
+    """Spherical shells of radius r and thickness dr, with x² = y² = z² = ⅓ r² on average."""
+    r = coordinate("r")
+    mean = Number(Fraction(1, 3)) * r**2
+    element = ("spherical shells of radius ", r, " and thickness d", r)
+    return about_axis(element, Range(r, inner, outer), 4 * PI * r**2, 2 * mean, mean)
 
 
 def walls(radii: Radii) -> tuple[Formula, Formula]:

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.tensor import ORIGIN, InertiaTensor
+from rotsolve.core.tensor import Place as Spot
+from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.scene.keys import key
 
 Place = tuple[Formula, Formula]
@@ -26,9 +29,37 @@ class Shape:
     about: ClassVar[str] = ""
     points: ClassVar[tuple[str, ...]] = ("center",)
     later: ClassVar[bool] = False
+    spread: ClassVar[str] = "point"  # over what mass is spread: point, line, surface, volume
+    flat: ClassVar[bool] = True  # all mass at one height
+    tabled: ClassVar[bool] = True  # whether a table of moments of inertia holds it
+    graded: ClassVar[bool] = False  # whether its density varies
+    coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
 
     def moment(self, mass: Formula) -> Formula:
         """Moment of inertia about the centre of mass, axis square to the plane."""
+        return ZERO
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """All second moments about the centre of mass, along the body's own axes.
+
+        The formulas of all shapes are those of J. L. Meriam & L. G. Kraige, Engineering Mechanics: Dynamics, table D/4.
+        """
+        return InertiaTensor(zz=self.moment(mass))
+
+    def slicing(self) -> Slicing | None:
+        """The elements by which a textbook integrates over the shape; None where it does not."""
+        return None
+
+    def layers(self, density: Formula) -> Slicing | None:
+        """Elements on each of which a varying density is the same."""
+        return self.slicing()
+
+    def begin(self) -> Spot:
+        """Where the coordinates begin in which the scene speaks of the shape, in its own axes."""
+        return ORIGIN
+
+    def rise(self, point: str = "cm") -> Formula:
+        """Height of a point above the picture, z of the body's axes."""
         return ZERO
 
     def centroid(self) -> Place:
@@ -36,8 +67,12 @@ class Shape:
         return (ZERO, ZERO)
 
     def measure(self) -> Formula:
-        """Length, area or volume, by which a uniform density is multiplied."""
+        """Length, area or volume; of a cylinder the area that is seen, to which that of its holes is compared."""
         raise NotImplementedError(f"a {self.word} has no extent")
+
+    def content(self) -> Formula:
+        """Length, area or volume, by which a uniform density is multiplied."""
+        return self.measure()
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         """Place of a named point in the body's axes; a round body's rim points are directions in space, hence not here."""

@@ -34,6 +34,18 @@ def moment(corners: tuple[Place, ...], mass: Formula) -> Formula:
     return mass * simplify(origin / (6 * total([spanned for _, _, spanned in around])) - dot(centre, centre))
 
 
+def products(corners: tuple[Place, ...], mass: Formula) -> tuple[Formula, Formula, Formula]:
+    """M times the means of x², y² and x y about the centroid (C. Steger, On the Calculation of Arbitrary Moments of Polygons)."""
+    around, centre = edges(corners), centroid(corners)
+    whole = total([spanned for _, _, spanned in around])
+
+    def mean(i: int, j: int) -> Formula:
+        terms = [(2 * p[i] * p[j] + p[i] * q[j] + q[i] * p[j] + 2 * q[i] * q[j]) * spanned for p, q, spanned in around]
+        return mass * simplify(total(terms) / (12 * whole) - centre[i] * centre[j])
+
+    return mean(0, 0), mean(1, 1), mean(0, 1)
+
+
 def dot(p: Place, q: Place) -> Formula:
     """p · q."""
     return p[0] * q[0] + p[1] * q[1]

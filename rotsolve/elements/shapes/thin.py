@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, call
+from rotsolve.core.tensor import InertiaTensor
+from rotsolve.core.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape, extent
+from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.scene.keys import key
 
 
@@ -21,11 +24,27 @@ class Rod(Shape):
     word = "rod"
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
+    spread = "line"
+    coordinates = ("x",)
     length: Formula | None = extent("length", "L")
 
     def moment(self, mass: Formula) -> Formula:
         """M L²/12."""
         return Number(Fraction(1, 12)) * mass * self.extent() ** 2
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """Along x: M L²/12 about y and z, nothing about itself."""
+        return InertiaTensor(yy=self.moment(mass), zz=self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Pieces of length dx, x from the start."""
+        x = coordinate("x")
+        return replace(
+            on_line(("pieces of length d", x), Range(x, ZERO, self.extent())), origin=self.begin(), at="start"
+        )
+
+    def begin(self) -> Spot:
+        return (-self.extent() / 2, ZERO, ZERO)
 
     def measure(self) -> Formula:
         return self.extent()
@@ -45,6 +64,8 @@ class Arc(Shape):
     word = "arc"
     about = "thin uniform wire along an arc of a circle, symmetric about its +x axis; `center` is the circle's"
     points = ("center", "start", "middle", "end")
+    spread = "line"
+    coordinates = ("phi",)
     radius: Formula | None = extent("radius of the circle", "R")
     opening: Formula | None = key(
         "quantity",
@@ -60,6 +81,19 @@ class Arc(Shape):
         """M (R² − x²), x the centre of mass from the circle's centre: M R² about that centre, less M x²."""
         radius, (x, _) = self.radius or ZERO, self.centroid()
         return mass * (radius**2 - x**2)
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """½ M R² (1 ∓ sin θ/θ) about the circle's x and y axes, the second less M x² of the centre of mass."""
+        radius, opening, (x, _) = self.radius or ZERO, self.opening or ZERO, self.centroid()
+        half, share = mass * radius**2 / 2, call("sin", opening) / opening
+        return InertiaTensor(half * (1 - share), half * (1 + share) - mass * x**2, self.moment(mass))
+
+    def slicing(self) -> Slicing:
+        """Pieces of length R dφ, φ from the axis of symmetry."""
+        phi, radius, half = coordinate("phi"), self.radius or ZERO, (self.opening or ZERO) / 2
+        x, y = radius * call("cos", phi), radius * call("sin", phi)
+        element = ("pieces of length ", radius, " d", phi)
+        return Slicing(element, (Range(phi, -half, half),), radius, (x, y, ZERO), (x**2, y**2, ZERO, x * y, ZERO, ZERO))
 
     def centroid(self) -> Place:
         """R sin(θ/2)/(θ/2) from the circle's centre, along the axis of symmetry."""

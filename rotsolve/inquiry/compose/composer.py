@@ -49,13 +49,13 @@ class Composer:
             givens=tuple(
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
-            finds=tuple(self._find(answered) for answered in self.inquiry.in_order()),
+            finds=tuple(dict.fromkeys(self._find(answered) for answered in self.inquiry.in_order())),
             states=tuple(
                 state_words(state.name, state.conditions, self._reached(state.name)) for state in self.problem.states
             ),
             conventions=self._conventions(),
             sections=tuple(sections),
-            answers=tuple(self.results.answer(answered) for answered in self.inquiry.in_order()),
+            answers=self.results.answers(),
             checks=checks,
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
@@ -255,7 +255,7 @@ class Composer:
     # head
 
     def _find(self, answered: Answered) -> Words:
-        return (Symbol(answered.asked.find.name),)
+        return (Symbol(answered.asked.find.group),)
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)

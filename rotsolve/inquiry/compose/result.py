@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import length
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.tensor import ENTRIES, ONE_AXIS
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
 from rotsolve.scene.model import Moment
 from rotsolve.solver import Found
@@ -29,6 +30,31 @@ class Results:
     inquiry: Inquiry
     printed: Callable[[Formula], Formula]
     at: Moment | None = None  # when functions of time are evaluated
+
+    def answers(self) -> tuple[Answer, ...]:
+        """All answers in the order in which the scene asks; the entries of a matrix or vector as one."""
+        groups: dict[str, list[Answered]] = {}
+        for answered in self.inquiry.in_order():
+            groups.setdefault(answered.asked.find.group, []).append(answered)
+        return tuple(self._whole(name, group) for name, group in groups.items())
+
+    def _whole(self, name: str, group: list[Answered]) -> Answer:
+        """One answer, or a matrix or vector with its entries as components."""
+        parts = tuple(self.answer(answered) for answered in group)
+        if not group[0].asked.find.whole:
+            return parts[0]
+        entries = tuple(replace(part, name=part.name.removeprefix(f"{name}_")) for part in parts)
+        alike: dict[str, list[str]] = {}
+        for answered, part in zip(group, entries, strict=True):
+            if part.name in ONE_AXIS:
+                alike.setdefault(answered.asked.letter, []).append(f"I_{part.name}")
+        equal = [" = ".join(names) for names in alike.values() if len(names) > 1]
+        products = [part for part in entries if part.name in ENTRIES and part.name not in ONE_AXIS]
+        vanish = products and all(part.formula == ZERO for part in products)
+        said = [*equal, *(["the products of inertia vanish"] if vanish else [])]
+        remark: Words = (f"by symmetry {', and '.join(said)}",) if said else ()
+        first = entries[0]
+        return Answer(name, Symbol(name), None, None, first.unit, first.dimension, components=entries, remark=remark)
 
     def answer(self, answered: Answered) -> Answer:
         """The exact form, the certified value and the direction in words."""

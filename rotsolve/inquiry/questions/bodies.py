@@ -5,14 +5,16 @@ from __future__ import annotations
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, add, sqrt, total
+from rotsolve.algebra.formula import ZERO, Formula, Number, add, total
 from rotsolve.core.facts import BodyFacts, Motion, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.elements.rims import shape_of
+from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
-from rotsolve.motion.instant import Instant, locate
-from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
 
@@ -86,10 +88,12 @@ class OfBodies(Moment):
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
                 return self._kinetic(name, component)
-            case "mass":
+            case "mass" if shape_of(instant.body(name)).tabled:
                 return mass_of(instant.body(name))
-            case "inertia" | "gyration":
-                return self._inertia(path, term)
+            case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
+                return OfInertias(instant, self.facts).meaning(path, term)
+            case "angular_momentum" if component is not None:
+                return OfInertias(instant, self.facts).angular_momentum(path, term)
             case "angular_momentum":
                 return self._angular_momentum(name, term)
             case "momentum":
@@ -100,9 +104,6 @@ class OfBodies(Moment):
                 return self._force(name, component)
             case "power":
                 return self._power(name, component)
-            case "cm":
-                centre = instant.frame(name).cm + instant.frame(name).reference
-                return centre.along(UP if component == "y" else RIGHT)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
 
     def _rate(self, word: str, name: str) -> Formula:
@@ -144,26 +145,6 @@ class OfBodies(Moment):
             return own
         arm = self.instant.point(PointRef(name, "cm"))
         return simplify(own + mass_of(self.instant.body(name)) * arm.dot(arm), order=order)
-
-    def _inertia(self, path: Path, term: Term | None) -> Formula:
-        """Moment of inertia about the centre of mass, or about a named point or support."""
-        name, instant = path.owner, self.instant
-        own = instant.frame(name)
-        point = own.reference + own.cm
-        if term is not None and term.about is not None:
-            about = term.about
-            support = next(
-                (item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None
-            )
-            ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
-            point = locate(instant.body(name), ref)
-        facts = self.body(name).inertia if instant.host(name) == name else None
-        if path.quantity == "inertia" and facts is not None and not tidy(point - own.reference).parts:
-            return facts.letter
-        moment, _ = moment_about(own.pieces, point, instant.arrangement.order)
-        if path.quantity == "inertia":
-            return moment
-        return simplify(sqrt(moment / total([piece.mass for piece in own.pieces])))
 
     def _angular_momentum(self, name: str, term: Term | None) -> Formula:
         """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""

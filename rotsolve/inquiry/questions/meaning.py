@@ -6,6 +6,8 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Product, sqrt
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
 from rotsolve.core.facts import signed, square
 from rotsolve.core.faults import Span
 from rotsolve.core.heading import RIGHT, UP, Vector
@@ -23,7 +25,10 @@ class NotYet(ValueError):
 
 @dataclass(frozen=True)
 class Meaning:
-    """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation."""
+    """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation.
+
+    `said` is a remark that holds formulas; `definitions` say what letters of its own stand for, as steps of the derivation.
+    """
 
     formula: Formula
     dimension: Dimension
@@ -31,6 +36,8 @@ class Meaning:
     remark: str = ""
     label: str = ""
     words: tuple[str, str] = ("", "")
+    said: Words = ()
+    definitions: tuple[Equation, ...] = ()
 
 
 def size_of(vector: Vector, *, signed_by: int = 0) -> Formula:

@@ -13,6 +13,7 @@ from rotsolve.core.facts import signed
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.elements import OfElements
+from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.principles.energy import kinetic
@@ -37,9 +38,13 @@ class Reader(Moment):
         words = meaning.words if any(meaning.words) else self._words(path)
         return replace(meaning, label=meaning.label or label_of(path, term), words=words)
 
+    def is_flat(self, name: str, term: Term) -> bool:
+        """Whether all parts of a body lie at the height of the point about which is asked."""
+        return OfInertias(self.instant, self.facts).is_flat(name, term)
+
     def _words(self, path: Path) -> tuple[str, str]:
         """The two directions of a signed quantity: of a component, or of a turn."""
-        if path.component in ("x", "y"):
+        if path.component in ("x", "y") and path.quantity != "cm":
             return ("right", "left") if path.component == "x" else ("up", "down")
         if path.quantity in ("torque", "angular_momentum"):
             name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)

@@ -1,4 +1,4 @@
-"""Clauses: what follows an expression in a `find` phrase: `at`, `during`, `from … to`, `about`, `on`, `along`, `where`, `in`."""
+"""Clauses: what follows an expression in a `find` phrase: `at`, `during`, `from … to`, `about`, `on`, `along`, `by`, `where`, `in`."""
 
 from __future__ import annotations
 
@@ -18,8 +18,9 @@ from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
-CLAUSES = ("on", "about", "along", "across", "relative", "at", "during", "from", "to", "where", "in")
-DIRECTIONS = ("right", "left", "up", "down", "x", "y", "tangential", "normal")
+CLAUSES = ("on", "about", "along", "by", "across", "relative", "at", "during", "from", "to", "where", "in")
+DIRECTIONS = ("right", "left", "up", "down", "x", "y", "z", "tangential", "normal")
+METHODS = ("integration",)
 
 
 class Clauses:
@@ -111,6 +112,13 @@ class Clauses:
             return word
         return value(self.scope, part, Want("along", "angle", "theta"))
 
+    def read_by(self, part: Text) -> str | None:
+        word = part.value.strip()
+        if word in METHODS:
+            return word
+        self.scope.fault(part, f"{quoted(word)} is no way to an answer", hint(word, METHODS, "ways"), "choice")
+        return None
+
     def read_where(self, part: Text) -> Condition | None:
         self.where = condition_phrase(self.scope, part)
         return self.where
@@ -129,7 +137,7 @@ class Clauses:
 
     def applied(self, term: Term) -> Term:
         """The term with the clauses that it has not got of its own."""
-        names = ("at", "during", "start", "end", "on", "about", "along")
+        names = ("at", "during", "start", "end", "on", "about", "along", "by")
         changes = {
             name: self.words[name] for name in names if self.words.get(name) is not None and getattr(term, name) is None
         }

@@ -1,6 +1,6 @@
 """Phrases: the small language of `find`.
 
-[modifier] EXPRESSION [on …] [about …] [along …] [at …] [during …] [from … to …] [where …] [in UNIT]
+[modifier] EXPRESSION [on …] [about …] [along …] [by integration] [at …] [during …] [from … to …] [where …] [in UNIT]
 
 A modifier and the clauses belong to the whole expression before them; a part in brackets may have its own:
 `(lost kinetic_energy during hit)/(kinetic_energy at before)`.

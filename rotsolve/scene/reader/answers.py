@@ -28,7 +28,11 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
     found: dict[str, Any] = {}
     texts = []
     for word, (_, written) in entries.items():
-        if word in ("formula", "symbolic") and isinstance(written, Text):
+        if word in ("formula", "symbolic") and isinstance(written, List):
+            exact = [formula_of(scope, item, asked) for item in flattened(written) if isinstance(item, Text)]
+            found["formulas"] = tuple(item for item in exact if item is not None)
+            texts.append(", ".join(item.value for item in flattened(written) if isinstance(item, Text)))
+        elif word in ("formula", "symbolic") and isinstance(written, Text):
             found["formula"] = formula_of(scope, written, asked)
             texts.append(written.value)
         elif word == "at":
@@ -76,9 +80,14 @@ def is_words(text: str, names: set[str]) -> bool:
     return False
 
 
+def flattened(node: List) -> list[Node]:
+    """The items of a list, of a matrix row by row."""
+    return [part for item in node.items for part in (flattened(item) if isinstance(item, List) else [item])]
+
+
 def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
     quantities = []
-    for item in node.items:
+    for item in flattened(node):
         quantity = quantity_of(item.value.strip()) if isinstance(item, Text) else None
         if quantity is None:
             scope.fault(
@@ -91,7 +100,8 @@ def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
         return None
     text = ", ".join(quantity.text for quantity in quantities)
     values: tuple[Formula, ...] = tuple(quantity.value for quantity in quantities)
-    return Published(name, text, None, None, quantities[0].unit, key.span, values)
+    unit = next((quantity.unit for quantity in quantities if quantity.unit is not None), None)
+    return Published(name, text, None, None, unit, key.span, values)
 
 
 def quantity_of(text: str) -> Quantity | None:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from typing import Any
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
-from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.model import Body, Part
+from rotsolve.scene.reader.coordinates import density
 from rotsolve.scene.reader.declared import read_keys, read_value
-from rotsolve.scene.reader.points import points_of, read_place
+from rotsolve.scene.reader.points import points_of, read_spot
 from rotsolve.scene.sections import BODY, PART
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
@@ -100,6 +101,9 @@ def build(
         if declared.kind == "motion":
             fields["moved"] = (*fields.get("moved", ()), *motion(scope, declared, node, word, name))
             continue
+        if word == "density":
+            fields[word] = density(scope, node, name, shape, fields)
+            continue
         reader = READERS.get(declared.kind)
         found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
@@ -142,6 +146,10 @@ def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> 
     """What can't be said together."""
     if "gyration" in entries and "inertia" in entries:
         scope.fault(entries["gyration"][0], f"`{name}` has both `inertia` and `gyration`", "give one of them", "form")
+    varies = any(name.startswith(SEPARATOR) for name in (fields.get("density") or ZERO).symbols())
+    if varies and "holes" in entries:
+        message = f"`{name}` has holes and a density that varies"
+        scope.fault(entries["holes"][0], message, "give the limits of what is left as a `lamina`", "form")
     if "density" in entries and "mass" in entries:
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
     if "parts" in entries and isinstance(fields.get("shape"), Particle):
@@ -212,11 +220,6 @@ def inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
     return result
 
 
-def density(scope: Scope, node: Node, owner: str) -> Formula | None:
-    coordinates = {name: DIMENSIONS["length"] for name in "xyzr" if name not in scope.givens}
-    return value(scope, node, Want("density", None, "rho", owner, "nonnegative", extra=coordinates))
-
-
 def parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
     """Parts or holes by name."""
     entries = scope.entries(node, f"the parts of `{owner}`")
@@ -242,13 +245,13 @@ def part(scope: Scope, name: str, key: Text, node: Node) -> Part:
     return Part(body, **fields)
 
 
-def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, Formula]], ...]:
+def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
     found = []
     for name, (key, written) in scope.entries(node, f"the points of `{owner}`").items():
         if not NAME.fullmatch(name):
             scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
             continue
-        place = read_place(scope, written, name, owner)
+        place = read_spot(scope, written, name, owner)
         if place is not None:
             found.append((name, place))
     return tuple(found)
@@ -269,7 +272,6 @@ def axis(scope: Scope, node: Node, owner: str) -> None:
 
 READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
     "inertia": inertia,
-    "density": density,
     "parts": parts,
     "points map": points_map,
     "count": count,

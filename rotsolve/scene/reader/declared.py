@@ -9,7 +9,8 @@ from typing import Any
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.phrase.running import running_path
-from rotsolve.scene.reader.points import read_place, read_point
+from rotsolve.scene.reader.coordinates import profile, region
+from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.rough import rough
@@ -89,6 +90,10 @@ def place(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return read_place(scope, node, label, owner)
 
 
+def spot(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return read_spot(scope, node, label, owner)
+
+
 def places(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return every(scope, key, node, label, lambda _, item: read_place(scope, item, label, owner))
 
@@ -111,6 +116,11 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     if lacking and entries:
         scope.fault(node, f"`{label}` needs `{lacking[0]}` too", "write `radii: {inner: r, outer: R}`", "missing")
     return tuple(found)
+
+
+def limits_of(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    """The limits of a lamina, or the profile of a solid of revolution."""
+    return {"region": region, "profile": profile}[key.kind](scope, node, label, owner)
 
 
 def choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -224,8 +234,11 @@ READERS: dict[str, Reader] = {
     "quantity": quantity,
     "quantities": quantities,
     "place": place,
+    "spot": spot,
     "places": places,
     "radii": radii,
+    "region": limits_of,
+    "profile": limits_of,
     "choice": choice,
     "flag": flag,
     "name": name,

@@ -50,6 +50,18 @@ def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formul
     return None if x is None or y is None else (x, y)
 
 
+def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, ...] | None:
+    """A place `[x, y]` or `[x, y, z]` of a body, z its height above the picture."""
+    if not isinstance(node, List) or len(node.items) not in (2, 3):
+        scope.fault(node, f"`{label}` wants a place `[x, y]` or `[x, y, z]`", kind="form")
+        return None
+    found = [
+        value(scope, item, Want(label, "length", letter, owner))
+        for item, letter in zip(node.items, "xyz", strict=False)
+    ]
+    return tuple(item for item in found if item is not None) if None not in found else None
+
+
 def read_point(
     scope: Scope, node: Node, label: str, owner: str, kinds: tuple[str, ...] = ("body", "surface")
 ) -> PointRef | None:

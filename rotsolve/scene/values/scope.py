@@ -26,6 +26,7 @@ GRAMMAR = (
     "on",
     "about",
     "along",
+    "by",
     "across",
     "relative",
     "in",

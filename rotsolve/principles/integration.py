@@ -1,0 +1,160 @@
+"""Integration: mass, centre of mass and moments of inertia as integrals over the thin elements into which a shape is cut."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from rotsolve.algebra.calculus import integrate_polynomial
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, multiply
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
+from rotsolve.core.tensor import AXES, ONE_AXIS, Place, displaced
+from rotsolve.elements.shapes.slicing import Slicing
+from rotsolve.motion.rigid import Piece
+from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
+
+Steps = tuple[Equation, ...]
+Law = tuple[Formula, str, Words]
+INTEGRALS = {
+    "xx": "I = ∫ (y² + z²) dm",
+    "yy": "I = ∫ (x² + z²) dm",
+    "zz": "I = ∫ r² dm",
+    "xy": "I_xy = −∫ x y dm",
+    "yz": "I_yz = −∫ y z dm",
+    "zx": "I_zx = −∫ z x dm",
+}
+INDICES = {"xx": "x", "yy": "y", "zz": ""}  # how a letter tells its axis: not at all where it is square to the picture
+FLAT = {"xx": "I = ∫ y² dm", "yy": "I = ∫ x² dm"}
+
+
+class NotSliced(ValueError):
+    """A shape over which no textbook integrates in one way."""
+
+
+def sliced(spread: Spread, piece: Piece) -> Slicing:
+    """The elements of a shape, with the letters of its coordinates as this derivation prints them."""
+    cut = piece.shape.slicing() if piece.whole else None
+    if cut is None:
+        raise NotSliced(f"`{spread.name}` has no usual elements over which to integrate")
+    return cut.renamed({item.variable.name: spread.coordinate(item.variable.name.lstrip("|")) for item in cut.ranges})
+
+
+def density(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+    """Mass per length, area or volume of a uniform shape: M over what a table says it is, or over its integral."""
+    shape = piece.shape
+    if shape.graded:
+        return ONE, ()
+    given = simplify(spread.mass / shape.content())
+    if isinstance(given, Symbol):
+        return given, ()
+    letter, word = DENSITY[shape.spread]
+    sigma = spread.letter(letter)
+    if shape.tabled:
+        return sigma, (spread.define(sigma, spread.mass / spread.tidy(shape.content()), f"mass per {word}"),)
+    extent, steps = content(spread, piece)
+    return sigma, (*steps, spread.define(sigma, spread.mass / extent, f"mass per {word}"))
+
+
+def content(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+    """The length, area or volume of a shape that no table holds."""
+    letter, word = EXTENTS[piece.shape.spread]
+    cut = sliced(spread, piece)
+    integral = cut.total(ONE, spread.tidy)
+    extent = spread.letter(letter)
+    said = (*cut.element, *antiderivative(spread, integral))
+    return extent, (spread.define(extent, integral, f"{word}, {letter} = ∫ d{letter}", said),)
+
+
+def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+    """The mass: as it is given, of a density that varies M = ∫ dm, of a shape that no table holds σ A."""
+    if piece.shape.tabled:
+        return spread.mass, ()
+    sigma, steps = density(spread, piece)
+    letter = spread.letter("mass")
+    if piece.shape.graded:
+        cut = sliced(spread, piece)
+        integral = cut.total(ONE, spread.tidy)
+        said = (*elements(spread, cut, ONE), *antiderivative(spread, integral))
+        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", said),)
+    if steps:  # the density comes from the mass
+        return spread.mass, ()
+    extent, steps = content(spread, piece)
+    return letter, (*steps, spread.define(letter, sigma * extent, "mass"))
+
+
+def centre_letter(spread: Spread, piece: Piece, axis: str) -> tuple[Formula, Steps]:
+    """x = (1/M) ∫ x dm, from where the shape's coordinates begin; zero where symmetry says so."""
+    number = AXES.index(axis)
+    cut = sliced(spread, piece)
+    if is_zero(piece.place()[number] - cut.origin[number]):
+        return ZERO, ()
+    sigma, steps = density(spread, piece)
+    whole, more = mass(spread, piece)
+    integral = cut.total(multiply(sigma, cut.first(axis)), spread.tidy)
+    said = (*elements(spread, cut, sigma), *antiderivative(spread, integral))
+    letter = spread.letter("cm", f"{axis}_cm")
+    label = f"centre of mass, {axis} = (1/M) ∫ {axis} dm"
+    return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
+
+
+def by_integration(spread: Spread, piece: Piece, entry: str) -> tuple[Formula, str, Words, Steps]:
+    """∫ r² dm about the point itself, or about the axis of the elements and from there by the parallel-axes theorem."""
+    cut = sliced(spread, piece)
+    straight = cut.measured_from(spread.point) if piece.shape.tabled or not spread.central else None
+    sigma, steps = density(spread, piece)
+    if straight is not None:
+        return (*integral_of(spread, piece, straight, sigma, entry), steps)
+    whole, more = mass(spread, piece)
+    centre, placed = centre_of(spread, piece, cut)
+    about, label, said = integral_of(spread, piece, cut, sigma, entry)
+    steps = (*steps, *more, *placed)
+    letter: Formula = about
+    if about != ZERO:
+        letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {cut.at}")
+        steps = (*steps, spread.define(letter, about, label, said))
+    there = displaced(whole, centre).entry(entry)
+    seen = place_of(p - o - c for p, o, c in zip(spread.point, cut.origin, centre, strict=True))
+    away = ZERO if spread.central else displaced(whole, seen).entry(entry)
+    law = "I_cm = I − M d²" if spread.central else "I = I_cm + M d²"
+    return letter - there + away, f"parallel axes, {law}" if entry in ONE_AXIS else "parallel axes, products", (), steps
+
+
+def centre_of(spread: Spread, piece: Piece, cut: Slicing) -> tuple[Place, Steps]:
+    """The centre of mass from the origin of the elements: a letter for each coordinate that has to be integrated."""
+    if piece.shape.tabled:
+        return place_of(at - origin for at, origin in zip(piece.place(), cut.origin, strict=True)), ()
+    found = [centre_letter(spread, piece, axis) for axis in AXES]
+    return place_of(letter for letter, _ in found), tuple(dict.fromkeys(step for _, steps in found for step in steps))
+
+
+def place_of(parts: Iterable[Formula]) -> Place:
+    x, y, z = (simplify(part) for part in parts)
+    return (x, y, z)
+
+
+def integral_of(spread: Spread, piece: Piece, cut: Slicing, sigma: Formula, entry: str) -> Law:
+    """The integral for an entry, its law, and what the elements are."""
+    second = cut.second(entry)
+    words = {**INTEGRALS, **(FLAT if piece.shape.flat else {})}
+    label = f"{'moment' if entry in ONE_AXIS else 'product'} of inertia, {words[entry]}"
+    integral = cut.total(multiply(sigma, second), spread.tidy)
+    if second == ZERO or integral == ZERO or (isinstance(integral, Integral) and integral.integrand == ZERO):
+        return ZERO, label, ()
+    plain = {item.variable**2 for item in cut.ranges}
+    each: Words = () if second in plain else ("; each adds ", second, " dm")
+    return integral, label, (*elements(spread, cut, sigma), *each, *antiderivative(spread, integral))
+
+
+def elements(spread: Spread, cut: Slicing, sigma: Formula) -> Words:
+    """As "rings of radius r and width dr: dm = 2 π σ r dr"."""
+    width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
+    return (*cut.element, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width)
+
+
+def antiderivative(spread: Spread, integral: Formula) -> Words:
+    """As "; antiderivative …", where there is one that a page would hold."""
+    if not isinstance(integral, Integral) or isinstance(integral.integrand, Integral):
+        return ()
+    found = integrate_polynomial(integral.integrand, integral.variable)
+    return () if found is None else ("; antiderivative ", spread.tidy(found))

@@ -1,0 +1,125 @@
+"""Coordinates: limits of a lamina, the profile of a solid of revolution, and densities, as formulas of a shape's own coordinates."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping
+from typing import Any
+
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.shapes import Shape
+from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR, Lamina
+from rotsolve.elements.shapes.slicing import Range, coordinate
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
+from rotsolve.scene.words import hint, listed, quoted
+
+MEASURES = {"x": "length", "y": "length", "z": "length", "r": "length", "phi": "angle", "theta": "angle"}
+DENSITIES = {"line": "density per length", "surface": "density per area", "volume": "density"}
+LETTERS = {"line": "lambda", "surface": "sigma", "volume": "rho"}
+FORM = "write `{x: [0, a], y: [0, b]}` or `{r: [0, R], phi: [0, pi]}`"
+
+
+def of_coordinates(scope: Scope, node: Node, names: Collection[str], want: Want) -> Formula | None:
+    """A formula of coordinates, which no letter of the scene may have as its name."""
+    taken = [name for name in names if name in scope.givens and mentions(node, name)]
+    if taken:
+        message = f"`{taken[0]}` is a given, and a coordinate of `{want.owner}`"
+        scope.fault(node, message, f"give the given another name, such as `{taken[0]}0`", "name")
+        return None
+    extra: Mapping[str, Dimension] = {name: DIMENSIONS[MEASURES[name]] for name in names if name not in scope.givens}
+    found = value(scope, node, Want(want.label, want.dimension, want.letter, want.owner, want.limits, extra=extra))
+    return None if found is None else found.substitute({name: coordinate(name) for name in extra})
+
+
+def mentions(node: Node, name: str) -> bool:
+    """Whether a written formula holds a name."""
+    return isinstance(node, Text) and re.search(rf"(?<!\w){name}(?!\w)", node.value) is not None
+
+
+def limits(scope: Scope, node: Node, name: str, others: Collection[str], label: str, owner: str) -> Range | None:
+    """`x: [0, a]`, where the limits may be formulas of the other coordinate."""
+    if not isinstance(node, List) or len(node.items) != 2:
+        scope.fault(node, f"`{name}` wants its limits `[from, to]`", FORM, "form")
+        return None
+    want = Want(label, MEASURES[name], {"phi": "beta"}.get(name, name), owner)
+    ends = [of_coordinates(scope, item, others, want) for item in node.items]
+    if ends[0] is None or ends[1] is None:
+        return None
+    low, high = rough(ends[0], scope.numbers), rough(ends[1], scope.numbers)
+    if low is not None and high is not None and low >= high:
+        scope.fault(node, f"the limits of `{name}` enclose nothing", "write the smaller first", "limits")
+        return None
+    return Range(coordinate(name), ends[0], ends[1])
+
+
+def region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
+    """The limits of x and y, or of r and phi."""
+    if not isinstance(node, Map):
+        scope.fault(node, f"`{label}` wants the limits of two coordinates", FORM, "form")
+        return None
+    entries = scope.entries(node, f"`{label}`", (*CARTESIAN, *POLAR))
+    pair = next((names for names in (CARTESIAN, POLAR) if set(entries) == set(names)), None)
+    if pair is None:
+        scope.fault(node, f"`{label}` wants x and y, or r and phi", FORM, "missing")
+        return None
+    found = [limits(scope, written, name, set(pair) - {name}, label, owner) for name, (_, written) in entries.items()]
+    if found[0] is None or found[1] is None:
+        return None
+    one, other = found[0], found[1]
+    if leans(one, other) and leans(other, one):
+        scope.fault(
+            node, f"the limits of `{label}` lean on each other", "those of one coordinate must be fixed", "form"
+        )
+        return None
+    return one, other
+
+
+def leans(one: Range, other: Range) -> bool:
+    return other.variable.name in one.lower.symbols() | one.upper.symbols()
+
+
+def profile(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
+    """`{z: [0, h], r: R*z/h}`; `r: [inner, outer]` for a hollow body."""
+    form = "write `{z: [0, h], r: R*z/h}`"
+    entries = scope.entries(node, f"`{label}`", ("z", "r"))
+    if set(entries) != {"z", "r"}:
+        scope.fault(node, f"`{label}` wants the limits of z, and r", form, "missing")
+        return None
+    along = limits(scope, entries["z"][1], "z", (), label, owner)
+    written = entries["r"][1]
+    want = Want(label, "length", "R", owner)
+    if isinstance(written, List):
+        radius = limits(scope, written, "r", ("z",), label, owner)
+    else:
+        outer = of_coordinates(scope, written, ("z",), want)
+        radius = None if outer is None else Range(coordinate("r"), ZERO, outer)
+    return None if along is None or radius is None else (along, radius)
+
+
+def density(scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fields: dict[str, Any]) -> Formula | None:
+    """A density that is the same everywhere, or a formula of the coordinates of the shape."""
+    built = fields.get("shape")
+    if shape is None or not isinstance(built, Shape) or built.spread not in DENSITIES:
+        what = f"a {shape.word}" if shape else "a body without a shape"
+        scope.fault(node, f"{what} has no density", "give its `mass`", "form")
+        return None
+    names: tuple[str, ...] = shape.coordinates
+    if isinstance(built, Lamina):
+        names = tuple(item.variable.name[1:] for item in built.region)
+    strange = [name for name in MEASURES if name not in names and name not in scope.givens and mentions(node, name)]
+    if strange:
+        message = f"{quoted(strange[0])} is no coordinate of `{owner}`"
+        known = hint("", names, "coordinates") if names else f"the density of a {shape.word} is the same everywhere"
+        scope.fault(node, message, known, "unknown")
+        return None
+    if isinstance(node, (Map, List)):
+        scope.fault(node, f"`density` wants one value or a formula of {listed(names) or 'givens'}", kind="form")
+        return None
+    want = Want("density", DENSITIES[built.spread], LETTERS[built.spread], owner, "nonnegative")
+    return of_coordinates(scope, node, names, want)
