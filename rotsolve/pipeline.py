@@ -7,11 +7,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer, in_letters
@@ -28,7 +30,7 @@ from rotsolve.inquiry.explain import (
 from rotsolve.inquiry.finds import Unclear, asked
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.questions import NotYet, resting
 from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
@@ -116,9 +118,8 @@ def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
             raise waiting[0][1]
         pending = [find for find, _ in waiting]
     order = {find.name: place for place, find in enumerate(finds)}
-    inquiry.order = sorted(
-        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.name]
-    )
+    whole = [place for place, item in enumerate(inquiry.answered) if not item.asked.whole]
+    inquiry.order = sorted(whole, key=lambda place: order[inquiry.answered[place].asked.find.name])
 
 
 def answer(inquiry: Inquiry, find: Find) -> None:
@@ -138,6 +139,8 @@ def answer(inquiry: Inquiry, find: Find) -> None:
 def by_law(inquiry: Inquiry, find: Find) -> None:
     """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
     question = asked(find, inquiry.history, inquiry.letters())
+    if question.moving.parts and stands(question.moving, inquiry):
+        raise NotYet(resting(find.terms[0].path))
     try:
         inquiry.answer(question)
     except NoAnswer as error:
@@ -152,6 +155,13 @@ def by_law(inquiry: Inquiry, find: Find) -> None:
         finally:
             inquiry.families = laws
         inquiry.helped.append(find.name)
+
+
+def stands(velocity: Vector, inquiry: Inquiry) -> bool:
+    """Whether a velocity turns out to be nothing."""
+    aside = Inquiry(inquiry.history, families_for(None))
+    parts = [aside.settled(velocity.along(axis)) for axis in (RIGHT, UP)]
+    return all(part is not None and is_zero(part, inquiry.solver.positive) for part in parts)
 
 
 def extreme(inquiry: Inquiry, find: Find) -> None:

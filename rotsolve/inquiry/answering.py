@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from rotsolve.algebra.certified.balls import Undefined
@@ -12,8 +12,8 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
-from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs, positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
@@ -44,6 +44,7 @@ class Answered:
     found: Found
     used: tuple[int, ...]
     steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
+    parts: tuple[Answered, ...] = ()  # the components of a vector
 
 
 @dataclass
@@ -93,11 +94,15 @@ class Inquiry:
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
-        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.answered}
+        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
 
     def in_order(self) -> list[Answered]:
         """The answers in the order in which the scene asks for them."""
-        return [self.answered[place] for place in self.order] if self.order else list(self.answered)
+        return [self.answered[place] for place in self.order] if self.order else self.wholes()
+
+    def wholes(self) -> list[Answered]:
+        """The answers that are not components of others."""
+        return [item for item in self.answered if not item.asked.whole]
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -115,7 +120,8 @@ class Inquiry:
                 self.retired.add(extra)
 
     def _answer(self, asked: Asked) -> Answered:
-        """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
+        parts = tuple(self._part(part) for part in asked.parts)
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
                 Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
@@ -123,15 +129,24 @@ class Inquiry:
             self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
         if asked.letter in self.solver.solved:
-            answered = Answered(asked, self.solver.solved[asked.letter], ())
+            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts)
         else:
             found, used = self._settle(asked)
-            answered = Answered(asked, found, used, (first, len(self.solver.steps)))
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts)
         self.known.add(asked.letter)
         self.answered.append(answered)
-        if asked.letter in self.defined and has_calls(asked.formula):
-            self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
+        if asked.letter in self.defined and (asked.whole or has_calls(asked.formula)):
+            self.retired.add(self.defined[asked.letter])  # a size or component does not lead back to what it is made of
         return answered
+
+    def _part(self, asked: Asked) -> Answered:
+        """A component of a vector, which may have been asked before in its own right."""
+        known = next((item for item in self.answered if item.asked.same_as(asked)), None)
+        if known is None:
+            return self._answer(asked)
+        self.known.add(asked.letter)
+        self.solver.solved.setdefault(asked.letter, known.found)
+        return replace(known, asked=asked)
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""

@@ -3,47 +3,23 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
-from rotsolve.core.heading import Vector
+from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import Meaning, NotYet, path_text
-from rotsolve.inquiry.transfers import impulse, potential_change, work
+from rotsolve.inquiry.questions import Asked, Meaning, NotYet, in_parts, path_text, size_of, spoken_point
+from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
 from rotsolve.motion.passages import displacement, rotation
-from rotsolve.scene.model import Find, Path, Term
+from rotsolve.scene.model import Find, Path, PointRef, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 STORED = ("potential_energy", "energy")
 DIFFERENCE = ("change of", "lost")
-
-
-@dataclass(frozen=True)
-class Asked:
-    """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
-
-    `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
-    where its definition belongs.
-    """
-
-    find: Find
-    formula: Formula
-    letter: str
-    dimension: Dimension | None
-    vector: Vector | None = None
-    remark: str = ""
-    label: str = ""
-    section: str = ""
-    words: tuple[str, str] = ("", "")
-
-    @property
-    def direct(self) -> bool:
-        """Whether the question is a single quantity of the laws."""
-        return isinstance(self.formula, Symbol) and self.formula.name == self.letter
 
 
 class Unclear(NotYet):
@@ -80,8 +56,12 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
     letter = f"asked{SEPARATOR}{find.name}"
     if not single or first is None:
         return Asked(find, formula, letter, dimension, vector, "", "", section)
-    words = first.words if find.terms[0].modifier == "" else ("", "")
-    return Asked(find, formula, letter, dimension, vector, first.remark, first.label, section, words)
+    plain = find.terms[0].modifier == "" and find.modifier == ""
+    words = first.words if plain else ("", "")
+    question = Asked(
+        find, formula, letter, dimension, vector, first.remark, first.label, section, words, moving=first.moving
+    )
+    return in_parts(question) if plain else question
 
 
 def is_unknown(name: str, history: History) -> bool:
@@ -175,6 +155,8 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         )
         raise Unclear(f"`{path.quantity}` runs from one state to a later one", help=help)
     intervals = timeline.between(start, end)
+    if path.quantity == "displacement" and path.point is not None:
+        return of_point(term, start, end, history), intervals[-1].name
     if path.quantity == "time":
         duration = history.instant(end).time() - history.instant(start).time()
         if len(intervals) == 1 and intervals[0].name in history.passages:
@@ -195,7 +177,29 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         result = add(result, part)
     if path.quantity == "turns":
         result = result / (2 * PI)
-    return Meaning(result, kind.dimension), intervals[-1].name
+    vector = blow(path, intervals[0].name, history) if path.quantity == "impulse" and len(intervals) == 1 else None
+    return Meaning(result, kind.dimension, vector), intervals[-1].name
+
+
+def of_point(term: Term, start: str, end: str, history: History) -> Meaning:
+    """Displacement of a point of a body on a fixed axis: where it is at the end less where it was."""
+    path, dimension = term.path, DIMENSIONS["length"]
+    ref = PointRef(path.owner, path.point, path.argument)
+    instants = [history.instant(state) for state in (start, end)]
+    host = instants[0].host(path.owner)
+    turning = all(item.motion(host).kind == "axis" and item.angle(host) is not None for item in instants)
+    if not turning or any(item.host(path.owner) != host for item in instants):
+        raise NotYet(
+            f"the displacement of `{path.owner}.{path.point}` is not solved yet",
+            help=f"solved is a point of a body on a fixed axis whose angle the states tell: `{host}.angle`",
+        )
+    way = instants[1].point(ref) - instants[0].point(ref)
+    label = f"displacement of {spoken_point(path)}"
+    if path.component in ("x", "y"):
+        return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label)
+    if path.component is not None:
+        raise NotYet(f"the {path.component} part of a displacement has no meaning", help="ask for `x` or `y`")
+    return Meaning(size_of(way), dimension, way, label=label)
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

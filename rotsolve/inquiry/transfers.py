@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, add, negate, sqrt
 from rotsolve.core.facts import signed
-from rotsolve.core.heading import UP
+from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
@@ -33,6 +33,16 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     for size in sizes:
         squares = add(squares, size**2)
     return sqrt(squares)
+
+
+def blow(path: Path, interval: str, history: History) -> Vector | None:
+    """The blow of an event or support on the last body that it hits, where it has two components; else none is needed."""
+    encounter = history.encounters.get(interval)
+    if encounter is None or path.component is not None:
+        return None
+    hit = [meeting for meeting in encounter.meetings if any(item.owner == path.owner for item in meeting.blows)]
+    parts = [part for item in (hit[-1].blows if hit else ()) if item.owner == path.owner for part in item.vector.parts]
+    return Vector(tuple(parts)) if len(parts) > 1 else None
 
 
 def impulse_over(path: Path, passage: Passage) -> Formula:

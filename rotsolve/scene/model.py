@@ -173,7 +173,7 @@ class Find:
 class Published:
     """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
 
-    `values` are the numbers of a vector or of several roots.
+    `values` are the numbers of a vector or of several roots, `formulas` the closed forms of a vector's components.
     """
 
     name: str
@@ -183,6 +183,7 @@ class Published:
     unit: Unit | None = None
     span: Span | None = None
     values: tuple[Formula, ...] = ()
+    formulas: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
@@ -16,6 +16,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
+from rotsolve.inquiry.compose.slope import slope
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solver import Ref, Step
 
@@ -63,7 +64,7 @@ class Composer:
 
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._law(index) for index in draft.laws)
-        moves = tuple(self._move(step) for step in draft.steps)
+        moves = tuple(move for step in draft.steps for move in (self._move(step), *self._slope(step)))
         return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, moves)
 
     def _law(self, index: int) -> LawLine:
@@ -80,6 +81,14 @@ class Composer:
         chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in readable(step.chain))
         number = self.numbers.get(("step", step.number))
         return Move(self._sources(step), chain, number, self.words(step.reason))
+
+    def _slope(self, step: Step) -> Iterator[Move]:
+        """Behind the step that gives the size of a vector its direction."""
+        for answered in self.inquiry.wholes():
+            if answered.parts and answered.steps[0] < answered.steps[1] == step.number:
+                move = slope(self.results.answer(answered), self.results)
+                if move is not None:
+                    yield move
 
     def _sources(self, step: Step) -> str:
         """(3) and (4) in (2)."""
@@ -162,12 +171,22 @@ class Composer:
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
-        for answered in self.inquiry.answered:
+        for answered in self.inquiry.wholes():
             chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+        taken = frozenset(given.name for given in self.problem.givens)
+        parts = [part for answered in self.inquiry.wholes() for part in answered.parts if not part.asked.direct]
+        for part in parts:
+            twin = next((item for item in self.inquiry.wholes() if item.asked.same_as(part.asked)), None)
+            if twin is not None:
+                chosen.setdefault(part.asked.letter, twin.asked.find.name)
+                continue
+            name = part.asked.find.name
+            while name in taken | set(chosen.values()):
+                name += "_"
+            chosen.setdefault(part.asked.letter, name)
         used: dict[str, None] = {}
         for name in self._occurring():
             used[name] = None
-        taken = frozenset(given.name for given in self.problem.givens)
         names = self.history.registry.letters(used, taken - set(chosen.values()), chosen)
         if "t" not in taken | set(names.values()):
             names["time"] = "t"  # the running time is an ordinary t where nothing else is

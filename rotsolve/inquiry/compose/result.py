@@ -8,14 +8,14 @@ from dataclasses import dataclass
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import length
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
+from rotsolve.inquiry.questions import Asked, component
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -36,10 +36,56 @@ class Results:
             asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
         )
         value = self._value_in(found, unit)
-        direction, signed = self._direction(answered, value)
+        parts = self.components(answered)
+        direction, signed = self._direction(answered, value, parts)
         return Answer(
-            asked.find.name, Symbol(asked.find.name), formula, value, unit, asked.dimension, direction, signed
+            asked.find.name,
+            self._symbol(asked),
+            formula,
+            value,
+            unit,
+            asked.dimension,
+            direction,
+            signed,
+            components=parts if asked.resolves else (),
+            angle=self._slope(parts),
+            brief=not answered.parts or any(part.formula == ZERO for part in parts),
         )
+
+    def _symbol(self, asked: Asked) -> Formula:
+        """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
+        printed = self.printed(Symbol(asked.letter)) if asked.whole else Symbol(asked.find.name)
+        return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
+
+    def components(self, answered: Answered) -> tuple[Answer, ...]:
+        """The x and y parts of a vector: as the derivation found them, else worked out aside."""
+        if answered.parts:
+            return tuple(self.answer(part) for part in answered.parts)
+        vector = answered.asked.vector
+        if vector is None:
+            return ()
+        found = []
+        for axis in "xy":
+            part = component(answered.asked, vector, axis)
+            value = self._settled(part.formula)
+            if any(SEPARATOR in name for name in value.symbols()):
+                return ()
+            found.append(self.answer(Answered(part, Found(part.letter, value), ())))
+        return tuple(found)
+
+    def _settled(self, value: Formula) -> Formula:
+        """A formula with all letters of the laws worked out, as far as they can be."""
+        value = self.inquiry.solver.with_answers(self._solved(value))
+        if any(SEPARATOR in name for name in value.symbols()):
+            value = Inquiry(self.inquiry.history, families_for(None)).settled(value) or value
+        return self.inquiry.solver.simplify(value)
+
+    def _slope(self, parts: tuple[Answer, ...]) -> Certified | None:
+        """The angle of a slanted vector to the horizontal, in degrees."""
+        x, y = (part.formula for part in parts) if parts else (None, None)
+        if x is None or y is None or not all(part.value is not None and part.value.sign for part in parts):
+            return None
+        return self.value(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI)
 
     def _readable(self, answered: Answered) -> Formula:
         """The closed form; one that no page would hold stays in the letters found before."""
@@ -73,11 +119,11 @@ class Results:
         except Undefined:
             return None
 
-    def _direction(self, answered: Answered, value: Certified | None) -> tuple[str, bool]:
+    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> tuple[str, bool]:
         """Direction in words, and whether the number is still printed with its sign."""
         asked = answered.asked
         if asked.vector is not None:
-            heading = self.heading_words(asked.vector)
+            heading = heading_words(parts)
             return heading, not heading
         quantity = self.inquiry.history.registry.quantities.get(asked.letter)
         words = asked.words
@@ -87,27 +133,22 @@ class Results:
             return "", True
         return words[0 if value.sign > 0 else 1], False
 
-    def heading_words(self, vector: Vector) -> str:
-        """Down and to the right, with the angle left to the numbers."""
-        sides = []
-        for axis in (UP, RIGHT):
-            component = self.inquiry.solver.with_answers(self._solved(vector.along(axis)))
-            if any(SEPARATOR in name for name in component.symbols()):
-                component = Inquiry(self.inquiry.history, families_for(None)).settled(component) or component
-            try:
-                sides.append(evaluate(component, self.inquiry.values, digits=3).sign or 0)
-            except (Undefined, ValueError):
-                return ""
-        rise = {1: "up", -1: "down", 0: ""}[sides[0]]
-        side = {1: "to the right", -1: "to the left", 0: ""}[sides[1]]
-        return " and ".join(part for part in (rise, side) if part)
-
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""
         for step in reversed(self.inquiry.solver.steps):
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
+
+
+def heading_words(parts: tuple[Answer, ...]) -> str:
+    """Up and to the right: which way the components of a vector point, '' where nothing tells."""
+    signs = [0 if part.formula == ZERO else part.value.sign if part.value is not None else None for part in parts]
+    if not parts or None in signs:
+        return ""
+    side = {1: "to the right", -1: "to the left"}.get(signs[0] or 0, "")
+    rise = {1: "up", -1: "down"}.get(signs[1] or 0, "")
+    return " and ".join(part for part in (rise, side) if part)
 
 
 def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:

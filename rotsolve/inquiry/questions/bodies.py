@@ -1,4 +1,4 @@
-"""Questions about a body or a point of one: velocity, energy, momentum, moment of inertia, torque, force, power."""
+"""Questions about a whole body: velocity, energy, momentum, moment of inertia, torque, force, power."""
 
 from __future__ import annotations
 
@@ -9,8 +9,9 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.motion.instant import Instant, locate
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.principles.energy import kinetic
@@ -21,38 +22,6 @@ HALF = Number(Fraction(1, 2))
 
 class OfBodies(Moment):
     """Reads paths of bodies at one instant."""
-
-    def at_point(self, path: Path) -> bool:
-        """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("velocity", "speed", "acceleration") and (
-            path.point is not None or not self._travels(path)
-        )
-
-    def _travels(self, path: Path) -> bool:
-        motion = self.instant.motion(path.owner)
-        return motion.kind == "line" and self.instant.host(path.owner) == path.owner
-
-    def of_point(self, path: Path) -> Meaning:
-        """Velocity or acceleration of a point: its size, or a component."""
-        instant = self.instant
-        ref = PointRef(path.owner, path.point or "cm", path.argument)
-        motion, arm = instant.motion(path.owner), instant.point(ref)
-        vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
-        dimension = BY_WORD[path.quantity].dimension
-        if path.component in ("x", "y"):
-            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
-        if path.component in ("tangential", "normal"):
-            turned = arm.turned(90).times(motion.spin_rate if path.quantity == "acceleration" else motion.spin)
-            inward = arm.turned(180).times(square(motion.spin)) if path.quantity == "acceleration" else Vector()
-            part = turned if path.component == "tangential" else inward
-            return Meaning(size_of(part, signed_by=motion.sense), dimension, part)
-        label = f"{path.quantity} of {spoken_point(path)}"
-        remark = (
-            "at rest: no centripetal part"
-            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns
-            else ""
-        )
-        return Meaning(size_of(vector), dimension, vector, remark, label)
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""
@@ -173,14 +142,15 @@ class OfBodies(Moment):
         orbital = place.cross(body.centre_velocity.scaled(body.mass))
         return total([part for part in (orbital, spin) if part != ZERO])
 
-    def _momentum(self, name: str, component: str | None) -> Formula:
+    def _momentum(self, name: str, component: str | None) -> Formula | Meaning:
         """m v along the line of travel, a component of it, or its size."""
         body = self.body(name)
         if component in ("x", "y"):
             return body.mass * body.centre_velocity.along(RIGHT if component == "x" else UP)
         if body.motion.kind == "line" and body.motion.heading is not None:
             return body.mass * body.motion.velocity.along(body.motion.heading)
-        return body.mass * size_of(body.centre_velocity)
+        momentum = body.centre_velocity.scaled(body.mass)
+        return Meaning(size_of(momentum), BY_WORD["momentum"].dimension, momentum)
 
     def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
@@ -195,16 +165,23 @@ class OfBodies(Moment):
         """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
         body = self.body(name)
         if component == "gravity":
-            return total([force.size for force in body.forces if force.role == "weight"])
+            weight = Vector(
+                tuple(part for force in body.forces if force.role == "weight" for part in force.vector.parts)
+            )
+            return Meaning(size_of(tidy(weight)), BY_WORD["force"].dimension, tidy(weight))
         vector = Vector()
         for force in body.forces:
             vector = vector + force.vector
         if component in ("x", "y"):
             return vector.along(RIGHT if component == "x" else UP)
         pull = body.centre_acceleration.scaled(body.mass)
-        if component in ("tangential", "normal"):
-            part = pull.parts[:1] if component == "tangential" else pull.parts[1:]
-            return Meaning(size_of(Vector(part), signed_by=body.motion.sense), BY_WORD["force"].dimension, Vector(part))
+        if component in NATURAL:
+            if not body.cm.parts:
+                raise NotYet(
+                    f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                    help="ask for `x` or `y`",
+                )
+            return about_centre(pull, body.cm, body.motion.sense, component or "")
         return Meaning(size_of(pull), BY_WORD["force"].dimension, pull)
 
     def _power(self, name: str, component: str | None) -> Formula:

@@ -1,4 +1,4 @@
-"""Answers: published results beside the asked quantities: a number with its unit, a formula, a word, or several numbers."""
+"""Answers: published results beside the asked quantities: a number with its unit, a formula, a word, or a list of a vector's components."""
 
 from __future__ import annotations
 
@@ -27,7 +27,12 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
     found: dict[str, Any] = {}
     texts = []
     for word, (_, written) in entries.items():
-        if word in ("formula", "symbolic") and isinstance(written, Text):
+        if word in ("formula", "symbolic") and isinstance(written, List):
+            found["formulas"] = closed_forms(scope, written, asked)
+            texts.append(listed(written))
+        elif word == "word" and isinstance(written, Text):
+            texts.append(written.value.strip())
+        elif word in ("formula", "symbolic") and isinstance(written, Text):
             found["formula"] = formula_of(scope, written, asked)
             texts.append(written.value)
         elif word == "tolerance":
@@ -44,9 +49,9 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
 
 
 def plain(scope: Scope, name: str, key: Text, node: Node, asked: dict[str, Any]) -> Published | None:
-    """A list of numbers, a number with its unit, a formula, or a word."""
+    """A list of numbers or formulas, a number with its unit, a formula, or a word."""
     if isinstance(node, List):
-        return several(scope, name, key, node)
+        return several(scope, name, key, node, asked)
     if not isinstance(node, Text):
         scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
         return None
@@ -73,22 +78,32 @@ def is_words(text: str, names: set[str]) -> bool:
     return False
 
 
-def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
-    quantities = []
+def several(scope: Scope, name: str, key: Text, node: List, asked: dict[str, Any]) -> Published | None:
+    """The components of a vector: numbers with units, or formulas."""
     for item in node.items:
-        quantity = quantity_of(item.value.strip()) if isinstance(item, Text) else None
-        if quantity is None:
-            scope.fault(
-                item, f"an item of the answer `{name}` is no number with a unit", "write `[1.2 N, 3.4 N]`", "form"
-            )
+        if not isinstance(item, Text):
+            scope.fault(item, f"an item of the answer `{name}` is a list or map", "write `[1.2 N, 3.4 N]`", "form")
             return None
-        quantities.append(quantity)
-    if not quantities:
+    if not node.items:
         scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
         return None
-    text = ", ".join(quantity.text for quantity in quantities)
-    values: tuple[Formula, ...] = tuple(quantity.value for quantity in quantities)
-    return Published(name, text, None, None, quantities[0].unit, key.span, values)
+    quantities = [quantity_of(item.value.strip()) for item in node.items if isinstance(item, Text)]
+    numbers = [quantity for quantity in quantities if quantity is not None]
+    if len(numbers) < len(quantities):
+        return Published(name, listed(node), span=key.span, formulas=closed_forms(scope, node, asked))
+    values: tuple[Formula, ...] = tuple(quantity.value for quantity in numbers)
+    unit = next((quantity.unit for quantity in numbers if quantity.unit is not None), None)
+    return Published(name, listed(node), None, None, unit, key.span, values)
+
+
+def listed(node: List) -> str:
+    return ", ".join(item.value.strip() for item in node.items if isinstance(item, Text))
+
+
+def closed_forms(scope: Scope, node: List, asked: dict[str, Any]) -> tuple[Formula, ...]:
+    """The formulas of a vector's components."""
+    found = [formula_of(scope, item, asked) for item in node.items if isinstance(item, Text)]
+    return tuple(formula for formula in found if formula is not None)
 
 
 def quantity_of(text: str) -> Quantity | None:
