@@ -16,6 +16,8 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.choices import choose
 from rotsolve.inquiry.compose import Composer, in_letters
 from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.explain import (
@@ -117,16 +119,15 @@ def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
         if len(waiting) == len(pending):
             raise waiting[0][1]
         pending = [find for find, _ in waiting]
-    order = {find.name: place for place, find in enumerate(finds)}
-    whole = [place for place, item in enumerate(inquiry.answered) if not item.asked.whole]
-    inquiry.order = sorted(whole, key=lambda place: order[inquiry.answered[place].asked.find.name])
 
 
 def answer(inquiry: Inquiry, find: Find) -> None:
     """Answer one question, or say why there is no answer."""
     problem = inquiry.history.arrangement.problem
     try:
-        if find.where is not None:
+        if find.choice is not None:
+            inquiry.chosen.append(choose(find, find.choice, inquiry, lambda side: by_law(inquiry, side, find.name)))
+        elif find.where is not None:
             extreme(inquiry, find)
         else:
             by_law(inquiry, find)
@@ -136,25 +137,30 @@ def answer(inquiry: Inquiry, find: Find) -> None:
         raise no_answer(error, inquiry, find) from None
 
 
-def by_law(inquiry: Inquiry, find: Find) -> None:
-    """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
+def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:
+    """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out.
+
+    `whole` names the choice to which the question belongs.
+    """
     question = asked(find, inquiry.history, inquiry.letters())
+    question = replace(question, whole=whole)
     if question.moving.parts and stands(question.moving, inquiry):
         raise NotYet(resting(find.terms[0].path))
     try:
-        inquiry.answer(question)
+        return inquiry.answer(question)
     except NoAnswer as error:
         if NEWTON in inquiry.families:
             raise
         laws = inquiry.families
         inquiry.families = (*laws, NEWTON)
         try:
-            inquiry.answer(question)
+            answered = inquiry.answer(question)
         except NoAnswer:
             raise error from None
         finally:
             inquiry.families = laws
-        inquiry.helped.append(find.name)
+        inquiry.helped.append(whole or find.name)
+        return answered
 
 
 def stands(velocity: Vector, inquiry: Inquiry) -> bool:

@@ -12,6 +12,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs, positive_letters
@@ -36,17 +37,6 @@ class NoAnswer(ValueError):
         self.equation = equation
 
 
-@dataclass(frozen=True)
-class Answered:
-    """An asked quantity with its solution and the pool indices of the equations that settled it."""
-
-    asked: Asked
-    found: Found
-    used: tuple[int, ...]
-    steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
-    parts: tuple[Answered, ...] = ()  # the components of a vector
-
-
 @dataclass
 class Inquiry:
     """One run over the questions of a scene, with one choice of laws."""
@@ -58,7 +48,7 @@ class Inquiry:
     answered: list[Answered] = field(default_factory=list)
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
-    order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
+    chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
 
     def __post_init__(self) -> None:
@@ -96,12 +86,14 @@ class Inquiry:
         """The answers so far by name: what later questions may use."""
         return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
 
-    def in_order(self) -> list[Answered]:
+    def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
-        return [self.answered[place] for place in self.order] if self.order else self.wholes()
+        finds = self.history.arrangement.problem.finds
+        place = {find.name: number for number, find in enumerate(finds)}
+        return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.name, len(place)))
 
     def wholes(self) -> list[Answered]:
-        """The answers that are not components of others."""
+        """The answers that are not parts of others: components, or what a choice compares."""
         return [item for item in self.answered if not item.asked.whole]
 
     def _order(self) -> tuple[str, ...]:
@@ -141,9 +133,13 @@ class Inquiry:
 
     def _part(self, asked: Asked) -> Answered:
         """A component of a vector, which may have been asked before in its own right."""
+        return self.known_as(asked) or self._answer(asked)
+
+    def known_as(self, asked: Asked) -> Answered | None:
+        """An answer found before, under the letter of a new question for the same."""
         known = next((item for item in self.answered if item.asked.same_as(asked)), None)
         if known is None:
-            return self._answer(asked)
+            return None
         self.known.add(asked.letter)
         self.solver.solved.setdefault(asked.letter, known.found)
         return replace(known, asked=asked)

@@ -15,7 +15,8 @@ from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
 

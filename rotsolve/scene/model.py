@@ -140,7 +140,7 @@ class Phase:
 class Term:
     """One operand of a `find`: a path with its modifier and its own time.
 
-    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of', 'which of'.
+    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of'.
     A `time from A to B` has path.quantity 'time'. `at` names one state, `during` a phase or event, `start`/`end` two states.
     """
 
@@ -156,8 +156,29 @@ class Term:
 
 
 @dataclass(frozen=True, slots=True)
+class Option:
+    """One option of a choice: a quantity, or several compared by `signs` (<, >, ≤, ≥, =), one between each two."""
+
+    label: str
+    sides: tuple[Find, ...]
+    signs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """`which of` the options: the `largest` or `smallest`, what is `above` or `below` a bound; no test: whose comparison holds."""
+
+    options: tuple[Option, ...]
+    test: str = ""
+    bound: Find | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Find:
-    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`."""
+    """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`.
+
+    A `choice` is answered by the label of an option; `terms` are then all that its options speak of.
+    """
 
     name: str
     formula: Formula
@@ -167,6 +188,7 @@ class Find:
     unit: Unit | None = None
     text: str = ""
     span: Span | None = None
+    choice: Choice | None = None
 
 
 @dataclass(frozen=True, slots=True)

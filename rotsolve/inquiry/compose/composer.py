@@ -8,12 +8,14 @@ from functools import cached_property
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered, Chosen
+from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.slope import slope
@@ -50,11 +52,11 @@ class Composer:
             givens=tuple(
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
-            finds=tuple(self._find(answered) for answered in self.inquiry.in_order()),
+            finds=tuple((Symbol(item.find.name),) for item in self.inquiry.in_order()),
             states=tuple(state_words(state.name, state.conditions) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
-            answers=tuple(self.results.answer(answered) for answered in self.inquiry.in_order()),
+            answers=tuple(self._answer(item) for item in self.inquiry.in_order()),
             checks=checks,
             equations_written=len(self.history.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
@@ -64,8 +66,9 @@ class Composer:
 
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._law(index) for index in draft.laws)
-        moves = tuple(move for step in draft.steps for move in (self._move(step), *self._slope(step)))
-        return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, moves)
+        moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
+        moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
+        return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, tuple(moves))
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
@@ -174,8 +177,7 @@ class Composer:
         for answered in self.inquiry.wholes():
             chosen.setdefault(answered.asked.letter, answered.asked.find.name)
         taken = frozenset(given.name for given in self.problem.givens)
-        parts = [part for answered in self.inquiry.wholes() for part in answered.parts if not part.asked.direct]
-        for part in parts:
+        for part in (item for item in self.inquiry.answered if item.asked.whole and not item.asked.direct):
             twin = next((item for item in self.inquiry.wholes() if item.asked.same_as(part.asked)), None)
             if twin is not None:
                 chosen.setdefault(part.asked.letter, twin.asked.find.name)
@@ -203,7 +205,7 @@ class Composer:
                     yield from sorted(one.left.symbols() | one.right.symbols())
                     yield from sorted(bound(one.left) | bound(one.right))
             yield from self._in_forces(draft)
-        for answered in self.inquiry.answered:
+        for answered in (*self.inquiry.answered, *(side for chosen in self.inquiry.chosen for side in chosen.sides)):
             yield from sorted(answered.asked.formula.symbols())
 
     def _in_forces(self, draft: Draft) -> Iterable[str]:
@@ -241,8 +243,8 @@ class Composer:
 
     # head
 
-    def _find(self, answered: Answered) -> Words:
-        return (Symbol(answered.asked.find.name),)
+    def _answer(self, item: Answered | Chosen) -> Answer:
+        return self.results.label(item) if isinstance(item, Chosen) else self.results.answer(item)
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)

@@ -5,23 +5,26 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
 from rotsolve.solver import Step
 
 
 @dataclass
 class Draft:
-    """One section in the making: the laws (pool indices) and steps that belong to it."""
+    """One section in the making: the laws (pool indices), steps and choices that belong to it."""
 
     key: str
     laws: list[int] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
+    choices: list[Chosen] = field(default_factory=list)
 
 
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
+    homes: dict[str, str] = {}
     placed: set[int] = set()
     for answered in inquiry.answered:
         laws = [index for index in answered.used if is_law(index, inquiry)]
@@ -32,8 +35,14 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
         )
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
+        homes.setdefault(answered.asked.letter, key)
     order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+    for chosen in inquiry.chosen:
+        keys = [homes[side.asked.letter] for side in chosen.sides if side.asked.letter in homes] or list(drafts)
+        last = max(keys, key=lambda key: order.get(key, -1), default="")
+        drafts.setdefault(last, Draft(last)).choices.append(chosen)
+    filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
+    return sorted(filled, key=lambda draft: order.get(draft.key, -1))
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:

@@ -12,9 +12,10 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.derivation import Answer, Equality
+from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.answering import Answered, Inquiry, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.questions import Asked, component
 from rotsolve.solver import Found
 
@@ -51,6 +52,35 @@ class Results:
             angle=self._slope(parts),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
         )
+
+    def label(self, chosen: Chosen) -> Answer:
+        """The answer to a choice: the label, with the comparisons as its reason."""
+        name = chosen.find.name
+        return Answer(name, Symbol(name), None, None, None, None, word=chosen.word, remark=self.reason(chosen))
+
+    def reason(self, chosen: Chosen) -> Words:
+        """c: 4 rad > 3.142 rad; a: 3 rad ≤ 3.142 rad: what was chosen first."""
+        words: list[str | Formula] = []
+        for verdict in sorted(chosen.verdicts, key=lambda item: not item.holds):
+            words += ["; " if words else "", f"{verdict.label}: "]
+            if verdict.own is not None:
+                words += self.amount(verdict.own)
+                continue
+            for number, item in enumerate(verdict.compared):
+                words += [", " if number else "", *self.amount(item.left), f" {item.relation} "]
+                words += self.amount(item.right)
+        return tuple(words)
+
+    def amount(self, answered: Answered) -> Words:
+        """A quantity by its number with the unit, else by its letter."""
+        answer = self.answer(answered)
+        if answer.value is None:
+            return (answer.formula or answer.symbol,)
+        unit = "" if answer.unit is None else answer.unit.text
+        try:
+            return (f"{answer.value.text(4)} {unit}".strip(),)
+        except Undefined:
+            return (answer.symbol,)
 
     def _symbol(self, asked: Asked) -> Formula:
         """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""

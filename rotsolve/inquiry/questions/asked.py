@@ -17,7 +17,8 @@ class Asked:
 
     `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
     where its definition belongs. `parts` are the questions for the components of a vector, which are answered before its size; each
-    of them knows its `whole` by name. `moving` is a velocity without which the question has no meaning.
+    of them, and each quantity that a choice compares, knows its `whole` by name. `moving` is a velocity without which the question
+    has no meaning.
     """
 
     find: Find
@@ -43,9 +44,15 @@ class Asked:
         return self.letter == other.letter or (self.formula, self.section) == (other.formula, other.section)
 
     @property
+    def of_givens(self) -> bool:
+        """Whether the question is made of givens alone, so that no law has a say in it."""
+        return not self.find.terms and not any(SEPARATOR in name for name in self.formula.symbols())
+
+    @property
     def resolves(self) -> bool:
-        """Whether a whole vector is asked, not one component of it."""
-        return self.vector is not None and self.find.terms[0].path.component in (None, "gravity")
+        """Whether a whole vector is asked, not one component of it, nor a mere speed."""
+        path = self.find.terms[0].path if self.vector is not None else None
+        return path is not None and path.quantity != "speed" and path.component in (None, "gravity")
 
 
 def in_parts(question: Asked) -> Asked:

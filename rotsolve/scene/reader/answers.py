@@ -56,6 +56,8 @@ def plain(scope: Scope, name: str, key: Text, node: Node, asked: dict[str, Any])
         scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
         return None
     text = node.value.strip()
+    if name in scope.choices:
+        return Published(name, text, span=key.span)
     if LITERAL.fullmatch(text):
         quantity = quantity_of(text)
         if quantity is not None:
