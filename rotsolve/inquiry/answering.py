@@ -133,13 +133,9 @@ class Inquiry:
 
     def _part(self, asked: Asked) -> Answered:
         """A component of a vector, which may have been asked before in its own right."""
-        return self.known_as(asked) or self._answer(asked)
-
-    def known_as(self, asked: Asked) -> Answered | None:
-        """An answer found before, under the letter of a new question for the same."""
         known = next((item for item in self.answered if item.asked.same_as(asked)), None)
         if known is None:
-            return None
+            return self._answer(asked)
         self.known.add(asked.letter)
         self.solver.solved.setdefault(asked.letter, known.found)
         return replace(known, asked=asked)

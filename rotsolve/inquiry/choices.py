@@ -48,7 +48,10 @@ def settled(side: Find, whole: str, inquiry: Inquiry, answer: Callable[[Find], A
     unknown = any(name in inquiry.givens and inquiry.givens[name].asked for name in question.formula.symbols())
     if question.of_givens and not unknown:
         return Answered(question, Found(question.letter, question.formula), ())
-    return inquiry.known_as(question) or answer(side)
+    known = next((item for item in inquiry.answered if item.asked.same_as(question)), None)
+    if known is not None:
+        return replace(known, asked=replace(question, letter=known.asked.letter))
+    return answer(side)
 
 
 def alike(sides: Sequence[Answered]) -> list[Answered]:

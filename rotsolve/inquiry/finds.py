@@ -12,7 +12,7 @@ from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import Asked, Meaning, NotYet, in_parts, path_text, size_of, spoken_point
+from rotsolve.inquiry.questions import Asked, Meaning, NotYet, in_parts, label_of, path_text, size_of, spoken_point
 from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.scene.model import Find, Path, PointRef, Term
@@ -178,7 +178,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     if path.quantity == "turns":
         result = result / (2 * PI)
     vector = blow(path, intervals[0].name, history) if path.quantity == "impulse" and len(intervals) == 1 else None
-    return Meaning(result, kind.dimension, vector), intervals[-1].name
+    return Meaning(result, kind.dimension, vector, label=label_of(path, term)), intervals[-1].name
 
 
 def of_point(term: Term, start: str, end: str, history: History) -> Meaning:

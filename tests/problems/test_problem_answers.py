@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -24,6 +25,7 @@ from rotsolve.solution import AnswerView, Solution
 
 ACCURACY = Fraction(1, 10**9)
 WIDTH = 100
+RAW = re.compile(r"[a-z_]\|[a-z_]")  # the key of a quantity of the laws, which no reader should see
 
 
 @cache
@@ -149,6 +151,7 @@ def test_nothing_objects_to_the_answers(problem_file: Path) -> None:
 def test_golden_derivation_is_unchanged(problem_file: Path, regenerate: bool) -> None:
     golden = problem_file.parent / "golden" / f"{problem_file.stem}.txt"
     text = solved(problem_file).to("text", width=WIDTH)
+    assert not RAW.search(text), "a letter of the laws has no printed name"
     if regenerate:
         assert not check_answers(solved(problem_file)), "wrong answers are not written as golden"
         golden.parent.mkdir(exist_ok=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
@@ -25,10 +26,11 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
     homes: dict[str, str] = {}
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     placed: set[int] = set()
     for answered in inquiry.answered:
         laws = [index for index in answered.used if is_law(index, inquiry)]
-        key = home(answered, laws, inquiry)
+        key = home(answered, laws, inquiry) or latest(answered.asked.formula.symbols() & set(homes), homes, order)
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
             index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
@@ -36,13 +38,17 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
         homes.setdefault(answered.asked.letter, key)
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     for chosen in inquiry.chosen:
-        keys = [homes[side.asked.letter] for side in chosen.sides if side.asked.letter in homes] or list(drafts)
-        last = max(keys, key=lambda key: order.get(key, -1), default="")
+        letters = {side.asked.letter for side in chosen.sides} & set(homes) or set(homes)
+        last = latest(letters, homes, order)
         drafts.setdefault(last, Draft(last)).choices.append(chosen)
     filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
     return sorted(filled, key=lambda draft: order.get(draft.key, -1))
+
+
+def latest(letters: Collection[str], homes: Mapping[str, str], order: Mapping[str, int]) -> str:
+    """The last of the sections in which letters are found: where something made of them belongs."""
+    return max((homes[letter] for letter in sorted(letters)), key=lambda key: order.get(key, -1), default="")
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:

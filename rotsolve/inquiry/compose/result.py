@@ -49,7 +49,7 @@ class Results:
             direction,
             signed,
             components=parts if asked.resolves else (),
-            angle=self._slope(parts),
+            angle=self._slope(parts) if asked.points else None,
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
         )
 

@@ -49,10 +49,14 @@ class Asked:
         return not self.find.terms and not any(SEPARATOR in name for name in self.formula.symbols())
 
     @property
+    def points(self) -> bool:
+        """Whether a vector or a part of one is asked, not a mere speed."""
+        return self.vector is not None and self.find.terms[0].path.quantity != "speed"
+
+    @property
     def resolves(self) -> bool:
-        """Whether a whole vector is asked, not one component of it, nor a mere speed."""
-        path = self.find.terms[0].path if self.vector is not None else None
-        return path is not None and path.quantity != "speed" and path.component in (None, "gravity")
+        """Whether a whole vector is asked, not one component of it."""
+        return self.points and self.find.terms[0].path.component in (None, "gravity")
 
 
 def in_parts(question: Asked) -> Asked:

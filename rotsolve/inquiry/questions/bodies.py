@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
@@ -48,7 +49,7 @@ class OfBodies(Moment):
             case "inertia" | "gyration":
                 return self._inertia(path, term)
             case "angular_momentum":
-                return self._angular_momentum(name, term)
+                return self._share(path) if path.point else self._angular_momentum(name, term)
             case "momentum":
                 return self._momentum(name, component)
             case "torque":
@@ -134,6 +135,18 @@ class OfBodies(Moment):
             raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
         return body.inertia.letter * signed(body.motion.spin, body.motion.sense)
 
+    def _share(self, path: Path) -> Formula:
+        """(I + m r²) ω of one part of a body on a fixed axis."""
+        motion, own = self.instant.motion(path.owner), self.instant.frame(path.owner)
+        own_pieces = tuple(piece for piece in own.pieces if piece.name == path.point)
+        if motion.kind != "axis" or not own_pieces:
+            raise NotYet(
+                f"the angular momentum of `{path.owner}.{path.point}` alone is not solved yet",
+                help="solved is that of a part of a body on a fixed axis",
+            )
+        moment, _ = moment_about(own_pieces, own.reference, self.instant.arrangement.order)
+        return moment * signed(motion.spin, motion.sense)
+
     def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
         """r × m v + I ω about a point: the place where the body is about to touch another, from that body's pivot."""
         instant = self.instant
@@ -168,7 +181,8 @@ class OfBodies(Moment):
             weight = Vector(
                 tuple(part for force in body.forces if force.role == "weight" for part in force.vector.parts)
             )
-            return Meaning(size_of(tidy(weight)), BY_WORD["force"].dimension, tidy(weight))
+            size = total([force.size for force in body.forces if force.role == "weight"])
+            return Meaning(size, BY_WORD["force"].dimension, tidy(weight))
         vector = Vector()
         for force in body.forces:
             vector = vector + force.vector
@@ -181,8 +195,11 @@ class OfBodies(Moment):
                     f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
                     help="ask for `x` or `y`",
                 )
-            return about_centre(pull, body.cm, body.motion.sense, component or "")
-        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull)
+            part = about_centre(pull, body.cm, body.motion.sense, component or "")
+            return Meaning(
+                part, BY_WORD["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
+            )
+        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
 
     def _power(self, name: str, component: str | None) -> Formula:
         """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""

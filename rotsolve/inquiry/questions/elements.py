@@ -8,6 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.strings import String
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
@@ -99,7 +100,9 @@ class OfElements(Moment):
         if path.component in ("x", "y"):
             return vector.along(RIGHT if path.component == "x" else UP)
         if path.component in NATURAL:
-            return self._along_body(last, vector, arm, path.component or "")
+            part = self._along_body(last, vector, arm, path.component or "")
+            label = f"{path.component} part of the force of {spoken(path.owner)}"
+            return Meaning(part, BY_WORD["force"].dimension, label=label)
         return Meaning(size_of(vector), BY_WORD["force"].dimension, vector)
 
     def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:

@@ -73,7 +73,7 @@ def label_of(path: Path, term: Term | None) -> str:
     """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
     word = spoken(path.quantity)
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    owner = spoken(path.owner)
+    owner = spoken_point(path) if path.point else spoken(path.owner)
     about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"

@@ -39,7 +39,7 @@ class OfPoints(Moment):
             return self._on_circle(path, motion, arm) if motion.kind == "axis" else self._on_path(path, motion, arm)
         remark = (
             "at rest: no centripetal part"
-            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns
+            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns and arm.parts
             else ""
         )
         return Meaning(size_of(vector), dimension, vector, remark, label)
