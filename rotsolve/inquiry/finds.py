@@ -6,15 +6,26 @@ from collections.abc import Mapping
 from dataclasses import replace
 from types import MappingProxyType
 
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import Asked, Meaning, NotYet, in_parts, label_of, path_text, size_of, spoken_point
+from rotsolve.inquiry.questions import (
+    Asked,
+    Meaning,
+    NotYet,
+    in_parts,
+    label_of,
+    path_text,
+    size_of,
+    spoken_point,
+    whole_vector,
+)
 from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
 from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.rigid import tidy
 from rotsolve.scene.model import Find, Path, PointRef, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
@@ -57,11 +68,12 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
     if not single or first is None:
         return Asked(find, formula, letter, dimension, vector, "", "", section)
     plain = find.terms[0].modifier == "" and find.modifier == ""
+    resolved = find.terms[0].modifier in ("", "mean", *DIFFERENCE) and find.modifier == ""
     words = first.words if plain else ("", "")
     question = Asked(
         find, formula, letter, dimension, vector, first.remark, first.label, section, words, moving=first.moving
     )
-    return in_parts(question) if plain else question
+    return in_parts(question) if resolved else question
 
 
 def is_unknown(name: str, history: History) -> bool:
@@ -208,10 +220,13 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
         return stored_difference(term, start, end, history)
     first = history.reader(start).meaning(term.path, term)
     last = history.reader(end).meaning(term.path, term)
-    change = first.formula - last.formula if term.modifier == "lost" else last.formula - first.formula
-    intervals = history.arrangement.timeline.between(start, end)
+    section = history.arrangement.timeline.between(start, end)[-1].name
     label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
-    return Meaning(change, first.dimension, label=label), intervals[-1].name
+    earlier, later = (last, first) if term.modifier == "lost" else (first, last)
+    if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
+        gap = tidy(later.vector - earlier.vector)
+        return Meaning(size_of(gap), first.dimension, gap, label=label), section
+    return Meaning(later.formula - earlier.formula, first.dimension, label=label), section
 
 
 def stored_difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
@@ -250,6 +265,7 @@ def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, s
     )
     amount, _ = meaning_of(replace(other, start=start, end=end), history)
     word = term.path.quantity.replace("_", " ")
+    vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
     return Meaning(
-        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, label=f"mean {word}"
+        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, vector, label=f"mean {word}"
     ), section

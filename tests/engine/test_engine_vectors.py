@@ -153,6 +153,29 @@ find: {s: rod.end.displacement from one to two}
         solve(scene.replace("rod.angle: 30 deg, ", "").replace("rod.angle: 90 deg", "time: 1 s"))
 
 
+def test_change_and_mean_of_a_vector_are_vectors() -> None:
+    scene = """
+title: Disc turning steadily
+gravity: none
+given: {R: 2 m, w: 0.5 rad/s}
+bodies: {disc: {shape: disc, mass: 1 kg, radius: R, points: {P: [R, 0]}}}
+connections: {axle: {axle: disc}}
+states: {one: {disc.angle: 0, disc.angular_velocity: w}, two: {disc.angle: 90 deg}}
+find:
+  d: change of disc.P.velocity from one to two
+  b: lost disc.P.velocity from one to two
+  m: mean disc.P.velocity from one to two
+  s: change of disc.P.speed from one to two
+  k: size of disc.P.velocity at two
+"""
+    found = answers(scene)
+    assert numbers(found["d"]) == pytest.approx([-1, -1])
+    assert numbers(found["b"]) == pytest.approx([1, 1])
+    assert found["d"].float == pytest.approx(math.sqrt(2))
+    assert numbers(found["m"]) == pytest.approx([-2 / math.pi, 2 / math.pi])
+    assert (found["s"].float, found["k"].float) == (0, 1)
+
+
 def test_momentum_of_the_whole_scene_is_a_vector() -> None:
     scene = """
 title: Two particles

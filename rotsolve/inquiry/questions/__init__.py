@@ -1,6 +1,6 @@
 """Questions: what a path of the scene language stands for, as a formula in the quantities of the laws."""
 
-from rotsolve.inquiry.questions.asked import Asked, component, in_parts
+from rotsolve.inquiry.questions.asked import Asked, component, in_parts, whole_vector
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.points import resting
 from rotsolve.inquiry.questions.reader import Reader
@@ -17,4 +17,5 @@ __all__ = [
     "resting",
     "size_of",
     "spoken_point",
+    "whole_vector",
 ]

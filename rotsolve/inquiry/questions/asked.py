@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.scene.model import Find
+from rotsolve.scene.model import Find, Path
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,12 @@ class Asked:
     @property
     def resolves(self) -> bool:
         """Whether a whole vector is asked, not one component of it."""
-        return self.points and self.find.terms[0].path.component in (None, "gravity")
+        return self.vector is not None and whole_vector(self.find.terms[0].path)
+
+
+def whole_vector(path: Path) -> bool:
+    """Whether a path that may be a vector asks for all of it: not for one component, nor a mere speed."""
+    return path.quantity != "speed" and path.component in (None, "gravity")
 
 
 def in_parts(question: Asked) -> Asked:
