@@ -159,7 +159,8 @@ def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:
             raise error from None
         finally:
             inquiry.families = laws
-        inquiry.helped.append(whole or find.name)
+        name = whole or find.name
+        inquiry.helped += [name] if name not in inquiry.helped else []
         return answered
 
 

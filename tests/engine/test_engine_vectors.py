@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Mapping
+from fractions import Fraction
 
 import pytest
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.formula import Number, call
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import Unsolvable
+from rotsolve.core.heading import heading
 from rotsolve.pipeline import solve
 from rotsolve.solution import AnswerView
 
@@ -153,6 +159,28 @@ find: {s: rod.end.displacement from one to two}
         solve(scene.replace("rod.angle: 30 deg, ", "").replace("rod.angle: 90 deg", "time: 1 s"))
 
 
+def test_a_blow_is_that_on_the_last_named_body() -> None:
+    scene = """
+title: Ball sticks to a rod
+given: {m: 1 kg, M: 3 kg, L: 1 m, u: 4 m/s}
+plane: horizontal
+bodies: {rod: {shape: rod, mass: M, length: L}, ball: {mass: m, moves: right}}
+connections: {pin: {hinge: rod.start}}
+states: {before: {rod.angle: -90 deg, rod.angular_velocity: 0, ball.velocity: u}, after: {}}
+events: {hit: {joins: [ball, rod.at(3*L/4)], from: before, to: after}}
+find: {K: hit.impulse during hit, J: pin.impulse during hit, p: change of momentum from before to after}
+"""
+    turned = "joins: [rod.at(3*L/4), ball]"
+    omega = 0.75 * 4 / (1 + 0.75**2)  # m u ¾L = (⅓ M L² + m (¾L)²) ω
+    found = answers(scene)
+    assert numbers(found["K"]) == pytest.approx([4 - 0.75 * omega, 0])
+    assert numbers(found["J"]) == pytest.approx(numbers(found["p"]))
+    assert found["J"].float == pytest.approx(3 * omega / 2 - (4 - 0.75 * omega))
+    assert numbers(answers(scene.replace("joins: [ball, rod.at(3*L/4)]", turned))["K"]) == pytest.approx(
+        [-(4 - 0.75 * omega), 0]
+    )
+
+
 def test_change_and_mean_of_a_vector_are_vectors() -> None:
     scene = """
 title: Disc turning steadily
@@ -174,6 +202,33 @@ find:
     assert found["d"].float == pytest.approx(math.sqrt(2))
     assert numbers(found["m"]) == pytest.approx([-2 / math.pi, 2 / math.pi])
     assert (found["s"].float, found["k"].float) == (0, 1)
+
+
+@pytest.mark.parametrize(("y", "x"), [(1, 2), (3, -4), (-1, 2), (-2, -5)])
+def test_the_direction_of_a_plain_slope_has_exact_components(y: int, x: int) -> None:
+    own = heading(call("atan2", Number(Fraction(y)), Number(Fraction(x))))
+    for sense, turned in itertools.product((1, -1), (0, 90, 180, 270)):
+        found = (own if sense > 0 else -own).turned(turned)
+        angle = sense * math.atan2(y, x) + math.radians(turned)
+        for value, expected in ((found.cos(), math.cos(angle)), (found.sin(), math.sin(angle))):
+            assert evaluate(value, {}).float == pytest.approx(expected, rel=1e-12)
+            assert "atan2" not in to_text(value)
+
+
+def test_a_plate_is_turned_by_the_angle_of_its_centre_of_mass() -> None:
+    scene = """
+title: Plate
+given: {s: 0.4 m, M: 1 kg, w: 3 rad/s}
+bodies: {plate: {shape: rectangle, sides: [s, s/2], mass: M, turns: clockwise}}
+connections: {nail: {hinge: plate.corner1}}
+states: {now: {plate.angular_velocity: w, plate.angle: 0}}
+find: {F: nail.force}
+"""
+    arm = math.sqrt(0.4**2 + 0.2**2) / 2
+    rate = 9.8 * arm / (4 / 3 * arm**2)
+    solution = solve(scene)
+    assert numbers(solution.answers["F"]) == pytest.approx([-arm * 9, 9.8 - arm * rate])
+    assert "atan2" not in solution.to("text")
 
 
 def test_momentum_of_the_whole_scene_is_a_vector() -> None:
