@@ -7,13 +7,17 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.choices import choose
 from rotsolve.inquiry.compose import Composer, in_letters
 from rotsolve.inquiry.consistency import contradiction
 from rotsolve.inquiry.explain import (
@@ -28,7 +32,7 @@ from rotsolve.inquiry.explain import (
 from rotsolve.inquiry.finds import Unclear, asked, entries
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.questions import NotYet, resting
 from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
@@ -121,10 +125,6 @@ def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
         if len(waiting) == len(pending):
             raise waiting[0][1]
         pending = [find for find, _ in waiting]
-    order = {find.name: place for place, find in enumerate(finds)}
-    inquiry.order = sorted(
-        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.group]
-    )
 
 
 def answer(inquiry: Inquiry, find: Find) -> None:
@@ -138,7 +138,9 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     """Answer one question for a single quantity, or say why there is no answer."""
     problem = inquiry.history.arrangement.problem
     try:
-        if find.where is not None:
+        if find.choice is not None:
+            inquiry.chosen.append(choose(find, find.choice, inquiry, lambda side: by_law(inquiry, side, find.name)))
+        elif find.where is not None:
             extreme(inquiry, find)
         else:
             by_law(inquiry, find)
@@ -148,23 +150,38 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
         raise no_answer(error, inquiry, find) from None
 
 
-def by_law(inquiry: Inquiry, find: Find) -> None:
-    """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
+def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:
+    """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out.
+
+    `whole` names the choice to which the question belongs.
+    """
     question = asked(find, inquiry.history, inquiry.letters())
+    question = replace(question, whole=whole)
+    if question.moving.parts and stands(question.moving, inquiry):
+        raise NotYet(resting(find.terms[0].path))
     try:
-        inquiry.answer(question)
+        return inquiry.answer(question)
     except NoAnswer as error:
         if NEWTON in inquiry.families:
             raise
         laws = inquiry.families
         inquiry.families = (*laws, NEWTON)
         try:
-            inquiry.answer(question)
+            answered = inquiry.answer(question)
         except NoAnswer:
             raise error from None
         finally:
             inquiry.families = laws
-        inquiry.helped.append(find.name)
+        name = whole or find.name
+        inquiry.helped += [name] if name not in inquiry.helped else []
+        return answered
+
+
+def stands(velocity: Vector, inquiry: Inquiry) -> bool:
+    """Whether a velocity turns out to be nothing."""
+    aside = Inquiry(inquiry.history, families_for(None))
+    parts = [aside.settled(velocity.along(axis)) for axis in (RIGHT, UP)]
+    return all(part is not None and is_zero(part, inquiry.solver.positive) for part in parts)
 
 
 def extreme(inquiry: Inquiry, find: Find) -> None:

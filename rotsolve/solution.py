@@ -74,13 +74,18 @@ class AnswerView:
         return self.answer.direction
 
     @property
+    def angle(self) -> builtins.float | None:
+        """The angle of a slanted vector to the horizontal, in degrees; None of all else."""
+        return None if self.answer.angle is None else self.answer.angle.float
+
+    @property
     def word(self) -> str:
         """The answer to a question that asks for a word: "slips"."""
         return self.answer.word
 
     @property
     def components(self) -> Mapping[str, AnswerView]:
-        """The parts of a vector answer by name."""
+        """The parts of a vector answer by name: `v_x` and `v_y` of `v`."""
         return MappingProxyType({part.name: AnswerView(part, self.digits) for part in self.answer.components})
 
     @property

@@ -81,7 +81,9 @@ class Answer:
     """An asked quantity: exact form, certified value in `unit`, and its direction in words.
 
     `formula` is None where no closed form exists; `value` is None where a given has no number. `signed` is False where the words
-    tell the direction, so that the size is printed ("12.73 rad/s², clockwise"). `components` hold the parts of a vector answer.
+    tell the direction, so that the size is printed ("12.73 rad/s², clockwise"). `components` hold the parts of a vector answer, whose
+    `formula` and `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
+    size and direction alone where people read.
     """
 
     name: str
@@ -95,6 +97,8 @@ class Answer:
     word: str = ""
     components: tuple[Answer, ...] = ()
     remark: Words = ()
+    angle: Certified | None = None
+    brief: bool = False
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

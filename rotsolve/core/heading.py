@@ -9,6 +9,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -71,6 +72,9 @@ class Heading:
         flipped = terms[0][1] < 0
         if flipped:  # the sign of the leading angle is pulled out: cos(−x) = cos x, sin(−x) = −sin x
             terms, rest = tuple((angle, -factor) for angle, factor in terms), -rest
+        exact = _of_slope(terms, rest, quarter)
+        if exact is not None:
+            return negate(exact) if flipped and quarter % 2 else exact
         argument = Heading(rest, terms).formula()
         function = "cos" if quarter % 2 == 0 else "sin"
         # cos(x + 90°) = −sin x, cos(x + 180°) = −cos x, cos(x + 270°) = sin x
@@ -123,6 +127,19 @@ def _heading(degrees: Fraction, terms: Iterable[tuple[Formula, Fraction]]) -> He
         else:
             collected[angle] = collected.get(angle, Fraction(0)) + factor
     return Heading(degrees, tuple((angle, factor) for angle, factor in collected.items() if factor))
+
+
+def _of_slope(terms: tuple[tuple[Formula, Fraction], ...], rest: Fraction, quarter: int) -> Formula | None:
+    """cos(atan2(y, x) + 90° quarter) of plain numbers: x/√(x² + y²) and the like; None of all other angles."""
+    (angle, factor), *others = terms
+    if others or rest or factor != 1 or not isinstance(angle, Call) or angle.function != "atan2":
+        return None
+    y, x = angle.arguments
+    if not isinstance(x, Number) or not isinstance(y, Number):
+        return None
+    side = x if quarter % 2 == 0 else y
+    value = simplify(side / sqrt(x**2 + y**2))
+    return negate(value) if quarter % 4 in (1, 2) else value
 
 
 def _cosine_of_degrees(degrees: Fraction) -> Formula:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from rotsolve.algebra.certified.balls import Undefined
@@ -13,8 +13,9 @@ from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
-from rotsolve.inquiry.finds import Asked
+from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
@@ -38,16 +39,6 @@ class NoAnswer(ValueError):
         self.equation = equation
 
 
-@dataclass(frozen=True)
-class Answered:
-    """An asked quantity with its solution and the pool indices of the equations that settled it."""
-
-    asked: Asked
-    found: Found
-    used: tuple[int, ...]
-    steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
-
-
 @dataclass
 class Inquiry:
     """One run over the questions of a scene, with one choice of laws."""
@@ -59,7 +50,7 @@ class Inquiry:
     answered: list[Answered] = field(default_factory=list)
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
-    order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
+    chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
     steps: dict[str, set[int]] = field(default_factory=dict)  # pool indices of what leads to a question step by step
     stepped: dict[Equation, int] = field(default_factory=dict)  # pool index of each such step
@@ -99,11 +90,17 @@ class Inquiry:
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
-        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.answered}
+        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
 
-    def in_order(self) -> list[Answered]:
+    def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
-        return [self.answered[place] for place in self.order] if self.order else list(self.answered)
+        finds = self.history.arrangement.problem.finds
+        place = {find.name: number for number, find in enumerate(finds)}
+        return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.group, len(place)))
+
+    def wholes(self) -> list[Answered]:
+        """The answers that are not parts of others: components, or what a choice compares."""
+        return [item for item in self.answered if not item.asked.whole]
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -121,8 +118,9 @@ class Inquiry:
                 self.retired.add(extra)
 
     def _answer(self, asked: Asked) -> Answered:
-        """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
         self._take_steps(asked)
+        parts = tuple(self._part(part) for part in asked.parts)
         if not asked.direct and asked.letter not in self.defined:
             section = asked.section or self._section_of(asked.formula)
             label = asked.label or "definition"
@@ -132,14 +130,14 @@ class Inquiry:
         if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
-            answered = Answered(asked, self.solver.solved[asked.letter], ())
+            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts)
         else:
             found, used = self._settle(asked)
-            answered = Answered(asked, found, used, (first, len(self.solver.steps)))
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts)
         self.known.add(asked.letter)
         self.answered.append(answered)
-        if asked.letter in self.defined and has_calls(asked.formula):
-            self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
+        if asked.letter in self.defined and (asked.whole or has_calls(asked.formula)):
+            self.retired.add(self.defined[asked.letter])  # a size or component does not lead back to what it is made of
         return answered
 
     def _section_of(self, formula: Formula) -> str:
@@ -169,6 +167,15 @@ class Inquiry:
             allowed.add(self.defined[letter])
         plan = self.planner.plan(letter, self.known, sorted(allowed - banned)) if own else None
         return plan if isinstance(plan, Plan) else None
+
+    def _part(self, asked: Asked) -> Answered:
+        """A component of a vector, which may have been asked before in its own right."""
+        known = next((item for item in self.answered if item.asked.same_as(asked)), None)
+        if known is None:
+            return self._answer(asked)
+        self.known.add(asked.letter)
+        self.solver.solved.setdefault(asked.letter, known.found)
+        return replace(known, asked=asked)
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""

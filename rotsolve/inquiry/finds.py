@@ -3,54 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from types import MappingProxyType
 
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
-from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
-from rotsolve.core.heading import Vector
+from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.tensor import AXES, ENTRIES
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import Meaning, NotYet, path_text
-from rotsolve.inquiry.transfers import impulse, potential_change, work
+from rotsolve.inquiry.questions import (
+    Asked,
+    Meaning,
+    NotYet,
+    in_parts,
+    label_of,
+    path_text,
+    size_of,
+    spoken_point,
+    whole_vector,
+)
+from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import displacement, rotation, so_far
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import ANY_TIME, Find, Path, Term
+from rotsolve.scene.model import ANY_TIME, Find, Path, PointRef, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 STORED = ("potential_energy", "energy")
 DIFFERENCE = ("change of", "lost")
-
-
-@dataclass(frozen=True)
-class Asked:
-    """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
-
-    `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
-    where its definition belongs. `said` is a remark with formulas in it, `definitions` are the steps that lead to the formula.
-    """
-
-    find: Find
-    formula: Formula
-    letter: str
-    dimension: Dimension | None
-    vector: Vector | None = None
-    remark: str = ""
-    label: str = ""
-    section: str = ""
-    words: tuple[str, str] = ("", "")
-    said: Words = ()
-    definitions: tuple[Equation, ...] = ()
-
-    @property
-    def direct(self) -> bool:
-        """Whether the question is a single quantity of the laws."""
-        return isinstance(self.formula, Symbol) and self.formula.name == self.letter
 
 
 class Unclear(NotYet):
@@ -89,10 +72,23 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
     letter = f"asked{SEPARATOR}{find.name}"
     if not single or first is None:
         return Asked(find, formula, letter, dimension, vector, "", "", section, definitions=definitions)
-    words = first.words if find.terms[0].modifier == "" else ("", "")
-    return Asked(
-        find, formula, letter, dimension, vector, first.remark, first.label, section, words, first.said, definitions
+    plain = find.terms[0].modifier == "" and find.modifier == ""
+    resolved = find.terms[0].modifier in ("", "mean", *DIFFERENCE) and find.modifier == ""
+    question = Asked(
+        find,
+        formula,
+        letter,
+        dimension,
+        vector,
+        first.remark,
+        first.label,
+        section,
+        first.words if plain else ("", ""),
+        moving=first.moving,
+        said=first.said,
+        definitions=definitions,
     )
+    return in_parts(question) if resolved else question
 
 
 def entries(find: Find, history: History) -> tuple[Find, ...]:
@@ -254,6 +250,8 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         )
         raise Unclear(f"`{path.quantity}` runs from one state to a later one", help=help)
     intervals = timeline.between(start, end)
+    if path.quantity == "displacement" and path.point is not None:
+        return of_point(term, start, end, history), intervals[-1].name
     if path.quantity == "time":
         duration = history.instant(end).time() - history.instant(start).time()
         if len(intervals) == 1 and intervals[0].name in history.passages:
@@ -274,7 +272,29 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         result = add(result, part)
     if path.quantity == "turns":
         result = result / (2 * PI)
-    return Meaning(result, kind.dimension), intervals[-1].name
+    vector = blow(path, intervals[0].name, history) if path.quantity == "impulse" and len(intervals) == 1 else None
+    return Meaning(result, kind.dimension, vector, label=label_of(path, term)), intervals[-1].name
+
+
+def of_point(term: Term, start: str, end: str, history: History) -> Meaning:
+    """Displacement of a point of a body on a fixed axis: where it is at the end less where it was."""
+    path, dimension = term.path, DIMENSIONS["length"]
+    ref = PointRef(path.owner, path.point, path.argument)
+    instants = [history.instant(state) for state in (start, end)]
+    host = instants[0].host(path.owner)
+    turning = all(item.motion(host).kind == "axis" and item.angle(host) is not None for item in instants)
+    if not turning or any(item.host(path.owner) != host for item in instants):
+        raise NotYet(
+            f"the displacement of `{path.owner}.{path.point}` is not solved yet",
+            help=f"solved is a point of a body on a fixed axis whose angle the states tell: `{host}.angle`",
+        )
+    way = instants[1].point(ref) - instants[0].point(ref)
+    label = f"displacement of {spoken_point(path)}"
+    if path.component in ("x", "y"):
+        return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label)
+    if path.component is not None:
+        raise NotYet(f"the {path.component} part of a displacement has no meaning", help="ask for `x` or `y`")
+    return Meaning(size_of(way), dimension, way, label=label)
 
 
 def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
@@ -293,10 +313,13 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
         return stored_difference(term, start, end, history)
     first = history.reader(start).meaning(term.path, term)
     last = history.reader(end).meaning(term.path, term)
-    change = first.formula - last.formula if term.modifier == "lost" else last.formula - first.formula
-    intervals = history.arrangement.timeline.between(start, end)
+    section = history.arrangement.timeline.between(start, end)[-1].name
     label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
-    return Meaning(change, first.dimension, label=label), intervals[-1].name
+    earlier, later = (last, first) if term.modifier == "lost" else (first, last)
+    if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
+        gap = tidy(later.vector - earlier.vector)
+        return Meaning(size_of(gap), first.dimension, gap, label=label), section
+    return Meaning(later.formula - earlier.formula, first.dimension, label=label), section
 
 
 def stored_difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
@@ -335,6 +358,7 @@ def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, s
     )
     amount, _ = meaning_of(replace(other, start=start, end=end), history)
     word = term.path.quantity.replace("_", " ")
+    vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
     return Meaning(
-        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, label=f"mean {word}"
+        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, vector, label=f"mean {word}"
     ), section

@@ -9,10 +9,11 @@ from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer
+from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.compose import Composer
-from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Asked
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Find
 

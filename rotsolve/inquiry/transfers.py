@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, add, negate, sqrt
 from rotsolve.core.facts import signed
-from rotsolve.core.heading import UP
+from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import running
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.encounters import participants
 from rotsolve.principles.energy import potential
 from rotsolve.scene.model import Path
 
@@ -34,6 +35,30 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     for size in sizes:
         squares = add(squares, size**2)
     return sqrt(squares)
+
+
+def blow(path: Path, interval: str, history: History) -> Vector | None:
+    """The blow of an event or support on its last-named body, where it has two components; else none is needed."""
+    encounter = history.encounters.get(interval)
+    if encounter is None or path.component is not None:
+        return None
+    last = last_named(path.owner, interval, history)
+    hit = [item for item in encounter.meetings if any(found.owner == path.owner for found in item.blows)]
+    chosen = next((item for item in hit if item.body.name == last), hit[-1] if hit else None)
+    blows = chosen.blows if chosen is not None else ()
+    parts = [part for item in blows if item.owner == path.owner for part in item.vector.parts]
+    return Vector(tuple(parts)) if len(parts) > 1 else None
+
+
+def last_named(owner: str, interval: str, history: History) -> str:
+    """The body that an event or connection names last."""
+    found = history.arrangement.timeline.interval(interval)
+    assert found is not None and found.event is not None
+    instant = history.instant(found.start)
+    items = [item for item in history.arrangement.connections(found.start) if item.name == owner]
+    refs = participants(found.event) if found.event.name == owner else items[0].touches() if items else ()
+    bodies = [ref.owner for ref in refs if ref.owner in history.arrangement.bodies]
+    return instant.host(bodies[-1]) if bodies else ""
 
 
 def impulse_over(path: Path, passage: Passage) -> Formula:

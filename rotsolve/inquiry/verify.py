@@ -15,7 +15,8 @@ from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
+from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
 
@@ -46,7 +47,7 @@ def alone(inquiry: Inquiry) -> Iterator[Check]:
 def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [
-        answered for answered in inquiry.answered if answered.found.formula is not None and depends(answered, inquiry)
+        answered for answered in inquiry.wholes() if answered.found.formula is not None and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
         other = Inquiry(inquiry.history, families_for(law), spare=True)
@@ -155,7 +156,7 @@ def dimensions(inquiry: Inquiry) -> Iterator[Check]:
 def limits(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
     best: tuple[int, Words] | None = None
-    for answered in inquiry.answered[:2]:
+    for answered in inquiry.wholes()[:2]:
         formula = answered.found.formula
         if formula is None or formula.symbols() == frozenset():
             continue

@@ -168,11 +168,11 @@ def positive_part(size: Formula, direction: Heading) -> tuple[Formula, Heading]:
 
 
 def polar(arm: Vector) -> Vector:
-    """A slanted vector as one size along one direction, where the direction is a plain angle: d at 45°, not s/2 right and s/2 up."""
+    """A slanted vector as one size along one direction, where that holds no letters: d at 45°, not s/2 right and s/2 up."""
     if len(arm.parts) < 2:
         return arm
     direction = direction_of(arm)
-    if direction.terms:
+    if any(angle.symbols() for angle, _ in direction.terms):
         return arm
     x, y = arm.along(RIGHT), arm.along(UP)
     return Vector(((simplify(sqrt(x**2 + y**2), positive=(x + y).symbols()), direction),))

@@ -14,7 +14,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Derivation, Equality, LawLine, Move, Section, Words
 from rotsolve.render.layout import release
 from rotsolve.render.options import Options
-from rotsolve.render.voice import TEXT, certified, machine_number, shown
+from rotsolve.render.voice import TEXT, certified, figures, machine_number, shown
 
 if TYPE_CHECKING:
     from rotsolve.scene.model import Given
@@ -126,7 +126,10 @@ def move_data(move: Move) -> dict[str, Any]:
 
 
 def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
-    """An answer; `value` keeps its sign in the declared sense even where words tell the direction."""
+    """An answer; `value` keeps its sign in the declared sense even where words tell the direction.
+
+    Of a vector `value` is the size, `angle` the degrees to the horizontal where it is slanted, `components` hold x and y.
+    """
     value, note = certified(answer, digits)
     return {
         "name": answer.name,
@@ -136,6 +139,7 @@ def answer_data(answer: Answer, digits: int) -> dict[str, Any]:
         "note": note,
         "unit": answer.unit.text if answer.unit is not None else "",
         "direction": answer.direction,
+        "angle": machine_number(figures(answer.angle, digits)[0]) or None,
         "word": answer.word,
         "remark": words(answer.remark),
         "components": [answer_data(component, digits) for component in answer.components],

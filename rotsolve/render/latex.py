@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Move, Section
 from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
-from rotsolve.render.voice import LATEX, exact, lettered, shown
+from rotsolve.render.voice import LATEX, exact, lettered, shown, shown_components
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}
@@ -146,7 +146,7 @@ def answer_rows(answer: Answer, digits: int) -> Iterator[str]:
     symbol = LATEX.formula(answer.symbol)
     shown_sides = f"{symbol} &= {' = '.join(parts)}" if parts else f"{symbol} &"
     yield shown_sides + (words_cell(aside.removeprefix(", ").strip()) if aside else "")
-    for component in answer.components:
+    for component in shown_components(answer):
         yield from answer_rows(component, digits)
 
 

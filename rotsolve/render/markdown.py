@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
 from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
-from rotsolve.render.voice import MARKDOWN, exact, lettered, shown
+from rotsolve.render.voice import MARKDOWN, exact, lettered, shown, shown_components
 
 
 def body(derivation: Derivation, options: Options) -> str:
@@ -99,7 +99,7 @@ def answer_lines(answer: Answer, digits: int, inset: str = "") -> Iterator[str]:
     parts = [MARKDOWN.formula(answer.symbol), *([MARKDOWN.formula(formula)] if formula is not None else [])]
     parts += [amount] if amount else []
     yield f"{inset}- {MARKDOWN.math(' = '.join(parts))}{MARKDOWN.aside(answer, digits)}"
-    for component in answer.components:
+    for component in shown_components(answer):
         yield from answer_lines(component, digits, inset + "  ")
 
 

@@ -8,7 +8,7 @@ from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Mov
 from rotsolve.render.layout import ARROW, GAP, HELD, Line, Row, hold, labelled, page, paragraph, release, table, wrap
 from rotsolve.render.matrix import text_rows
 from rotsolve.render.options import Options
-from rotsolve.render.voice import TEXT, exact, lettered, shown
+from rotsolve.render.voice import TEXT, exact, lettered, shown, shown_components
 
 SEPARATOR = "─" * 72
 
@@ -152,7 +152,7 @@ def answer_rows(answer: Answer, digits: int, inset: str = "") -> Iterator[Row]:
         yield Row(f"{inset}{symbol} = {sides[0] if sides else hold(amount)}{aside}")
     else:
         yield Row(f"{inset}{symbol}: {aside.removeprefix(', ').strip()}")
-    for component in answer.components:
+    for component in shown_components(answer):
         yield from answer_rows(component, digits, inset + HELD * 2)
 
 

@@ -16,6 +16,7 @@ from rotsolve.render.layout import hold
 from rotsolve.render.prose import latex_prose, markdown_prose
 
 if TYPE_CHECKING:
+    from rotsolve.algebra.certified.ball import Certified
     from rotsolve.algebra.units.quantities import Unit
     from rotsolve.scene.model import Given
 
@@ -85,20 +86,36 @@ class Voice:
 
     def aside(self, answer: Answer, digits: int) -> str:
         """What is said behind an answer: its direction and its word, and in brackets its remark and what is not certain."""
-        said = "".join(f", {self.prose(text)}" for text in (answer.direction, answer.word) if text)
+        direction = ", at ".join(part for part in (answer.direction, slope(answer, digits)) if part)
+        said = "".join(f", {self.prose(text)}" for text in (direction, answer.word) if text)
         notes = (self.prose(certified(answer, digits)[1]), self.words(answer.remark))
         return said + "".join(f" ({note})" for note in notes if note)
 
 
+def slope(answer: Answer, digits: int) -> str:
+    """The angle of a slanted vector: "53.13° to the horizontal"."""
+    return f"{figures(answer.angle, digits)[0]}° to the horizontal" if answer.angle is not None else ""
+
+
+def shown_components(answer: Answer) -> tuple[Answer, ...]:
+    """The parts of an answer that a reader should see."""
+    return () if answer.brief else answer.components
+
+
 def certified(answer: Answer, digits: int) -> tuple[str, str]:
     """The digits of an answer, and a note where fewer of them can be certified than were asked for."""
+    return figures(answer.value, digits)
+
+
+def figures(value: Certified | None, digits: int) -> tuple[str, str]:
+    """The digits of a number, and a note where fewer of them can be certified than were asked for."""
     from rotsolve.algebra.certified.balls import Undefined
 
-    if answer.value is None:
+    if value is None:
         return "", ""
     for fewer in range(digits, 0, -1):
         try:
-            text = answer.value.text(fewer)
+            text = value.text(fewer)
         except Undefined:
             continue
         return text, "" if fewer == digits else f"only {fewer} {'digit' if fewer == 1 else 'digits'} can be certified"

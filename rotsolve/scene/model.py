@@ -150,7 +150,7 @@ ANY_TIME = "any time"  # in place of a state: the moment that runs through a pha
 class Term:
     """One operand of a `find`: a path with its modifier and its own time.
 
-    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of', 'which of'.
+    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of'.
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 
@@ -167,10 +167,29 @@ class Term:
 
 
 @dataclass(frozen=True, slots=True)
+class Option:
+    """One option of a choice: a quantity, or several compared by `signs` (<, >, ≤, ≥, =), one between each two."""
+
+    label: str
+    sides: tuple[Find, ...]
+    signs: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Choice:
+    """`which of` the options: the `largest` or `smallest`, what is `above` or `below` a bound; no test: whose comparison holds."""
+
+    options: tuple[Option, ...]
+    test: str = ""
+    bound: Find | None = None
+
+
+@dataclass(frozen=True, slots=True)
 class Find:
     """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`.
 
     An entry of a matrix or vector that is asked for as a whole has the name of that in `whole`.
+    A `choice` is answered by the label of an option; `terms` are then all that its options speak of.
     """
 
     name: str
@@ -182,6 +201,7 @@ class Find:
     text: str = ""
     span: Span | None = None
     whole: str = ""
+    choice: Choice | None = None
 
     @property
     def group(self) -> str:
@@ -212,9 +232,9 @@ class Published:
     unit: Unit | None = None
     span: Span | None = None
     values: tuple[Formula, ...] = ()
+    formulas: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
     at: Moment | None = None
-    formulas: tuple[Formula, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

@@ -11,6 +11,7 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem
+from rotsolve.scene.phrase.choices import read_choice
 from rotsolve.scene.phrase.phrases import read_find
 from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
@@ -224,7 +225,10 @@ class Sections:
             if isinstance(item, Text) and item.empty:
                 continue
             if key.value in own or self.asked(key.value):
-                find = read_find(self.scope, key.value, key, item, asked)
+                if isinstance(item, Map):
+                    find = read_choice(self.scope, key.value, key, item, asked)
+                else:
+                    find = read_find(self.scope, key.value, key, item, asked)
                 asked.setdefault(key.value, None)
                 found.append(find)
         return tuple(find for find in found if find is not None)

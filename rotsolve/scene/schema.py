@@ -6,6 +6,7 @@ from typing import Any
 
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
+from rotsolve.scene.phrase.choices import IS, WORD
 from rotsolve.scene.reader.elements import TABLES
 from rotsolve.scene.sections import BODY, PART, PHASE, SECTIONS
 from rotsolve.scene.values.scope import NAME
@@ -21,6 +22,20 @@ ABOUT: dict[str, Any] = {
     "properties": {"value": SCALAR, "about": {"type": "string"}},
     "additionalProperties": False,
     "required": ["value"],
+}
+CHOICE: dict[str, Any] = {
+    "type": "object",
+    "properties": {
+        WORD: {
+            "type": "object",
+            "additionalProperties": SCALAR,
+            "minProperties": 2,
+            "description": "options by label: quantities, or comparisons such as `3 < n < 6`",
+        },
+        IS: {"type": "string", "description": "which quantity: `largest`, `smallest`, `above X`, `below X`"},
+    },
+    "required": [WORD],
+    "additionalProperties": False,
 }
 FRICTION: dict[str, Any] = {
     "anyOf": [
@@ -64,7 +79,7 @@ def section(name: str, key: Key) -> dict[str, Any]:
         "bodies": named({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, {"$ref": "#/$defs/body"}]}),
         "states": named({"anyOf": [{"const": "at rest"}, {"type": "object"}]}),
         "phases": named(table(PHASE)),
-        "find": {**named({"type": ["string", "number"]}), "minProperties": 1},
+        "find": {**named({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
         "answers": {"type": "object"},
         "marking": {"type": "object"},
         "vary": {"type": "object"},

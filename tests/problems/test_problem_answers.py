@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -25,6 +26,7 @@ from rotsolve.solution import AnswerView, Solution
 ACCURACY = Fraction(1, 10**9)
 WIDTH = 100
 RUNNING = {"time": Symbol("t")}  # as the running time is printed
+RAW = re.compile(r"[a-z_]\|[a-z_]")  # the key of a quantity of the laws, which no reader should see
 
 
 @cache
@@ -37,9 +39,8 @@ def letters(solution: Solution) -> frozenset[str]:
     return frozenset({given.name for given in solution.problem.givens} | {"g"})
 
 
-def published_formula(entry: Published, solution: Solution) -> Formula | None:
+def published_formula(formula: Formula | None, solution: Solution) -> Formula | None:
     """The published formula over givens alone: what stands for another answer is put in."""
-    formula = entry.formula
     others = {item.name: item.formula for item in solution.problem.answers if item.formula is not None}
     givens = {given.name for given in solution.problem.givens if not given.asked}
     for _ in others:
@@ -91,8 +92,10 @@ def differences(entry: Published, answer: AnswerView, solution: Solution) -> lis
     if answer.answer.rows:
         assert entry.formulas and entry.values, f"{entry.name} wants formulas and values entry by entry"
         return matrix_differences(entry, answer, solution)
+    if entry.values or entry.formulas:
+        return component_differences(entry, answer, solution)
     wrong = []
-    expected = published_formula(entry, solution)
+    expected = published_formula(entry.formula, solution)
     if expected is not None:
         if answer.formula is None:
             wrong.append(f"{entry.name}: no closed form; published {entry.text}")
@@ -107,6 +110,20 @@ def differences(entry: Published, answer: AnswerView, solution: Solution) -> lis
             wrong.append(f"{entry.name} = {answer.value} {answer.unit}; published {entry.text}")
     if entry.formula is None and entry.value is None and entry.text not in (answer.word, answer.direction):
         wrong.append(f"{entry.name}: {answer.word or answer.direction!r}; published {entry.text!r}")
+    return wrong
+
+
+def component_differences(entry: Published, answer: AnswerView, solution: Solution) -> list[str]:
+    """Where the components of a vector differ from the published list, each compared like an answer."""
+    parts = list(answer.components.values())
+    lists = [found for found in (entry.formulas, entry.values) if found]
+    if any(len(found) != len(parts) for found in lists):
+        return [f"{entry.name} has {len(parts)} components; published {entry.text}"]
+    wrong = []
+    for place, part in enumerate(parts):
+        formula = entry.formulas[place] if entry.formulas else None
+        value = entry.values[place] if entry.values else None
+        wrong += differences(Published(part.name, entry.text, formula, value), part, solution)
     return wrong
 
 
@@ -134,7 +151,9 @@ def test_each_law_that_applies_gives_the_same_answers(problem_file: Path, law: s
 
 def test_printed_formulas_read_back_as_the_answers(problem_file: Path) -> None:
     solution = solved(problem_file)
-    for answer in solution.answers.values():
+    answers = list(solution.answers.values())
+    answers += [part for answer in answers for part in answer.components.values()]
+    for answer in answers:
         if answer.formula is not None:
             printed = to_text(answer.formula)
             assert equal(parse(printed, answer.formula.symbols()), answer.formula), printed
@@ -151,6 +170,7 @@ def test_nothing_objects_to_the_answers(problem_file: Path) -> None:
 def test_golden_derivation_is_unchanged(problem_file: Path, regenerate: bool) -> None:
     golden = problem_file.parent / "golden" / f"{problem_file.stem}.txt"
     text = solved(problem_file).to("text", width=WIDTH)
+    assert not RAW.search(text), "a letter of the laws has no printed name"
     if regenerate:
         assert not check_answers(solved(problem_file)), "wrong answers are not written as golden"
         golden.parent.mkdir(exist_ok=True)

@@ -15,6 +15,7 @@ from typing import Any
 
 import pytest
 
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer, Check, Derivation
 from rotsolve.render import FORMATS, format_named, format_of_file
@@ -82,6 +83,7 @@ def test_json_holds_certified_digits_and_both_notations(rod_released: Derivation
         "note": "",
         "unit": "rad/s",
         "direction": "clockwise",
+        "angle": None,
         "word": "",
         "remark": "",
         "components": [],
@@ -111,12 +113,25 @@ def test_an_answer_that_is_a_word(block_on_disc: Derivation, made: Any) -> None:
 
 def test_an_answer_with_components(block_on_disc: Derivation, made: Any) -> None:
     parts = (made.answer("F_x", "m g", "−3.1", "N"), made.answer("F_y", "2 m g", "6.2", "N"))
-    vector = made.answer("F", "sqrt(5) m g", "6.9", "N", "up and to the left", components=parts)
+    angle = evaluate(parse("atan(2)*180/pi"), {})
+    vector = replace(made.answer("F", "sqrt(5) m g", "6.9", "N", "up and to the left", components=parts), angle=angle)
     assert printed(answers(block_on_disc, vector)).splitlines() == [
-        "  F = √5 m g       = 6.9 N, up and to the left",
+        "  F = √5 m g       = 6.9 N, up and to the left, at 63.43° to the horizontal",
         "    Fₓ = m g       = −3.1 N",
         "    F_y = 2 m g    = 6.2 N",
     ]
+    data = json.loads(format_named("json").body(answers(block_on_disc, vector), Options()))["answers"][0]
+    assert data["angle"] == "63.43"
+    assert [part["name"] for part in data["components"]] == ["F_x", "F_y"]
+
+
+@pytest.mark.parametrize("format", ["text", "markdown", "latex"])
+def test_a_brief_vector_is_told_by_size_and_direction(block_on_disc: Derivation, made: Any, format: str) -> None:
+    parts = (made.answer("F_x", "0", "0", "N"), made.answer("F_y", "m g", "6.2", "N"))
+    vector = made.answer("F", "m g", "6.2", "N", "up", components=parts)
+    body = format_named(format).body
+    assert "F_y" not in body(answers(block_on_disc, replace(vector, brief=True)), Options()).replace("_{y}", "_y")
+    assert "F_y" in body(answers(block_on_disc, vector), Options()).replace("_{y}", "_y")
 
 
 def test_a_small_number_has_a_power_of_ten(block_on_disc: Derivation, made: Any) -> None:

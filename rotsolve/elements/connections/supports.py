@@ -200,9 +200,9 @@ def reaction(
     They are reversed on the carrier of a joint, where `opposite` is the other body.
     """
     name = instant.host(ref.owner)
-    held = instant.host((opposite or ref).owner)
-    # what carries an off-centre body round changes its direction with it, so that it belongs to one moment
-    span = instant.when if instant.frame(held).cm.parts else instant.span(held)
+    turned = instant.host((opposite or ref).owner)
+    # a force that holds a centre of mass off the axis turns with the body, so that it is one of the moment
+    span = instant.span(turned) if instant.arrangement.balanced(turned, instant.state) else instant.when
     for axis, direction in (("x", RIGHT), ("y", UP)):
         component = f"{axis}_{name}" if several else axis
         words = ("right", "left") if axis == "x" else ("up", "down")

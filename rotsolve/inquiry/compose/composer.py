@@ -13,9 +13,11 @@ from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
+from rotsolve.inquiry.compose.slope import slope
 from rotsolve.scene.model import Condition, Moment, Problem
 from rotsolve.solver import Ref, Step
 
@@ -49,7 +51,7 @@ class Composer:
             givens=tuple(
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
-            finds=tuple(dict.fromkeys(self._find(answered) for answered in self.inquiry.in_order())),
+            finds=tuple(dict.fromkeys((Symbol(item.find.group),) for item in self.inquiry.in_order())),
             states=tuple(
                 state_words(state.name, state.conditions, self._reached(state.name)) for state in self.problem.states
             ),
@@ -70,8 +72,9 @@ class Composer:
 
     def _section(self, draft: Draft) -> Section:
         laws = tuple(self._law(index) for index in draft.laws)
-        moves = tuple(self._move(step) for step in draft.steps)
-        return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, moves)
+        moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
+        moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
+        return Section(title(draft.key, self.history), self._forces(draft), self._remarks(draft), laws, tuple(moves))
 
     def _law(self, index: int) -> LawLine:
         equation = self.pool[index]
@@ -87,6 +90,14 @@ class Composer:
         chain = tuple(Equality(self.printed(one.left), self.printed(one.right)) for one in readable(step.chain))
         number = self.numbers.get(("step", step.number))
         return Move(self._sources(step), chain, number, self.words(step.reason))
+
+    def _slope(self, step: Step) -> Iterator[Move]:
+        """Behind the step that gives the size of a vector its direction."""
+        for answered in self.inquiry.wholes():
+            if answered.parts and answered.steps[0] < answered.steps[1] == step.number:
+                move = slope(self.results.answer(answered), self.results)
+                if move is not None:
+                    yield move
 
     def _sources(self, step: Step) -> str:
         """(3) and (4) in (2)."""
@@ -169,8 +180,18 @@ class Composer:
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
-        for answered in self.inquiry.answered:
+        for answered in self.inquiry.wholes():
             chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+        taken = frozenset(given.name for given in self.problem.givens)
+        for part in (item for item in self.inquiry.answered if item.asked.whole and not item.asked.direct):
+            twin = next((item for item in self.inquiry.wholes() if item.asked.same_as(part.asked)), None)
+            if twin is not None:
+                chosen.setdefault(part.asked.letter, twin.asked.find.name)
+                continue
+            name = part.asked.find.name
+            while name in taken | set(chosen.values()):
+                name += "_"
+            chosen.setdefault(part.asked.letter, name)
         used: dict[str, None] = {}
         for name in self._occurring():
             used[name] = None
@@ -216,7 +237,7 @@ class Composer:
                     yield from sorted(one.left.symbols() | one.right.symbols())
                     yield from sorted(bound(one.left) | bound(one.right))
             yield from self._in_forces(draft)
-        for answered in self.inquiry.answered:
+        for answered in (*self.inquiry.answered, *(side for chosen in self.inquiry.chosen for side in chosen.sides)):
             yield from sorted(answered.asked.formula.symbols())
 
     def _in_forces(self, draft: Draft) -> Iterable[str]:
@@ -253,9 +274,6 @@ class Composer:
         )
 
     # head
-
-    def _find(self, answered: Answered) -> Words:
-        return (Symbol(answered.asked.find.group),)
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)

@@ -2,38 +2,53 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Answered, Inquiry
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
 from rotsolve.solver import Step
 
 
 @dataclass
 class Draft:
-    """One section in the making: the laws (pool indices) and steps that belong to it."""
+    """One section in the making: the laws (pool indices), steps and choices that belong to it."""
 
     key: str
     laws: list[int] = field(default_factory=list)
     steps: list[Step] = field(default_factory=list)
+    choices: list[Chosen] = field(default_factory=list)
 
 
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
+    homes: dict[str, str] = {}
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     placed: set[int] = set()
     for answered in inquiry.answered:
         laws = [index for index in answered.used if is_law(index, inquiry)]
-        key = home(answered, laws, inquiry)
+        key = home(answered, laws, inquiry) or latest(answered.asked.formula.symbols() & set(homes), homes, order)
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
             index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
         )
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+        homes.setdefault(answered.asked.letter, key)
+    for chosen in inquiry.chosen:
+        letters = {side.asked.letter for side in chosen.sides} & set(homes) or set(homes)
+        last = latest(letters, homes, order)
+        drafts.setdefault(last, Draft(last)).choices.append(chosen)
+    filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
+    return sorted(filled, key=lambda draft: order.get(draft.key, -1))
+
+
+def latest(letters: Collection[str], homes: Mapping[str, str], order: Mapping[str, int]) -> str:
+    """The last of the sections in which letters are found: where something made of them belongs."""
+    return max((homes[letter] for letter in sorted(letters)), key=lambda key: order.get(key, -1), default="")
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:

@@ -8,15 +8,16 @@ from dataclasses import dataclass, replace
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import length
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.tensor import ENTRIES, ONE_AXIS
-from rotsolve.inquiry.answering import Answered, Inquiry, families_for
+from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answers import Answered, Chosen
+from rotsolve.inquiry.questions import Asked, component
 from rotsolve.scene.model import Moment
 from rotsolve.solver import Found
 
@@ -33,10 +34,19 @@ class Results:
 
     def answers(self) -> tuple[Answer, ...]:
         """All answers in the order in which the scene asks; the entries of a matrix or vector as one."""
-        groups: dict[str, list[Answered]] = {}
-        for answered in self.inquiry.in_order():
-            groups.setdefault(answered.asked.find.group, []).append(answered)
-        return tuple(self._whole(name, group) for name, group in groups.items())
+        groups: dict[str, list[Answered | Chosen]] = {}
+        for item in self.inquiry.in_order():
+            groups.setdefault(item.find.group, []).append(item)
+        return tuple(self._group(name, group) for name, group in groups.items())
+
+    def _group(self, name: str, group: list[Answered | Chosen]) -> Answer:
+        """A label, or what is answered under one name."""
+        labels = [item for item in group if isinstance(item, Chosen)]
+        return (
+            self.label(labels[0])
+            if labels
+            else self._whole(name, [item for item in group if isinstance(item, Answered)])
+        )
 
     def _whole(self, name: str, group: list[Answered]) -> Answer:
         """One answer, or a matrix or vector with its entries as components."""
@@ -64,14 +74,91 @@ class Results:
             asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
         )
         value = self._value_in(found, unit)
-        direction, signed = self._direction(answered, value)
-        symbol, remark = Symbol(asked.find.name), self._when(found)
-        return Answer(asked.find.name, symbol, formula, value, unit, asked.dimension, direction, signed, remark=remark)
+        parts = self.components(answered)
+        direction, signed = self._direction(answered, value, parts)
+        return Answer(
+            asked.find.name,
+            self._symbol(asked),
+            formula,
+            value,
+            unit,
+            asked.dimension,
+            direction,
+            signed,
+            components=parts if asked.resolves else (),
+            angle=self._slope(parts) if asked.points else None,
+            remark=self._when(found),
+            brief=not answered.parts or any(part.formula == ZERO for part in parts),
+        )
 
     def _when(self, found: Found) -> Words:
         """The time at which a function of time has the value that is printed."""
         runs = found.formula is not None and TIME in found.formula.symbols()
         return ("at ", self.printed(Symbol(TIME)), f" = {self.at.text}") if self.at is not None and runs else ()
+
+    def label(self, chosen: Chosen) -> Answer:
+        """The answer to a choice: the label, with the comparisons as its reason."""
+        name = chosen.find.name
+        return Answer(name, Symbol(name), None, None, None, None, word=chosen.word, remark=self.reason(chosen))
+
+    def reason(self, chosen: Chosen) -> Words:
+        """c: 4 rad > 3.142 rad; a: 3 rad ≤ 3.142 rad: what was chosen first."""
+        words: list[str | Formula] = []
+        for verdict in sorted(chosen.verdicts, key=lambda item: not item.holds):
+            words += ["; " if words else "", f"{verdict.label}: "]
+            if verdict.own is not None:
+                words += self.amount(verdict.own)
+                continue
+            for number, item in enumerate(verdict.compared):
+                words += [", " if number else "", *self.amount(item.left), f" {item.relation} "]
+                words += self.amount(item.right)
+        return tuple(words)
+
+    def amount(self, answered: Answered) -> Words:
+        """A quantity by its number with the unit, else by its letter."""
+        answer = self.answer(answered)
+        if answer.value is None:
+            return (answer.formula or answer.symbol,)
+        unit = "" if answer.unit is None else answer.unit.text
+        try:
+            return (f"{answer.value.text(4)} {unit}".strip(),)
+        except Undefined:
+            return (answer.symbol,)
+
+    def _symbol(self, asked: Asked) -> Formula:
+        """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
+        printed = self.printed(Symbol(asked.letter)) if asked.whole else Symbol(asked.find.name)
+        return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
+
+    def components(self, answered: Answered) -> tuple[Answer, ...]:
+        """The x and y parts of a vector: as the derivation found them, else worked out aside."""
+        if answered.parts:
+            return tuple(self.answer(part) for part in answered.parts)
+        vector = answered.asked.vector
+        if vector is None:
+            return ()
+        found = []
+        for axis in "xy":
+            part = component(answered.asked, vector, axis)
+            value = self._settled(part.formula)
+            if any(SEPARATOR in name for name in value.symbols()):
+                return ()
+            found.append(self.answer(Answered(part, Found(part.letter, value), ())))
+        return tuple(found)
+
+    def _settled(self, value: Formula) -> Formula:
+        """A formula with all letters of the laws worked out, as far as they can be."""
+        value = self.inquiry.solver.with_answers(self._solved(value))
+        if any(SEPARATOR in name for name in value.symbols()):
+            value = Inquiry(self.inquiry.history, families_for(None)).settled(value) or value
+        return self.inquiry.solver.simplify(value)
+
+    def _slope(self, parts: tuple[Answer, ...]) -> Certified | None:
+        """The angle of a slanted vector to the horizontal, in degrees."""
+        x, y = (part.formula for part in parts) if parts else (None, None)
+        if x is None or y is None or not all(part.value is not None and part.value.sign for part in parts):
+            return None
+        return self.value(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI)
 
     def _readable(self, answered: Answered) -> Formula:
         """The closed form; one that no page would hold stays in the letters found before."""
@@ -106,11 +193,11 @@ class Results:
         except Undefined:
             return None
 
-    def _direction(self, answered: Answered, value: Certified | None) -> tuple[str, bool]:
+    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> tuple[str, bool]:
         """Direction in words, and whether the number is still printed with its sign."""
         asked = answered.asked
         if asked.vector is not None:
-            heading = self.heading_words(asked.vector)
+            heading = heading_words(parts)
             return heading, not heading
         quantity = self.inquiry.history.registry.quantities.get(asked.letter)
         words = asked.words
@@ -120,27 +207,22 @@ class Results:
             return "", True
         return words[0 if value.sign > 0 else 1], False
 
-    def heading_words(self, vector: Vector) -> str:
-        """Down and to the right, with the angle left to the numbers."""
-        sides = []
-        for axis in (UP, RIGHT):
-            component = self.inquiry.solver.with_answers(self._solved(vector.along(axis)))
-            if any(SEPARATOR in name for name in component.symbols()):
-                component = Inquiry(self.inquiry.history, families_for(None)).settled(component) or component
-            try:
-                sides.append(evaluate(component, self.inquiry.values, digits=3).sign or 0)
-            except (Undefined, ValueError):
-                return ""
-        rise = {1: "up", -1: "down", 0: ""}[sides[0]]
-        side = {1: "to the right", -1: "to the left", 0: ""}[sides[1]]
-        return " and ".join(part for part in (rise, side) if part)
-
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""
         for step in reversed(self.inquiry.solver.steps):
             if step.result in value.symbols():
                 value = value.substitute({step.result: step.chain[-1].right})
         return value
+
+
+def heading_words(parts: tuple[Answer, ...]) -> str:
+    """Up and to the right: which way the components of a vector point, '' where nothing tells."""
+    signs = [0 if part.formula == ZERO else part.value.sign if part.value is not None else None for part in parts]
+    if not parts or None in signs:
+        return ""
+    side = {1: "to the right", -1: "to the left"}.get(signs[0] or 0, "")
+    rise = {1: "up", -1: "down"}.get(signs[1] or 0, "")
+    return " and ".join(part for part in (rise, side) if part)
 
 
 def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:

@@ -1,20 +1,22 @@
-"""Questions about a body or a point of one: velocity, energy, momentum, moment of inertia, torque, force, power."""
+"""Questions about a whole body: velocity, energy, momentum, moment of inertia, torque, force, power."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, add, total
-from rotsolve.core.facts import BodyFacts, Motion, signed, square
+from rotsolve.algebra.formula import ZERO, Formula, Number, total
+from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.inertias import OfInertias
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces
+from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
 
@@ -23,50 +25,6 @@ HALF = Number(Fraction(1, 2))
 
 class OfBodies(Moment):
     """Reads paths of bodies at one instant."""
-
-    def at_point(self, path: Path) -> bool:
-        """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("position", "velocity", "speed", "acceleration") and (
-            path.point is not None or not self._travels(path)
-        )
-
-    def _travels(self, path: Path) -> bool:
-        motion = self.instant.motion(path.owner)
-        return motion.kind == "line" and self.instant.host(path.owner) == path.owner
-
-    def of_point(self, path: Path) -> Meaning:
-        """Velocity or acceleration of a point: its size, or a component."""
-        instant = self.instant
-        ref = PointRef(path.owner, path.point or "cm", path.argument)
-        motion, arm = instant.motion(path.owner), instant.point(ref)
-        if path.quantity == "position":
-            return self._place(path, arm)
-        vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
-        dimension = BY_WORD[path.quantity].dimension
-        label = f"{path.quantity} of {spoken_point(path)}{carried(motion, arm, path.quantity)}"
-        if path.component in ("x", "y"):
-            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension, label=label)
-        if path.component in ("tangential", "normal"):
-            turned = arm.turned(90).times(motion.spin_rate if path.quantity == "acceleration" else motion.spin)
-            inward = arm.turned(180).times(square(motion.spin)) if path.quantity == "acceleration" else Vector()
-            part = turned if path.component == "tangential" else inward
-            return Meaning(size_of(part, signed_by=motion.sense), dimension, part)
-        remark = (
-            "at rest: no centripetal part"
-            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns
-            else ""
-        )
-        return Meaning(size_of(vector), dimension, vector, remark, label)
-
-    def _place(self, path: Path, arm: Vector) -> Meaning:
-        """A component of a point's place: that of the body's reference, and from there to the point."""
-        if path.component not in ("x", "y"):
-            raise NotYet("a place is asked by its components", help=f"ask for `{path_text(path)}.x` and `.y`")
-        name, direction = self.instant.host(path.owner), RIGHT if path.component == "x" else UP
-        if self.instant.motion(name).kind != "plane":
-            raise NotYet(f"where `{name}` is in the scene is not told", help="ask for a displacement")
-        place = self.instant.component("position", name, path.component)
-        return Meaning(add(place, arm.along(direction)), BY_WORD["position"].dimension)
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""
@@ -95,7 +53,7 @@ class OfBodies(Moment):
             case "angular_momentum" if component is not None:
                 return OfInertias(instant, self.facts).angular_momentum(path, term)
             case "angular_momentum":
-                return self._angular_momentum(name, term)
+                return self._share(path) if path.point else self._angular_momentum(name, term)
             case "momentum":
                 return self._momentum(name, component)
             case "torque":
@@ -158,6 +116,18 @@ class OfBodies(Moment):
             raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
         return body.inertia.letter * signed(body.motion.spin, body.motion.sense)
 
+    def _share(self, path: Path) -> Formula:
+        """(I + m r²) ω of one part of a body on a fixed axis."""
+        motion, own = self.instant.motion(path.owner), self.instant.frame(path.owner)
+        own_pieces = tuple(piece for piece in own.pieces if piece.name == path.point)
+        if motion.kind != "axis" or not own_pieces:
+            raise NotYet(
+                f"the angular momentum of `{path.owner}.{path.point}` alone is not solved yet",
+                help="solved is that of a part of a body on a fixed axis",
+            )
+        moment, _ = moment_about(own_pieces, own.reference, self.instant.arrangement.order)
+        return moment * signed(motion.spin, motion.sense)
+
     def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
         """r × m v + I ω about a point: the place where the body is about to touch another, from that body's pivot."""
         instant = self.instant
@@ -166,14 +136,15 @@ class OfBodies(Moment):
         orbital = place.cross(body.centre_velocity.scaled(body.mass))
         return total([part for part in (orbital, spin) if part != ZERO])
 
-    def _momentum(self, name: str, component: str | None) -> Formula:
+    def _momentum(self, name: str, component: str | None) -> Formula | Meaning:
         """m v along the line of travel, a component of it, or its size."""
         body = self.body(name)
         if component in ("x", "y"):
             return body.mass * body.centre_velocity.along(RIGHT if component == "x" else UP)
         if body.motion.kind == "line" and body.motion.heading is not None:
             return body.mass * body.motion.velocity.along(body.motion.heading)
-        return body.mass * size_of(body.centre_velocity)
+        momentum = body.centre_velocity.scaled(body.mass)
+        return Meaning(size_of(momentum), BY_WORD["momentum"].dimension, momentum)
 
     def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
@@ -188,17 +159,28 @@ class OfBodies(Moment):
         """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
         body = self.body(name)
         if component == "gravity":
-            return total([force.size for force in body.forces if force.role == "weight"])
+            weight = Vector(
+                tuple(part for force in body.forces if force.role == "weight" for part in force.vector.parts)
+            )
+            size = total([force.size for force in body.forces if force.role == "weight"])
+            return Meaning(size, BY_WORD["force"].dimension, tidy(weight))
         vector = Vector()
         for force in body.forces:
             vector = vector + force.vector
         if component in ("x", "y"):
             return vector.along(RIGHT if component == "x" else UP)
         pull = body.centre_acceleration.scaled(body.mass)
-        if component in ("tangential", "normal"):
-            part = pull.parts[:1] if component == "tangential" else pull.parts[1:]
-            return Meaning(size_of(Vector(part), signed_by=body.motion.sense), BY_WORD["force"].dimension, Vector(part))
-        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull)
+        if component in NATURAL:
+            if not body.cm.parts:
+                raise NotYet(
+                    f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                    help="ask for `x` or `y`",
+                )
+            part = about_centre(pull, body.cm, body.motion.sense, component or "")
+            return Meaning(
+                part, BY_WORD["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
+            )
+        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
 
     def _power(self, name: str, component: str | None) -> Formula:
         """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""
@@ -211,13 +193,6 @@ class OfBodies(Moment):
         else:
             parts += [couple.torque * body.motion.spin for couple in body.couples]
         return total([part for part in parts if part != ZERO])
-
-
-def carried(motion: Motion, arm: Vector, quantity: str) -> str:
-    """How a point moves with a body that travels and turns; nothing where that is plain."""
-    if motion.kind != "plane" or motion.spin == ZERO or not arm.parts:
-        return ""
-    return ", a_P = a + α × r − ω² r" if quantity == "acceleration" else ", v_P = v + ω × r"
 
 
 def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:

@@ -8,10 +8,12 @@ from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.strings import String
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.scene.model import Path
 
 
@@ -98,30 +100,28 @@ class OfElements(Moment):
                 return Symbol(letters[0])
             raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
         last = self._last_body(path.owner, [body.name for body, _ in forces])
-        vector = Vector()
+        vector, arm = Vector(), Vector()
         for body, force in forces:
             if body.name == last:
-                vector = vector + force.vector
+                vector, arm = vector + force.vector, force.arm
         if path.component in ("x", "y"):
             return vector.along(RIGHT if path.component == "x" else UP)
-        if path.component in ("tangential", "normal"):
-            return self._along_body(last, vector, path.component)
+        if path.component in NATURAL:
+            part = self._along_body(last, vector, arm, path.component or "")
+            label = f"{path.component} part of the force of {spoken(path.owner)}"
+            return Meaning(part, BY_WORD["force"].dimension, label=label)
         return Meaning(size_of(vector), BY_WORD["force"].dimension, vector)
 
-    def _along_body(self, name: str, vector: Vector, component: str) -> Formula:
-        """Component along the line from pivot to centre of mass (towards the pivot: normal), or across it."""
+    def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
+        """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""
         body = self.body(name)
-        if not body.cm.parts:
+        arm = arm if body.motion.kind == "axis" and arm.parts else body.cm
+        if body.motion.kind != "axis" or not arm.parts:
             raise NotYet(
                 f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
                 help="ask for `x` or `y`",
             )
-        outward = body.cm.parts[0][1]
-        return (
-            vector.along(outward.turned(180))
-            if component == "normal"
-            else vector.along(outward.turned(90 * body.motion.sense))
-        )
+        return about_centre(vector, arm, body.motion.sense, component)
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies that it pushes, the one that the connection names last."""

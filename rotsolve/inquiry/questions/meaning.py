@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from fractions import Fraction
 
-from rotsolve.algebra.formula import ZERO, Call, Formula, Product, sqrt
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.facts import signed, square
+from rotsolve.core.facts import square
 from rotsolve.core.faults import Span
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import Path, Term
 
@@ -27,7 +28,8 @@ class NotYet(ValueError):
 class Meaning:
     """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation.
 
-    `said` is a remark that holds formulas; `definitions` say what letters of its own stand for, as steps of the derivation.
+    `said` is a remark that holds formulas; `definitions` say what letters of its own stand for, as steps of the derivation;
+    `moving` is a velocity that must not vanish, where the question has a meaning only along it.
     """
 
     formula: Formula
@@ -38,15 +40,15 @@ class Meaning:
     words: tuple[str, str] = ("", "")
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
+    moving: Vector = NOWHERE
 
 
-def size_of(vector: Vector, *, signed_by: int = 0) -> Formula:
-    """Length of a vector: the size of its only part, else √(Σ components²); a signed single part keeps its sign."""
+def size_of(vector: Vector) -> Formula:
+    """Length of a vector: the size of its only part, else √(Σ components²)."""
     if not vector.parts:
         return ZERO
     if len(vector.parts) == 1:
-        size = vector.parts[0][0]
-        return signed(size, signed_by) if signed_by else absolute(size)
+        return absolute(vector.parts[0][0])
     headings = [direction for _, direction in vector.parts]
     if len(vector.parts) == 2 and (headings[0] - headings[1]).cos() == ZERO:
         return sqrt(square(vector.parts[0][0]) + square(vector.parts[1][0]))
@@ -57,21 +59,26 @@ def absolute(size: Formula) -> Formula:
     """|size| with the bars round the quantities that may be negative only: L |α|."""
     plain = size.operand if hasattr(size, "operand") else size
     factors = plain.factors if isinstance(plain, Product) else (plain,)
-    inside = [part for part in factors if any("|" in name for name in part.symbols())]
+    varying = [part for part in factors if any("|" in name for name in part.symbols())]
+    inside = [part for part in varying if not is_square(part)]
     outside = [part for part in factors if part not in inside]
     if not inside:
-        return Call("abs", (plain,)) if plain.symbols() else plain
+        return Call("abs", (plain,)) if plain.symbols() and not varying else plain
     bars: Formula = Call("abs", (inside[0] if len(inside) == 1 else Product(tuple(inside)),))
     for part in reversed(outside):
         bars = part * bars
     return bars
 
 
+def is_square(value: Formula) -> bool:
+    return isinstance(value, Power) and value.exponent == Number(Fraction(2))
+
+
 def label_of(path: Path, term: Term | None) -> str:
     """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
     word = spoken(path.quantity)
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    owner = spoken(path.owner)
+    owner = spoken_point(path) if path.point else spoken(path.owner)
     about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"

@@ -10,12 +10,15 @@ from dataclasses import replace
 from rotsolve.algebra.formula import Formula, total
 from rotsolve.core.directions import opposite
 from rotsolve.core.facts import signed
+from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.elements import OfElements
 from rotsolve.inquiry.questions.inertias import OfInertias
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, size_of
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.inquiry.questions.points import OfPoints
+from rotsolve.motion.rigid import tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, Term
 
@@ -27,8 +30,9 @@ class Reader(Moment):
         """The meaning of a path at this instant."""
         arrangement = self.instant.arrangement
         if path.owner in arrangement.bodies:
+            points = OfPoints(self.instant, self.facts)
             bodies = OfBodies(self.instant, self.facts)
-            found = bodies.of_point(path) if bodies.at_point(path) else bodies.of_body(path, term)
+            found = points.of_point(path) if points.at_point(path) else bodies.of_body(path, term)
         elif not path.owner:
             found = self._of_system(path)
         else:
@@ -60,7 +64,7 @@ class Reader(Moment):
         line = self.instant.arrangement.line(name, self.instant.state)
         return (line[1], opposite(line[1])) if line and quantity in ("velocity", "acceleration") else ("", "")
 
-    def _of_system(self, path: Path) -> Formula:
+    def _of_system(self, path: Path) -> Formula | Meaning:
         """A quantity of all bodies together."""
         facts = self.facts()
         match path.quantity:
@@ -72,6 +76,12 @@ class Reader(Moment):
                 return total(
                     [body.inertia.letter * signed(body.motion.spin, sense) for body in turning if body.inertia]
                 )
+            case "momentum":
+                momenta = [body.centre_velocity.scaled(body.mass) for body in facts.bodies]
+                whole = tidy(Vector(tuple(part for momentum in momenta for part in momentum.parts)))
+                if path.component is not None:
+                    return whole.along(RIGHT if path.component == "x" else UP)
+                return Meaning(size_of(whole), BY_WORD["momentum"].dimension, whole)
             case "time":
                 return self.instant.time()
             case "mass":

@@ -28,8 +28,10 @@ from rotsolve.scene.words import quoted
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
 ALONE = ("lost", "total", "mean", "largest", "smallest")
-LATER = ("period of", "frequency of", "angular_frequency of", "which of", "angle of")
-MODIFIERS = ("size of", "change of", *ALONE, *LATER)
+LATER = ("period of", "frequency of", "angular_frequency of", "angle of")
+WHICH = "which of"
+WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
+MODIFIERS = ("size of", "change of", *ALONE, *LATER, WHICH)
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
 
@@ -51,6 +53,15 @@ def read_find(scope: Scope, name: str, key: Text, node: Node, answers: dict[str,
     if len(node.value) > 1000:
         scope.fault(node, f"the phrase of `{name}` is too long", "at most 1000 characters", "limit")
         return None
+    found = read_phrase(scope, name, key, node, answers)
+    if found is None:
+        return None
+    find, answers[name] = found
+    return find
+
+
+def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[str, Any]) -> tuple[Find, Any] | None:
+    """A phrase as a question, with its dimension where that is known."""
     phrase = Phrase()
     faults = len(scope.faults)
     formula = Reader(scope, node, phrase, answers).read(0, len(node.value), True)
@@ -63,9 +74,9 @@ def read_find(scope: Scope, name: str, key: Text, node: Node, answers: dict[str,
         message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {named(dimension)}"
         scope.fault(node, message, "", "dimension")
         return None
-    answers[name] = dimension
     text = node.value.strip()
-    return Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, phrase.unit, text, key.span)
+    find = Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, phrase.unit, text, key.span)
+    return find, dimension
 
 
 def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, answers: dict[str, Any]) -> Any:
@@ -129,6 +140,10 @@ class Reader:
         if len(words) > 1 and words[1].text == "of":
             if first in WITH_OF:
                 modifier = f"{first} of"
+                if modifier == WHICH:
+                    place = self.node.part(words[0].start, words[1].end)
+                    self.scope.fault(place, f"`{WHICH}` stands before a map of options", WHICH_HELP, "find")
+                    return None, words
                 if modifier in LATER:
                     self.scope.later(self.node.part(words[0].start, words[1].end), modifier)
                     return None, words
@@ -177,7 +192,8 @@ class Reader:
             position = closing + 1
         built += text[position:end]
         node = Text(built, self.node.part(start, end), True, self.node.exact)
-        names: dict[str, Any] = {**self.answers, **dict.fromkeys(inner)}
+        earlier = {name: dimension for name, dimension in self.answers.items() if name not in self.scope.choices}
+        names: dict[str, Any] = {**earlier, **dict.fromkeys(inner)}
         found = expression(self.scope, node, Want("find", letter="x", owner="", extra=names, words=CLAUSES), self.term)
         return None if found is None else found.substitute(inner)
 

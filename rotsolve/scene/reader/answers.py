@@ -1,4 +1,4 @@
-"""Answers: published results beside the asked quantities: a number with its unit, a formula, a word, or several numbers."""
+"""Answers: published results beside the asked quantities: a number with its unit, a formula, a word, or a list of a vector's components."""
 
 from __future__ import annotations
 
@@ -29,9 +29,10 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
     texts = []
     for word, (_, written) in entries.items():
         if word in ("formula", "symbolic") and isinstance(written, List):
-            exact = [formula_of(scope, item, asked) for item in flattened(written) if isinstance(item, Text)]
-            found["formulas"] = tuple(item for item in exact if item is not None)
-            texts.append(", ".join(item.value for item in flattened(written) if isinstance(item, Text)))
+            found["formulas"] = closed_forms(scope, written, asked)
+            texts.append(listed(written))
+        elif word == "word" and isinstance(written, Text):
+            texts.append(written.value.strip())
         elif word in ("formula", "symbolic") and isinstance(written, Text):
             found["formula"] = formula_of(scope, written, asked)
             texts.append(written.value)
@@ -51,13 +52,15 @@ def read_answer(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
 
 
 def plain(scope: Scope, name: str, key: Text, node: Node, asked: dict[str, Any]) -> Published | None:
-    """A list of numbers, a number with its unit, a formula, or a word."""
+    """A list of numbers or formulas, a number with its unit, a formula, or a word."""
     if isinstance(node, List):
-        return several(scope, name, key, node)
+        return several(scope, name, key, node, asked)
     if not isinstance(node, Text):
         scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
         return None
     text = node.value.strip()
+    if name in scope.choices:
+        return Published(name, text, span=key.span)
     if LITERAL.fullmatch(text):
         quantity = quantity_of(text)
         if quantity is not None:
@@ -80,28 +83,38 @@ def is_words(text: str, names: set[str]) -> bool:
     return False
 
 
+def several(scope: Scope, name: str, key: Text, node: List, asked: dict[str, Any]) -> Published | None:
+    """The components of a vector, or the entries of a matrix row by row: numbers with units, or formulas."""
+    items = flattened(node)
+    for item in items:
+        if not isinstance(item, Text):
+            scope.fault(item, f"an item of the answer `{name}` is a map", "write `[1.2 N, 3.4 N]`", "form")
+            return None
+    if not items:
+        scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
+        return None
+    quantities = [quantity_of(item.value.strip()) for item in items if isinstance(item, Text)]
+    numbers = [quantity for quantity in quantities if quantity is not None]
+    if len(numbers) < len(quantities):
+        return Published(name, listed(node), span=key.span, formulas=closed_forms(scope, node, asked))
+    values: tuple[Formula, ...] = tuple(quantity.value for quantity in numbers)
+    unit = next((quantity.unit for quantity in numbers if quantity.unit is not None), None)
+    return Published(name, listed(node), None, None, unit, key.span, values)
+
+
 def flattened(node: List) -> list[Node]:
     """The items of a list, of a matrix row by row."""
     return [part for item in node.items for part in (flattened(item) if isinstance(item, List) else [item])]
 
 
-def several(scope: Scope, name: str, key: Text, node: List) -> Published | None:
-    quantities = []
-    for item in flattened(node):
-        quantity = quantity_of(item.value.strip()) if isinstance(item, Text) else None
-        if quantity is None:
-            scope.fault(
-                item, f"an item of the answer `{name}` is no number with a unit", "write `[1.2 N, 3.4 N]`", "form"
-            )
-            return None
-        quantities.append(quantity)
-    if not quantities:
-        scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
-        return None
-    text = ", ".join(quantity.text for quantity in quantities)
-    values: tuple[Formula, ...] = tuple(quantity.value for quantity in quantities)
-    unit = next((quantity.unit for quantity in quantities if quantity.unit is not None), None)
-    return Published(name, text, None, None, unit, key.span, values)
+def listed(node: List) -> str:
+    return ", ".join(item.value.strip() for item in flattened(node) if isinstance(item, Text))
+
+
+def closed_forms(scope: Scope, node: List, asked: dict[str, Any]) -> tuple[Formula, ...]:
+    """The formulas of a vector's components or of a matrix's entries."""
+    found = [formula_of(scope, item, asked) for item in flattened(node) if isinstance(item, Text)]
+    return tuple(formula for formula in found if formula is not None)
 
 
 def quantity_of(text: str) -> Quantity | None:

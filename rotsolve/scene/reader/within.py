@@ -24,7 +24,7 @@ def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Faul
         if size is not None:
             lengths[body.name] = size
     parts = (problem.connections, problem.actions, problem.states, problem.events, problem.finds)
-    for ref in references(parts):
+    for ref in dict.fromkeys(references(parts)):
         place = None if ref.argument is None else rough(ref.argument, numbers)
         if place is not None and ref.point == "at" and place > lengths.get(ref.owner, place) * (1 + TOLERANCE):
             help = f"the rod is {lengths[ref.owner]:g} m long, and x is counted from its start"

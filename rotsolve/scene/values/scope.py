@@ -68,6 +68,7 @@ class Scope:
         self.points: dict[str, tuple[str, ...]] = {}
         self.elements: dict[str, type] = {}  # connections, actions and events by name
         self.touched: dict[str, tuple[str, ...]] = {}  # connection -> what it touches
+        self.choices: set[str] = set()  # questions whose answer is a label
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
 
     def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> None:
@@ -150,7 +151,11 @@ class Scope:
         self.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
 
     def automatic(self, letter: str, owner: str, quantity: Quantity, span: Span | None, hint: str = "") -> Symbol:
-        """The letter of a quantity that was written in place, so that derivations print letters."""
+        """The letter of a quantity that was written in place, so that derivations print letters; in questions one for each value."""
+        own = (quantity.value, quantity.dimension, quantity.text)
+        for given in self.givens.values() if not owner else ():
+            if given.automatic and given.span is not None and (given.value, given.dimension, given.text) == own:
+                return Symbol(given.name)
         name = self.free(letter, owner, hint)
         self.givens[name] = Given(
             name, quantity.value, quantity.dimension, quantity.unit, quantity.text, automatic=True, span=span

@@ -1,0 +1,66 @@
+"""Answers: an asked quantity with its solution, and a choice with what decides it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.inquiry.questions import Asked
+from rotsolve.scene.model import Find
+from rotsolve.solver import Found
+
+
+@dataclass(frozen=True)
+class Answered:
+    """An asked quantity with its solution and the pool indices of the equations that settled it."""
+
+    asked: Asked
+    found: Found
+    used: tuple[int, ...]
+    steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
+    parts: tuple[Answered, ...] = ()  # the components of a vector
+
+    @property
+    def find(self) -> Find:
+        return self.asked.find
+
+
+@dataclass(frozen=True)
+class Compared:
+    """Two quantities of a choice with the relation between them that holds."""
+
+    left: Answered
+    relation: str
+    right: Answered
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """One option of a choice: whether it is chosen, its quantity where one alone is asked, and the comparisons that tell."""
+
+    label: str
+    holds: bool
+    own: Answered | None
+    compared: tuple[Compared, ...]
+
+    @property
+    def sides(self) -> tuple[Answered, ...]:
+        """All that is compared."""
+        own = () if self.own is None else (self.own,)
+        return (*own, *(side for item in self.compared for side in (item.left, item.right)))
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """The answer to a choice."""
+
+    find: Find
+    verdicts: tuple[Verdict, ...]
+
+    @property
+    def word(self) -> str:
+        """The labels of the options that hold."""
+        return ", ".join(verdict.label for verdict in self.verdicts if verdict.holds) or "none"
+
+    @property
+    def sides(self) -> tuple[Answered, ...]:
+        return tuple(side for verdict in self.verdicts for side in verdict.sides)

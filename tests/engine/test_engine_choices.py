@@ -1,0 +1,90 @@
+"""Choices: which option is the largest, exceeds a bound or holds, with its reason, and what can not be decided."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+SCENE = """
+title: Ball and ring on a slope
+given: {M: 2 kg, r: 10 cm, d: 3 m, beta: 30 deg, n: number, k: 3}
+surfaces: {ramp: {slope: beta, down: right}}
+bodies:
+  ball: {shape: sphere, mass: M, radius: r, moves: down}
+  ring: {shape: ring, mass: M, radius: r, moves: down}
+connections: {one: {rolls: [ball, ramp]}, two: {rolls: [ring, ramp]}}
+find:
+  a: ball.acceleration
+  pick: CHOICE
+"""
+
+
+def chosen(choice: str) -> Solution:
+    return solve(SCENE.replace("CHOICE", choice))
+
+
+@pytest.mark.parametrize(
+    ("choice", "word"),
+    [
+        ("{which of: {ball: ball.acceleration, ring: ring.acceleration}, is: largest}", "ball"),
+        ("{which of: {ball: ball.acceleration, ring: ring.acceleration}, is: smallest}", "ring"),
+        ("{which of: {ball: a, ring: ring.acceleration}, is: above 3 m/s^2}", "ball"),
+        ("{which of: {ball: a, ring: ring.acceleration}, is: above 2 m/s^2}", "ball, ring"),
+        ("{which of: {ball: a, ring: ring.acceleration}, is: below 2 m/s^2}", "none"),
+        ("{which of: {ball: ball.acceleration/10, ring: ring.acceleration/7, none of them: g/28}, is: largest}",
+         "ball, ring, none of them"),
+        ("{which of: {slow: ring.acceleration < a < 3 m/s^2, faster than the ring: ring.acceleration < a <= g/2}}",
+         "faster than the ring"),
+        ("{which of: {equal: 7*a = 5*g*sin(beta), above: 7*a > 5*g*sin(beta), at least: 7*a >= 5*g*sin(beta)}}",
+         "equal, at least"),
+        ("{which of: {steep: beta > 45 deg, flat: beta ≤ 45 deg}}", "flat"),
+        ("{which of: {right: k == 3, wrong: k < 3}}", "right"),
+        ("{which of: {half: 2*n*g, whole: 3*n*g}, is: largest}", "none"),
+    ],
+)  # fmt: skip
+def test_the_option_that_holds(choice: str, word: str) -> None:
+    if "n*g" in choice:  # n may be negative: nothing tells
+        with pytest.raises(Unsolvable, match="can not be decided") as caught:
+            chosen(choice)
+        assert "give numbers to: n" in str(caught.value)
+        return
+    answer = chosen(choice).answers["pick"]
+    assert answer.word == word
+    assert answer.formula is None and answer.value is None
+
+
+def test_letters_that_are_positive_are_compared_exactly() -> None:
+    scene = SCENE.replace("M: 2 kg", "M: kg").replace("d: 3 m,", "d: 3 m, q: kg,")
+    solution = solve(scene.replace("CHOICE", "{which of: {one: M*g, two: 2*M*g}, is: largest}"))
+    assert solution.answers["pick"].word == "two"
+
+
+def test_the_reason_is_told() -> None:
+    text = chosen("{which of: {ball: a, ring: ring.acceleration}, is: above 3 m/s^2}").to("text")
+    assert "pick: ball (ball: 3.5 m/s² > 3 m/s²; ring: 2.45 m/s² ≤ 3 m/s²)" in text
+    lines = [" ".join(line.split()) for line in text.splitlines()]
+    assert "ball a > x (3.5 m/s² > 3 m/s²)" in lines
+    assert "x = 3 m/s²" in lines[2]
+
+
+def test_of_a_chain_that_fails_the_failing_comparison_is_told() -> None:
+    answer = chosen("{which of: {low: 1 < k < 2, high: 2 < k < 4}}").answers["pick"]
+    assert str(answer) == "pick: high (high: 2 < 3, 3 < 4; low: 3 ≥ 2)"
+
+
+def test_a_quantity_asked_before_is_not_worked_out_again() -> None:
+    solution = chosen("{which of: {ball: ball.acceleration, ring: ring.acceleration}, is: largest}")
+    used = [law.law for section in solution.steps for law in section.laws]
+    assert used.count("Newton's second law, ball, along the slope") <= 1
+
+
+def test_what_a_choice_compares_may_fail_by_name() -> None:
+    with pytest.raises(Unsolvable, match="is not the same at all states"):
+        solve(
+            SCENE.replace("find:", "states: {top: at rest, foot: {ball.displacement: d}}\nfind:").replace(
+                "CHOICE", "{which of: {a: ball.velocity, b: ring.velocity}, is: largest}"
+            )
+        )
