@@ -25,10 +25,10 @@ from rotsolve.inquiry.explain import (
     unsolvable,
     with_missing_told,
 )
-from rotsolve.inquiry.finds import Unclear, asked
+from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.questions import NotYet, Unclear
 from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
@@ -78,7 +78,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(inquiry, arrangement.problem.finds)
-    if at is not None and not arrangement.runs:
+    if at is not None and not arrangement.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     broken = contradiction(inquiry)
     if broken is not None:
@@ -141,7 +141,7 @@ def answer(inquiry: Inquiry, find: Find) -> None:
 
 def by_law(inquiry: Inquiry, find: Find) -> None:
     """Answer by the inquiry's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out."""
-    question = asked(find, inquiry.history, inquiry.letters())
+    question = asked(find, inquiry.history, inquiry.letters(), inquiry.beside())
     try:
         inquiry.answer(question)
     except NoAnswer as error:

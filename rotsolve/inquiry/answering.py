@@ -12,6 +12,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.signs import Signs, positive_letters
@@ -96,6 +97,11 @@ class Inquiry:
         """The answers so far by name: what later questions may use."""
         return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.answered}
 
+    def beside(self) -> Beside:
+        """What can be worked out without a trace in this inquiry."""
+        other = Inquiry(self.history, families_for(None)) if self.history.arrangement.runs else self
+        return Beside(other.settled, self.values)
+
     def in_order(self) -> list[Answered]:
         """The answers in the order in which the scene asks for them."""
         return [self.answered[place] for place in self.order] if self.order else list(self.answered)
@@ -117,6 +123,9 @@ class Inquiry:
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        for law in asked.laws:
+            if law not in self.planner.pool:
+                self.planner.extend(law)
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
                 Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
@@ -283,7 +292,7 @@ class Inquiry:
 
 
 def remark_of(asked: Asked) -> Words:
-    return (asked.remark,) if asked.remark else ()
+    return asked.note or ((asked.remark,) if asked.remark else ())
 
 
 def has_calls(value: Formula) -> bool:

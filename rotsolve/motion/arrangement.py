@@ -22,6 +22,9 @@ from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import ANY_TIME, Body, PointRef, Problem
 
+MEAN = ("mean", "speed")
+RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
+
 
 @dataclass(frozen=True)
 class Member:
@@ -242,9 +245,18 @@ class Arrangement:
         return phase.start if phase is not None else state
 
     @cached_property
-    def runs(self) -> bool:
+    def functions(self) -> bool:
         """Whether the scene asks for a function of time."""
         return any(term.at == ANY_TIME for find in self.problem.finds for term in find.terms)
+
+    @cached_property
+    def runs(self) -> bool:
+        """Whether what it asks takes the laws at any moment of a phase: functions of time, whole ways, extremes."""
+        terms = [term for find in self.problem.finds for term in find.terms if find.where is None]
+        return self.functions or any(
+            term.modifier in RUNNING or term.path.quantity == "distance" or (term.modifier, term.path.quantity) == MEAN
+            for term in terms
+        )
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

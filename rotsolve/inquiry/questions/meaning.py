@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Product, sqrt
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.equation import Equation
 from rotsolve.core.facts import signed, square
 from rotsolve.core.faults import Span
 from rotsolve.core.heading import RIGHT, UP, Vector
@@ -21,6 +22,10 @@ class NotYet(ValueError):
         self.span, self.help = span, help
 
 
+class Unclear(NotYet):
+    """A question that the scene does not settle: which state, which end."""
+
+
 @dataclass(frozen=True)
 class Meaning:
     """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation."""
@@ -31,6 +36,7 @@ class Meaning:
     remark: str = ""
     label: str = ""
     words: tuple[str, str] = ("", "")
+    laws: tuple[Equation, ...] = ()  # what this question alone speaks of
 
 
 def size_of(vector: Vector, *, signed_by: int = 0) -> Formula:
