@@ -158,7 +158,7 @@ class Solver(Textbook):
         if not trivial or (item.sources and self.pool[item.index].family):
             step = self._step(item, name, value, ())
             refs = [("step", step.number)]
-            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 1), refs[0]))
+            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
             if name in other.unknowns({name}):
                 self._substitute(other, {name: value}, refs)

@@ -2,7 +2,7 @@
 
 Comments at the top of a problem file tie it to its record:
 `# id: NAME`, `# ask: name in the record = expression of names under find`, `# given: letter here = letter in the record`.
-A name that is the same on both sides needs no comment.
+A name that is the same on both sides needs no comment. A vector of the record is asked as `[v_x, v_y]`; components left out are zero.
 """
 
 from __future__ import annotations
@@ -90,6 +90,9 @@ def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]
     for name, text in expressions(item, set(solution.answers), list(asks)).items():
         answered.append(name)
         place = f"{item.file.name}: {name}"
+        if text.startswith("["):
+            wrong += wrong_components(place, text, asks[name], solution, item, letters)
+            continue
         expression = parse(text, set(solution.answers))
         found = formula_of(expression, solution)
         expected = asks[name].get("symbolic")
@@ -103,6 +106,24 @@ def wrong_asks(item: Tied, record: dict[str, Any]) -> tuple[list[str], list[str]
         if abs(value - recorded) > ACCURACY * max(abs(value), abs(recorded)):
             wrong.append(f"{place} = {value!r} in SI units; the record has {recorded!r}")
     return answered, wrong
+
+
+def wrong_components(
+    place: str, text: str, ask: dict[str, Any], solution: Solution, item: Tied, letters: set[str]
+) -> list[str]:
+    """How the components `[a, b]` of an answer differ from a vector of the record."""
+    expected = str(ask["symbolic"]).replace("**", "^").removeprefix("Matrix([").removesuffix("])").split(",")
+    names, wrong = text.strip("[]").split(","), []
+    for index, (one, value) in enumerate(zip(expected, ask["value"], strict=True)):
+        expression = parse(names[index] if index < len(names) else "0", set(solution.answers))
+        found = formula_of(expression, solution)
+        formula = renamed(parse(one, letters), item)
+        if found is None or not equal(found, formula, {given.name for given in solution.problem.givens}):
+            wrong.append(f"{place}: component {index + 1} is not {one}")
+        recorded = recorded_value({"value": value, "unit": ask["unit"]})
+        if abs(number_of(expression, solution) - recorded) > ACCURACY * max(abs(recorded), 1):
+            wrong.append(f"{place}: component {index + 1} is not {value}")
+    return wrong
 
 
 def formula_of(expression: Formula, solution: Solution) -> Formula | None:

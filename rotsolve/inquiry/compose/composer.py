@@ -281,7 +281,8 @@ def state_words(name: str, conditions: Sequence[Condition], bare: str) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            what = " ".join(filter(None, (owner, spoken(line.path.quantity), line.path.component)))
+            parts.append(f"{what} {value}".strip())
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else bare),)
 
 
