@@ -33,6 +33,7 @@ from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
+from rotsolve.motion.running import check_values
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
@@ -64,6 +65,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     try:
         arrangement = Arrangement(completed(problem))
+        check_values(arrangement)
     except Unsolvable as error:
         raise unsolvable(problem, error.fault.message, error.fault.span, error.fault.help) from None
     faults = list(negative_inertia(arrangement.problem))

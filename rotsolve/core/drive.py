@@ -8,8 +8,9 @@ from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
+from rotsolve.core.registry import TIME
+from rotsolve.core.varying import pace_of
 
-TIME = "time"
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
 TRAVELLING = ("position", "velocity", "acceleration")
 
@@ -50,8 +51,8 @@ class Drive:
 
     @property
     def pace(self) -> str:
-        """How the acceleration varies: 'constant' or 'time'."""
-        return "time" if TIME in self.rates()[self.words[2]].symbols() else "constant"
+        """How the acceleration varies (see core.varying)."""
+        return pace_of(self.rates()[self.words[2]])
 
 
 def derivative(function: Formula) -> Formula:

@@ -14,7 +14,7 @@ from rotsolve.core.heading import Vector
 class Travel:
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `words` name it ("block", "disc, rotation"); `pace` is 'constant', 'time' or 'position'; for varying paces `midway` is the
+    `words` name it ("block", "disc, rotation"); `pace` is as in core.varying; for varying paces `midway` is the
     acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
     """
 
@@ -36,6 +36,7 @@ class Travel:
         None  # the change of the coordinate up to any moment, where a function of time is asked for
     )
     swift: Formula | None = None  # the acceleration at any moment
+    leads: bool = False  # whether the forces of its group vary with this coordinate, or with this rate
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from rotsolve.algebra.units.dimension import Dimension
 
 # Quantities are symbols whose internal name is the key itself; letters are given when it is known which ones are printed.
 SEPARATOR = "|"
+TIME = "time"  # the running time, a letter of its own
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
@@ -74,7 +75,7 @@ class Registry:
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
-        for index in _indices("t" if "t" not in occupied else "time"):
+        for index in _indices(chosen.get(TIME, TIME)):
             rest = []
             wanted: dict[str, list[Quantity]] = {}
             for quantity in pending:

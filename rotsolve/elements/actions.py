@@ -7,10 +7,11 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
-from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
 from rotsolve.core.directions import along_text
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
+from rotsolve.core.varying import RATE, combined, pace_of
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key
@@ -43,20 +44,20 @@ class Action:
         return (on,) if on is not None else ()
 
     def strength(self) -> Formula | None:
-        """The force, torque or power, as a formula of `time` where it varies."""
+        """The force, torque or power; where it varies, a formula of `time` and of paths of bodies."""
         return getattr(self, self.word, None)
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
-        """How it varies while bodies move: 'constant', 'time' or 'position'."""
-        strength = self.strength()
-        return "time" if strength is not None and "time" in strength.symbols() else "constant"
+        """How it varies while bodies move (see core.varying)."""
+        return pace_of(self.strength() or ZERO)
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         """The force or couple at a moment."""
         return iter(())
 
     def now(self, instant: Instant) -> Formula:
-        return (self.strength() or ZERO).substitute({"time": instant.time()})
+        """Its strength at a moment."""
+        return instant.now(self.strength() or ZERO)
 
     from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
     to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
@@ -91,7 +92,12 @@ class Force(Action):
             return
         size = self.now(instant)
         push, arm = self.aim(instant, self.on)
-        words = ("force ", size, self.told(push, arm, instant))
+        told = self.told(push, arm, instant)
+        if isinstance(size, Negative) and len(push.parts) == 1:  # −k x to the right is k x to the left
+            size, push = size.operand, -push
+            along = along_text(push.parts[0][1])
+            told = f", {along}" if along else f"{told}, backwards"
+        words = ("force ", size, told)
         yield facts.Force(self.name, "applied", instant.host(self.on.owner), size, push, arm, words)
 
     def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
@@ -151,6 +157,8 @@ class Couple(Action):
             return
         name, size = instant.host(self.on.owner), self.now(instant)
         turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), instant.sense(name))
+        if isinstance(size, Negative):  # a drag −c ω is a torque c ω the other way
+            size, turn = size.operand, -turn
         words = ("torque ", size, ", clockwise" if turn < 0 else ", counterclockwise")
         yield facts.Couple(self.name, "applied", name, facts.signed(size, turn), words)
 
@@ -181,7 +189,7 @@ class Power(Action):
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
-        return "position"  # the couple P/ω depends on the speed
+        return combined((pace_of(self.strength() or ZERO), RATE))  # the couple P/ω depends on the speed
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         if self.on is None:

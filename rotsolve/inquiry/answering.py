@@ -12,6 +12,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.core.varying import POSITION, RATE
 from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
@@ -74,13 +75,14 @@ class Inquiry:
             self.history, self.givens, self.values, lambda value: self.solver.with_answers(value), self.aside
         )
         self.running = {"time"} | {
-            travel.coordinate.name
+            letter.name
             for passage in self.history.passages.values()
             for travel in passage.travels
-            if travel.pace == "position"
-            and isinstance(travel.coordinate, Symbol)
-            and SEPARATOR in travel.coordinate.name
-            and GENERIC in travel.coordinate.name
+            for letter in (
+                travel.coordinate if travel.pace == POSITION else None,
+                travel.moving if travel.leads and travel.pace == RATE else None,
+            )
+            if isinstance(letter, Symbol) and SEPARATOR in letter.name and GENERIC in letter.name
         }
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
         self.solver = Solver(

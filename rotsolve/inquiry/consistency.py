@@ -10,9 +10,10 @@ from math import isfinite
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, Formula, Integral, Number
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.varying import RATE, at_any_time
 from rotsolve.inquiry.answering import Inquiry
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
@@ -24,6 +25,7 @@ def contradiction(inquiry: Inquiry) -> Equation | None:
     """The first equation that can not hold with what is known and found, or None."""
     numbers = known_numbers(inquiry)
     pending = [equation for equation in inquiry.history.equations if not runs(equation, inquiry)]
+    pending += summed(inquiry)
     pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law
     for _ in range(ROUNDS):
         rest = []
@@ -41,7 +43,38 @@ def contradiction(inquiry: Inquiry) -> Equation | None:
                 settle(equation, unknown[0], inquiry, numbers)
             pending.append(equation)
         if len(numbers) == settled:
-            return None
+            break
+    return backwards(inquiry, numbers)
+
+
+def summed(inquiry: Inquiry) -> list[Equation]:
+    """The separated equations with the acceleration put in as Newton's laws give it at any speed."""
+    found = []
+    for name, passage in inquiry.history.passages.items():
+        for travel in passage.travels:
+            rate = travel.acceleration
+            if not (travel.leads and travel.pace == RATE and isinstance(rate, Symbol)):
+                continue
+            value = inquiry.aside(rate.name)
+            for equation in inquiry.history.equations if value is not None else ():
+                if equation.section == name and rate.name in inside(equation):
+                    found.append(equation.renamed({rate.name: value}))  # type: ignore[dict-item]
+    return found
+
+
+def inside(equation: Equation) -> set[str]:
+    """Letters within the integrals of an equation."""
+    nodes = [node for side in (equation.left, equation.right) for node in side.walk() if isinstance(node, Integral)]
+    return {name for node in nodes for name in node.integrand.symbols()}
+
+
+def backwards(inquiry: Inquiry, numbers: dict[str, Formula]) -> Equation | None:
+    """A phase that would take a negative time: its end lies before its start."""
+    for name, passage in inquiry.history.passages.items():
+        letters = passage.duration.symbols()
+        duration = size(passage.duration.substitute(numbers), inquiry) if letters <= numbers.keys() else None
+        if duration is not None and duration < -TOLERANCE:
+            return Equation(passage.duration, ZERO, "time runs forwards", name)
     return None
 
 
@@ -53,8 +86,11 @@ def open_letters(equation: Equation, numbers: dict[str, Formula]) -> list[str]:
 def runs(equation: Equation, inquiry: Inquiry) -> bool:
     """Whether an equation is about any moment of a phase, or sums over one."""
     sides = (equation.left, equation.right)
-    return bool(inquiry.running & equation.symbols()) or any(
-        isinstance(node, Integral) for side in sides for node in side.walk()
+    letters = equation.symbols()
+    return (
+        bool(inquiry.running & letters)
+        or at_any_time(letters)
+        or any(isinstance(node, Integral) for side in sides for node in side.walk())
     )
 
 

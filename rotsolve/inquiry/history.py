@@ -21,7 +21,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, kinematics, momentum, newton
+from rotsolve.principles import constraints, driven, energy, kinematics, momentum, newton, separation
 from rotsolve.principles import rotation as turning
 from rotsolve.principles.steady import steady_rotation
 from rotsolve.scene.model import Condition
@@ -147,6 +147,7 @@ class History:
         yield from energy.conservation(passage, section)
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
+        yield from separation.separation(passage, section)
         yield from momentum.impulses_over(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
         if self.varies(interval) or self.arrangement.runs:

@@ -10,7 +10,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
 from rotsolve.scene.model import Given
@@ -36,10 +36,11 @@ class Signs:
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
         moved = [entry for entry in real if abs(entry[1]) > TINY]
+        dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
-            real = moved  # the root 0 is the start itself
+            real, dropped = moved, ("the root 0 is the start itself",)
         if len(real) == 1:
-            return real[0][0], ()
+            return real[0][0], dropped
         sign, words = self.expected(name)
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]
@@ -100,10 +101,14 @@ class Signs:
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed."""
         timeline = self.history.arrangement.timeline
+        quantity = self.history.registry.quantities[name]
+        midst = state.removeprefix(GENERIC)
+        if midst != state and (phase := timeline.after(midst)) is not None:
+            whole = "rotation" if kind == "angular_velocity" else "displacement"
+            return self._onward(whole, owner, phase.name)
         if state not in timeline.order:
             return 0, ()
         before = timeline.before(state)
-        quantity = self.history.registry.quantities[name]
         if before is None or before.event is not None:
             return 0, ()
         passage = self.history.passages[before.name]

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.drive import TIME
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.writing import spoken
@@ -200,7 +199,7 @@ class Statements:
         bodies = self.arrangement.present(instant.state)
         drives = [drive for body in bodies for drive in self.arrangement.drives(body.name, instant.state)]
         for drive in drives:
-            self._set(instant.driven(drive, drive.word), drive.function.substitute({TIME: instant.time()}))
+            self._set(instant.driven(drive, drive.word), instant.now(drive.function))
         for drive in drives:
             for word, function in drive.rates().items():
                 if function == ZERO:

@@ -7,6 +7,7 @@ from rotsolve.core.facts import signed
 from rotsolve.core.heading import UP
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.varying import running
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.principles.energy import potential
@@ -45,6 +46,10 @@ def impulse_over(path: Path, passage: Passage) -> Formula:
         else:
             efforts += [force.size for force in body.forces if force.owner == path.owner]
         for effort in efforts:
+            if running(effort.symbols()):
+                raise NotYet(
+                    f"the {path.quantity.replace('_', ' ')} of `{path.owner}`, which varies with the motion, is not solved yet"
+                )
             varies = "time" in effort.symbols()
             result = add(result, Integral(effort, "time", *passage.times) if varies else effort * passage.duration)
     if result == ZERO:

@@ -10,10 +10,12 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.directions import WORDS
-from rotsolve.core.drive import TIME, Drive
+from rotsolve.core.drive import Drive
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
+from rotsolve.core.registry import TIME
+from rotsolve.core.varying import combined
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Weld
 from rotsolve.elements.events import Cuts, Joins, Removes
@@ -208,13 +210,13 @@ class Arrangement:
                 yield from owners
 
     def pace(self, name: str, state: str) -> str:
-        """How the acceleration of a body's component varies in the phase of a state: 'constant', 'time' or 'position'."""
+        """How the acceleration of a body's component varies in the phase of a state (see core.varying)."""
         component = self.component(name, state)
         paces = [self._own_pace(member, state) for member in component]
         for item in self.acting(state):
             if any(self.host(ref.owner, state) in component for ref in item.touches() if ref.owner in self.bodies):
                 paces.append(item.pace(self, state))
-        return max(paces, key=("constant", "time", "position").index)
+        return combined(paces)
 
     def _own_pace(self, name: str, state: str) -> str:
         if self.pivot(name, state) is not None:

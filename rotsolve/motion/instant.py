@@ -13,10 +13,13 @@ from rotsolve.core.facts import Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD, PLANE
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
+from rotsolve.core.varying import paths_in
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes.shape import WHEEL
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
+from rotsolve.motion.running import value_now
+from rotsolve.scene.keys import varying
 from rotsolve.scene.model import Body, PointRef
 
 STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
@@ -180,10 +183,12 @@ class Instant:
         problem = self.arrangement.problem
         said = (line.path for state in problem.states for line in state.conditions if line.path)
         asked = (term.path for find in problem.finds for term in find.terms)
-        driven = any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state))
-        return driven or any(
-            path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked)
-        )
+        if any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked)):
+            return True
+        if any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state)):
+            return True
+        values = (value for item in (*problem.connections, *problem.actions) for value in varying(item))
+        return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
 
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
@@ -271,3 +276,7 @@ class Instant:
     def time(self) -> Formula:
         """The running time at this moment: the letter `time` in the midst of a phase."""
         return Symbol("time") if self.generic else self.ask("time", "")
+
+    def now(self, value: Formula) -> Formula:
+        """A value that varies, at this moment."""
+        return value_now(value, self)

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
-from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, total
 from rotsolve.core.directions import opposite
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
+from rotsolve.core.registry import TIME
+from rotsolve.core.varying import CONSTANT, POSITION, RATE, RATES, at_any_time, running
 from rotsolve.elements.connections import Contact, Hinge
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import PointRef
 
@@ -25,16 +29,35 @@ def passage(
     arrangement = first.arrangement
     times = (first.time(), last.time())
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
-    travels = tuple(travel for body in midst_facts.bodies for travel in travels_of(body, interval, first, last, middle))
     groups = groups_of(arrangement, midst_facts, interval.start)
+    leads = {name: leading_place(group, first, last, middle) for group in groups for name in group}
+    rates = {leading_rate(group, midst_facts) for group in groups}
+    travels = tuple(
+        led(travel, leads[body.name], rates)
+        for body in midst_facts.bodies
+        for travel in travels_of(body, interval, first, last, middle)
+    )
     works = tuple(
-        work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)
+        work
+        for body in midst_facts.bodies
+        for work in works_on(body, interval, first, last, middle, duration, leads[body.name])
     )
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
     return Passage(
         interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle
     )
+
+
+def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
+    """A travel whose coordinate or rate is the one with which the forces vary."""
+    if isinstance(travel.moving, Symbol) and travel.pace == RATE and travel.moving.name in rates:
+        return replace(travel, leads=True)
+    if lead is None or travel.pace != POSITION or lead.rate not in (travel.moving, negate(travel.moving)):
+        return travel
+    sense = 1 if lead.rate == travel.moving else -1
+    start, end = signed(lead.start, sense), signed(lead.end, sense)
+    return replace(travel, coordinate=lead.letter, start=start, end=end, sense=sense, leads=True)
 
 
 def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
@@ -191,62 +214,88 @@ def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:
 
 
 def works_on(
-    body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant, duration: Formula
+    body: BodyFacts,
+    interval: Interval,
+    first: Instant,
+    last: Instant,
+    middle: Instant,
+    duration: Formula,
+    lead: Lead | None,
 ) -> Iterator[Work]:
     """Work of the forces and couples on a body that are neither weights, springs nor ideal connections."""
     name = body.name
+    way = Way(interval, first, last, middle, lead)
     for force in body.forces:
         if force.internal or not force.works or force.role in ("weight", "spring"):
             continue
-        amount = work_of_force(force.vector, force.arm, body, interval, first, last, middle)
-        yield named_work(force.owner, amount, (name,), interval, first)
+        yield named_work(force.owner, work_of_force(force.vector, force.arm, body, way), (name,), interval, first)
     for couple in body.couples:
         if couple.role == "power":
-            yield named_work(couple.owner, power_of(couple.owner, first) * duration, (name,), interval, first)
+            power = power_of(couple.owner, middle)
+            amount = Integral(power, TIME, first.time(), last.time()) if power.symbols() & {TIME} else power * duration
+            yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
         elif not couple.internal and couple.role != "torsion":
             turned = signed(rotation(name, interval, first), first.sense(name))
-            amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
-            yield named_work(couple.owner, amount, (name,), interval, first)
+            told = way.work(couple.torque, turned, body.motion.spin, name)
+            yield named_work(couple.owner, told, (name,), interval, first)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:
-    """The constant power of a motor."""
+    """The power of a motor."""
     item = next(item for item in instant.arrangement.actions(instant.state) if item.name == owner)
     return item.now(instant)
 
 
-def named_work(owner: str, amount: Formula, bodies: tuple[str, ...], interval: Interval, first: Instant) -> Work:
-    """The work under its own letter where the scene asks for it or fixes it, else spelled out."""
-    if first.arrangement.asks(owner, "work") or first.arrangement.asks(owner, "power"):
+def named_work(owner: str, amount: Formula | None, bodies: tuple[str, ...], interval: Interval, first: Instant) -> Work:
+    """The work under its own letter where the scene asks for it or fixes it, or where only energy tells it; else spelled out."""
+    if amount is None or first.arrangement.asks(owner, "work") or first.arrangement.asks(owner, "power"):
         letter = first.ask("work", owner, when=interval.name)
         return Work(owner, letter, owner, bodies, amount)
     return Work(owner, amount, owner, bodies)
 
 
-def work_of_force(
-    vector: Vector, arm: Vector, body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant
-) -> Formula:
-    """F · displacement along a line plus r × F times the angle turned."""
+def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: Way) -> Formula | None:
+    """F · displacement along a line plus r × F times the angle turned; None where a part is not told."""
     name, motion = body.name, body.motion
-    amount: Formula = ZERO
+    parts: list[Formula | None] = []
     if motion.kind == "line" and motion.heading is not None:
-        along = vector.along(motion.heading)
         speed = motion.velocity.along(motion.heading)
-        amount = work_over(along, displacement(name, interval, first), speed, middle, interval, first, last)
+        parts.append(way.work(vector.along(motion.heading), displacement(name, way.interval, way.first), speed, name))
     torque = arm.cross(vector)
     if motion.turns and torque != ZERO:
-        turned = signed(rotation(name, interval, first), first.sense(name))
-        amount = amount + work_over(torque, turned, motion.spin, middle, interval, first, last)
-    return amount
+        turned = signed(rotation(name, way.interval, way.first), way.first.sense(name))
+        parts.append(way.work(torque, turned, motion.spin, name))
+    told = [part for part in parts if part is not None]
+    return total(told) if len(told) == len(parts) else None
 
 
-def work_over(
-    effort: Formula, change: Formula, rate: Formula, middle: Instant, interval: Interval, first: Instant, last: Instant
-) -> Formula:
-    """effort · change; ∫ effort · rate dt where the effort varies in time."""
-    if "time" in effort.symbols():
-        return Integral(effort * rate, "time", first.time(), last.time())
-    return effort * change
+@dataclass(frozen=True)
+class Way:
+    """A phase as works are summed over it."""
+
+    interval: Interval
+    first: Instant
+    last: Instant
+    middle: Instant
+    lead: Lead | None
+
+    def work(self, effort: Formula, change: Formula, rate: Formula, name: str) -> Formula | None:
+        """effort · change; ∫ effort · rate dt where the effort varies in time, ∫ effort dx where it varies with the place, and
+        None where it varies with the speed, or in a way not told: then energy tells the work."""
+        letters = effort.symbols()
+        if not running(letters):
+            pace = self.first.arrangement.pace(name, self.interval.start) if at_any_time(letters) else CONSTANT
+            if TIME in letters or pace == TIME:
+                return Integral(effort * rate, TIME, self.first.time(), self.last.time())
+            return effort * change if pace == CONSTANT else None
+        if TIME in letters:
+            return Integral(effort * rate, TIME, self.first.time(), self.last.time())
+        if running(letters, RATES):
+            return None
+        lead = self.lead if self.lead is not None else place_of(name, "angle", self.first, self.last, self.middle)
+        if lead is None:
+            return None
+        return Integral(effort * share(rate, lead.rate), lead.letter.name, lead.start, lead.end)
 
 
 def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:

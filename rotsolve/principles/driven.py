@@ -7,10 +7,11 @@ from collections.abc import Iterator
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
-from rotsolve.core.drive import TIME, TURNING
+from rotsolve.core.drive import TURNING
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.facts import Facts, GivenMotion
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 
 

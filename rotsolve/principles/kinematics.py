@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.formula import Formula, Integral, Number, Symbol
+from rotsolve.algebra.formula import Formula, Integral, Number, Symbol, add
 from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
+from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
-TIME = "time"
 CHANGE = {"turn": "angle turned", "line": "displacement"}
 
 
@@ -25,9 +25,9 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from constant(travel, passage, section)
         elif travel.pace == "time":
             yield from varying(travel, passage, section)
-        else:
+        elif travel.pace == "position":
             yield from by_place(travel, section)
-        if travel.start is not None and travel.end is not None:
+        if travel.start is not None and travel.end is not None and travel.end != add(travel.start, travel.change):
             change = travel.end - travel.start
             yield equation(travel.change, change, CHANGE[travel.kind], travel, section, cost=1)
         if travel.running is not None:

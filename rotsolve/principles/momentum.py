@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
-from rotsolve.core.passage import Encounter, Meeting, Passage
+from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
+from rotsolve.core.registry import TIME
 from rotsolve.core.writing import flat, law, moved, positive_first, spoken
 from rotsolve.principles.rotation import about, response, torques
 
@@ -74,22 +75,31 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
 
 
 def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
-    """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant: angular impulse = change of angular momentum."""
+    """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant, ∫ τ dt where they vary in time; so for m v."""
     for travel in passage.travels:
         body = passage.midst.body(travel.body)
-        if (
-            body is None
-            or travel.kind != "turn"
-            or travel.pace != "constant"
-            or body.motion.kind != "axis"
-            or body.inertia is None
-        ):
+        if body is None or travel.pace not in ("constant", TIME):
             continue
-        pushes = [torque * passage.duration for torque in flat(torques(body))]
-        change = body.inertia.letter * travel.after - body.inertia.letter * travel.before
-        left, right = law(pushes, change)
-        label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
-        yield Equation(left, right, label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+        if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
+            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
+            yield summed(torques(body), body.inertia.letter, travel, passage, label, section)
+        elif travel.kind == "line" and travel.pace == TIME and body.motion.heading is not None:
+            label = f"impulse = change of momentum, {spoken(body.name)}"
+            forces = [force.vector.along(body.motion.heading) for force in body.forces]
+            yield summed(forces, body.mass, travel, passage, label, section)
+
+
+def summed(
+    efforts: list[Formula], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
+) -> Equation:
+    """Σ effort summed over time = inertia · (after − before)."""
+    pushes = [
+        Integral(effort, TIME, *passage.times) if TIME in effort.symbols() else effort * passage.duration
+        for effort in flat(efforts)
+    ]
+    left, right = law(pushes, inertia * travel.after - inertia * travel.before)
+    cost = 4 if travel.pace != TIME else 5  # in time it restates what Newton's law and the velocity as an integral say
+    return Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
 
 
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:

@@ -93,7 +93,7 @@ def meaning(key: Key) -> str:
         key.dimension or "",
         key.limits,
         "required" if key.required else "",
-        "may vary with `time`" if key.varies else "",
+        "may vary" if key.varies else "",
     ]
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from dataclasses import MISSING, dataclass, field, fields
 from typing import Any
 
+from rotsolve.algebra.formula import Formula
+
 
 @dataclass(frozen=True, slots=True)
 class Key:
@@ -13,7 +15,7 @@ class Key:
 
     `later` marks a key whose physics is not there yet: it is read and validated, then refused by name.
     `letter` is the textbook letter of a number written in place; `limits` is positive, nonnegative, fraction or empty;
-    `refers` are the kinds of things that a name may name; `varies` allows a formula of `time`.
+    `refers` are the kinds of things that a name may name; `varies` allows a formula of `time` and of paths of bodies.
     """
 
     kind: str
@@ -41,3 +43,11 @@ def keys_of(element: Any) -> Iterator[tuple[str, Key]]:
     for entry in fields(element):
         if "key" in entry.metadata:
             yield entry.name.rstrip("_"), entry.metadata["key"]
+
+
+def varying(element: Any) -> Iterator[Formula]:
+    """The values of an element under keys that may vary."""
+    for word, declared in keys_of(element):
+        value = getattr(element, word, None) if declared.varies else None
+        if isinstance(value, Formula):
+            yield value

@@ -14,6 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
@@ -24,6 +25,9 @@ from rotsolve.solver.textbook import Textbook
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ENTANGLED = "no unknown can be told from the others"
+
+# equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
+Elimination = tuple[Item, str, Formula, "Words | None"]
 
 
 @dataclass
@@ -65,13 +69,13 @@ class Solver(Textbook):
         unknowns = set(plan.unknowns)
         while len(items) > 1:
             try:
-                item, name, value, trivial = self._next(items, unknowns, plan.asked)
+                item, name, value, reason = self._next(items, unknowns, plan.asked)
             except NoClosedForm:
                 item, name = self._eliminate_square(items, unknowns, plan.asked)
             else:
                 items.remove(item)
                 unknowns.discard(name)
-                self._eliminate(items, item, name, value, trivial, unknowns)
+                self._eliminate(items, item, name, value, reason, unknowns)
                 continue
             items.remove(item)
             unknowns.discard(name)
@@ -94,8 +98,8 @@ class Solver(Textbook):
         if used:
             self._substitute(item, used, [("known", name) for name in used])
 
-    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str, Formula, bool]:
-        """What to eliminate next, the most trivial first: (equation, unknown, its value, whether it needs no line of its own)."""
+    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination:
+        """What to eliminate next, the most trivial first."""
         ranked: list[tuple[tuple[int, ...], Item, str]] = []
         for item in items:
             names = item.unknowns(unknowns)
@@ -110,39 +114,41 @@ class Solver(Textbook):
         ranked.sort(key=lambda entry: entry[0])
         return self._first_linear(ranked, asked)
 
-    def _first_linear(
-        self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str
-    ) -> tuple[Item, str, Formula, bool]:
+    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str) -> Elimination:
         """Of the best-ranked eliminations the one with the shortest result."""
-        best: tuple[int, Item, str, Formula, bool] | None = None
+        best: tuple[int, Elimination] | None = None
         rank: tuple[int, ...] | None = None
         for key, item, name in ranked:
             if best is not None and key[:4] != (rank or ())[:4]:
                 break
-            value = self._value(item, name, alone=key[0] <= 1)
-            if value is None:
+            found = self._value(item, name, alone=key[0] <= 1)
+            if found is None:
                 continue
+            value, reason = found
             trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value))
             if best is None or length(value) < best[0]:
-                best, rank = (length(value), item, name, value, trivial), key
+                best, rank = (length(value), (item, name, value, None if trivial else reason)), key
         if best is None:
             raise NoClosedForm(ENTANGLED)
-        return best[1:]
+        return best[1]
 
-    def _value(self, item: Item, name: str, *, alone: bool) -> Formula | None:
-        """The value of an unknown from one equation: as written where it stands alone, else solved."""
+    def _value(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
+        """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""
         explicit = isolated(item, name)
         if explicit is not None:
             explicit = self.carried_out(explicit)
-            return self.simplify(explicit) if item.sources else explicit
-        value = solve_linear(item.left - item.right, name, order=self.order, positive=self.positive)
-        if value is not None and self._hollow(item.left - item.right, name):
+            return (self.simplify(explicit) if item.sources else explicit), ()
+        gap = item.left - item.right
+        if name not in inner(item):
+            gap = self.carried_out(item.left) - self.carried_out(item.right)
+        value = solve_linear(gap, name, order=self.order, positive=self.positive)
+        if value is not None and self._hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
-            roots = solve_polynomial(item.left - item.right, name, order=self.order, positive=self.positive)
+            roots = solve_polynomial(gap, name, order=self.order, positive=self.positive)
             choice = self.choose(name, [self.with_answers(root) for root in roots]) if roots else None
-            return roots[choice[0]] if choice else None
-        return value
+            return (roots[choice[0]], choice[1]) if choice else None
+        return None if value is None else (value, ())
 
     def _check_alive(self, item: Item, names: set[str]) -> None:
         """An equation without unknowns left says nothing, or something false."""
@@ -151,12 +157,12 @@ class Solver(Textbook):
             raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
 
     def _eliminate(
-        self, items: list[Item], item: Item, name: str, value: Formula, trivial: bool, unknowns: set[str]
+        self, items: list[Item], item: Item, name: str, value: Formula, reason: Words | None, unknowns: set[str]
     ) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
         refs: list[Ref] = [item.ref, *item.sources]
-        if not trivial or (item.sources and self.pool[item.index].family):
-            step = self._step(item, name, value, ())
+        if reason is not None or (item.sources and self.pool[item.index].family):
+            step = self._step(item, name, value, reason or ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -189,7 +195,7 @@ class Solver(Textbook):
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
-        item.left, item.right = item.left.substitute(values), item.right.substitute(values)
+        item.left, item.right = (self.tidied(side.substitute(values)) for side in (item.left, item.right))
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:
@@ -228,7 +234,7 @@ class Solver(Textbook):
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
-            first = [*more, Equality(Symbol(asked), value)] if not integrals else list(more)
+            first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
             item.sources[:0] = [("known", name) for name in used]
             self._keep_written(item, asked, first, final, picked[1] or reason)
         elif item.sources or written != final:
@@ -274,12 +280,21 @@ class Solver(Textbook):
                 raise Redundant(item.index)
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
             pure = len(parts) == 3 and parts[1] == ZERO
-            more = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
-            return roots, more, ()
+            square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
+            return roots, square or self._unfolded(item, Equality(left, right)), ()
         if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
+        for solve in (solve_polynomial, solve_unwrapped):
+            for whole in dict.fromkeys((gap, self.with_answers(gap))):
+                roots = solve(whole, asked, order=self.order, positive=self.positive)
+                if roots:
+                    return roots, self._unfolded(item, Equality(left, right)), ()
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], [], ()
+
+    def _unfolded(self, item: Item, done: Equality) -> list[Equality]:
+        """The equation with its integrals carried out, where that is not how it stands."""
+        return [] if (done.left, done.right) == (item.left, item.right) else [done]
 
     def _numeric(self, item: Item, asked: str) -> Found:
         """A certified root where there is no closed form."""

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 from rotsolve.algebra.calculus import integrate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.exponentials import spread
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral
-from rotsolve.core.drive import TIME
+from rotsolve.algebra.separable import Stretch, Unending, needs_care, sign_by_letters
+from rotsolve.core.registry import TIME
 from rotsolve.solver.step import Found
 
 
@@ -27,7 +30,14 @@ class Textbook:
         value = simplify(value, order=self.order, positive=self.positive)
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
             value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
-        return in_powers(value, TIME, order=self.order, positive=self.positive)
+        return in_powers(value.transform(self._exponential), TIME, order=self.order, positive=self.positive)
+
+    def _exponential(self, node: Formula) -> Formula:
+        """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice."""
+        tidy = partial(simplify, order=self.order, positive=self.positive)
+        if isinstance(node, Call) and node.function == "exp":
+            return Call("exp", (tidy(node.arguments[0]),))
+        return spread(node, tidy)
 
     def _without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""
@@ -45,13 +55,45 @@ class Textbook:
         used = {name: known[name] for name in value.symbols() if name in known}
         return value.substitute(used) if used else value
 
+    def tidied(self, value: Formula) -> Formula:
+        """What is integrated in its shortest form."""
+
+        def change(node: Formula) -> Formula:
+            if not isinstance(node, Integral):
+                return node
+            return Integral(
+                self.simplify(node.integrand), node.variable, self.simplify(node.lower), self.simplify(node.upper)
+            )
+
+        return value.transform(change)
+
     def carried_out(self, value: Formula) -> Formula:
         """All integrals in closed form where there is one."""
 
         def change(node: Formula) -> Formula:
             if not isinstance(node, Integral):
                 return node
-            done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
+            done = self._separated(node)
+            if done is None:
+                done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
             return node if done is None else self.simplify(done)
 
         return value.transform(change)
+
+    def _separated(self, node: Integral) -> Formula | None:
+        """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""
+        if not needs_care(node.integrand, node.variable):
+            return None
+        stretch = Stretch(node.variable, node.lower, node.upper, self._sign, self.order, self.positive)
+        try:
+            return stretch.integral(node.integrand)
+        except Unending as error:
+            raise Undefined(str(error)) from None
+
+    def _sign(self, value: Formula) -> int | None:
+        """The sign of a formula by the numbers of the scene, else by its positive letters."""
+        value = self.with_answers(value)
+        try:
+            return evaluate(value, self.values, digits=3).sign
+        except (Undefined, ValueError):
+            return sign_by_letters(value, self.positive)

@@ -94,6 +94,7 @@ TREES: list[tuple[str, Formula]] = [
     ("I E N S", Product((Symbol("I"), Symbol("E"), Symbol("N"), Symbol("S")))),
     ("lambda beta", Product((Symbol("lambda"), Symbol("beta")))),
     ("∫[0 → t1] c time² d time", Integral(Product((c, Power(Symbol("time"), n(2)))), "time", n(0), Symbol("t1"))),
+    ("∫[0 → t1] c q dq", Integral(Product((c, Symbol("q"))), "q", n(0), Symbol("t1"))),
     ("2 ∫[0 → 1] (d) d d + a", Sum((Product((n(2), Integral(Symbol("d"), "d", n(0), n(1)))), a))),
     ("integral(q^2, q, 0, 1)", Integral(Power(Symbol("q"), n(2)), "q", n(0), n(1))),
 ]
@@ -170,8 +171,8 @@ ERRORS = [  # text, whole message, columns
     ("((x^9)^9)^9", "the exponent is too large: at most 64", 1, 8),
     ("1e401", "the exponent of ten is beyond ±400", 0, 5),
     ("1" * 61, "the number has more than 60 digits", 0, 61),
-    ("∫ x", "an integral needs its bounds: ∫[a → b] f d x", 0, 1),
-    ("∫[0 → 1] x", "an integral needs its variable: ∫[a → b] f d x", 0, 1),
+    ("∫ x", "an integral needs its bounds: ∫[a → b] f dx", 0, 1),
+    ("∫[0 → 1] x", "an integral needs its variable: ∫[a → b] f dx", 0, 1),
 ]
 
 

@@ -31,7 +31,7 @@ from rotsolve.algebra.notation.text import name_to_latex, name_to_text, to_latex
 
 NAMES = (
     "m M g a b I E N S e d f L R x y m1 m2 x_12 theta theta0 omega_2 omega alpha beta lambda Delta Omega phi_max a_end "
-    "alpha_end theta0_end H_x r_i v_P2 I_A A_x time epsilon mu"
+    "alpha_end theta0_end delta_K delta_theta1 H_x r_i v_P2 I_A A_x time epsilon mu"
 )
 NAMES_SET = frozenset(NAMES.split())
 PRIME = (1 << 61) - 1
@@ -236,7 +236,7 @@ TABLE = [
         "∫[0 → t₁] c time² d time",
         "integral(c*time^2, time, 0, t1)",
     ),
-    (Integral(d, "x", n(0), n(1)), "∫[0 → 1] (d) d x", "integral(d, x, 0, 1)"),
+    (Integral(d, "x", n(0), n(1)), "∫[0 → 1] (d) dx", "integral(d, x, 0, 1)"),
 ]
 
 

@@ -39,7 +39,7 @@ from rotsolve.scene.read import read_file
 
 HERE = Path(__file__).resolve().parent
 SCENES = sorted((HERE / "scenes").glob("*.yaml"))
-PROBLEMS = sorted((HERE.parent.parent / "problems").glob("*.yaml"))
+PROBLEMS = sorted((HERE.parent.parent / "problems").rglob("*.yaml"))
 MODES = ("sticks", "slips", "slips back")
 NODES, WEIGHTS = (  # Gauss-Legendre of ten points on −1 to 1, the positive half
     (0.1488743389816312, 0.4333953941292472, 0.6794095682990244, 0.8650633666889845, 0.9739065285171717),

@@ -20,7 +20,7 @@ from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 
 HERE = Path(__file__).resolve().parent
-FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").glob("*.yaml")])
+FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").rglob("*.yaml")])
 MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "300")), 10
 SECONDS = 5.0
 INTERNAL = re.compile(rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES)}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b")

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
-PROBLEMS = sorted((ROOT / "problems").glob("*.yaml"))
+PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

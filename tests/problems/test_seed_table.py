@@ -49,7 +49,7 @@ class Tied:
 @cache
 def tied() -> tuple[Tied, ...]:
     found = []
-    for file in sorted((ROOT / "problems").glob("*.yaml")):
+    for file in sorted((ROOT / "problems").rglob("*.yaml")):
         said: dict[str, list[str]] = {"id": [], "ask": [], "given": []}
         for word, text in COMMENT.findall(file.read_text(encoding="utf-8")):
             said[word].append(text)

@@ -23,12 +23,19 @@ class Candidate:
 def solve_polynomial(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> list[Formula]:
-    """The roots of f = 0 as a linear or quadratic equation in the unknown; empty where it is neither."""
+    """The roots of f = 0 as a linear or quadratic equation in the unknown, or one with such factors only; else empty."""
     problem = Problem([f], order, positive, extra=(unknown,))
     parts = polynomial(problem, unknown)
-    if parts is None or not 2 <= len(parts) <= 3:
+    if parts is None or len(parts) < 2:
         return []
-    return _roots(problem, parts, order, positive)
+    if len(parts) <= 3:
+        return _roots(problem, parts, order, positive)
+    place = problem.field.index[Symbol(unknown)]
+    _, factors = problem.field.factor(problem.numerator())
+    split = [problem.field.coefficients(factor, place) for factor, _ in factors]
+    if any(len(factor) > 3 for factor in split):
+        return []
+    return [root for factor in split if len(factor) > 1 for root in _roots(problem, factor, order, positive)]
 
 
 def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positive: Collection[str]) -> list[Formula]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Collection
 
 from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
@@ -9,6 +10,7 @@ from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 MAX_NESTING = 60
 
 CLOSERS = {"(": ")", "[": "]", "|": "|"}
+DIFFERENTIAL = re.compile(r"d[^\W\d_]\w*")  # dx, dθ, dt_1
 STARTS = frozenset(("number", "fraction", "name", "symbol", "constant", "function", "(", "[", "√", "∫"))
 
 
@@ -119,3 +121,20 @@ class Cursor:
             if level < 0:
                 break
         return -1
+
+    def differential(self, start: int) -> int:
+        """The index of the `d` that ends an integrand from `start` on; `dx` in one run is taken apart; -1 where there is none."""
+        apart, level = self.find(start, "d"), 0
+        for index in range(start, len(self.tokens) - 1 if apart < 0 else apart):
+            token = self.tokens[index]
+            if level == 0 and token.kind in "+-":
+                break
+            if level == 0 and token.kind in ("name", "symbol") and DIFFERENTIAL.fullmatch(token.text):
+                split = token.start + 1
+                name = Token(token.kind, token.text[1:], split, token.end)
+                self.tokens[index : index + 1] = [Token("name", "d", token.start, split), name]
+                return index
+            level += (token.kind in "([") - (token.kind in ")]")
+            if level < 0:
+                break
+        return apart

@@ -43,6 +43,7 @@ SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[
 _INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
+_CHANGE = re.compile(rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)")  # delta_theta, delta_K1
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\((t|time)\)")  # omega(t)
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
 
@@ -63,6 +64,8 @@ def spellings(raw: str) -> tuple[str, ...]:
             digits_plain.append(plain if plain.isdigit() else joint + plain)
             digits_joined.append(joint + plain if plain.isdigit() else plain)
         in_subscript = plain is not None
+    if raw[0] in "Δ∆" and raw[1:2].isalpha() and raw[1] not in _UNSUBSCRIPT:  # Δθ is delta_theta
+        return tuple(f"{delta}_{name}" for delta in ("delta", "Delta") for name in spellings(raw[1:]))
     first, second = "".join(digits_plain), "".join(digits_joined)
     index = _TRAILING_INDEX.search(first)
     if index is None:
@@ -89,7 +92,9 @@ def _greek(head: str) -> str:
 
 
 def name_to_text(name: str) -> str:
-    """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `omega(t)` is ω(t); `a_end` and paths stay as they are."""
+    """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `delta_K` is ΔK, `omega(t)` is ω(t); paths stay."""
+    if match := _CHANGE.fullmatch(name):
+        return f"Δ{_greek(match[1])}{subscripted(match[2])}"
     if match := _RUNNING.fullmatch(name):
         return f"{name_to_text(match[1])}({match[2]})"
     if match := _INDEXED.fullmatch(name):
@@ -116,6 +121,9 @@ def _latex_subscript(text: str) -> str:
 
 def name_to_latex(name: str) -> str:
     """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
+    if match := _CHANGE.fullmatch(name):
+        index = f"_{{{match[2]}}}" if match[2] else ""
+        return rf"\Delta {_latex_head(match[1])}{index}"
     if match := _RUNNING.fullmatch(name):
         return f"{name_to_latex(match[1])}({match[2]})"
     if match := _INDEXED.fullmatch(name):

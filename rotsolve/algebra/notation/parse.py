@@ -231,20 +231,20 @@ class _Parser(Cursor):
     def variable(self, index: int, sign: Token) -> str:
         """The name of the variable of integration, which is the token at `index`."""
         if index <= 0 or self.tokens[index].kind not in ("name", "symbol"):
-            raise FormulaError("an integral needs its variable: ∫[a → b] f d x", sign.start, sign.end)
+            raise FormulaError("an integral needs its variable: ∫[a → b] f dx", sign.start, sign.end)
         return resolve(self.tokens[index], None, (), split=False)[0].text
 
     def integral(self) -> Formula:
-        """∫[lower → upper] integrand d variable, after the ∫."""
+        """∫[lower → upper] integrand dx, after the ∫."""
         sign = self.tokens[self.index - 1]
         if self.token.kind != "[":
-            raise FormulaError("an integral needs its bounds: ∫[a → b] f d x", sign.start, sign.end)
+            raise FormulaError("an integral needs its bounds: ∫[a → b] f dx", sign.start, sign.end)
         self.open_bracket(self.next())
         lower = self.sum()
         self.expect("→")
         upper = self.sum()
         self.close_bracket()
-        where = self.find(self.index, "d")
+        where = self.differential(self.index)
         variable = self.variable(where + 1, sign)
         outer, self.stop = self.stop, self.tokens[where]
         self.bound.append(variable)

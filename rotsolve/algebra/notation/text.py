@@ -103,8 +103,9 @@ def join_terms(
     text = ""
     for term in terms:
         positive = unsigned(term)
-        body, level = show(term if positive is None else positive)
-        if level <= NEGATIVE:
+        plain = term if positive is None else positive
+        body, level = show(plain)
+        if level <= NEGATIVE and not isinstance(plain, Integral):  # its differential closes it
             body = f"{opening}{body}{closing}"
         if text:
             text += f" + {body}" if positive is None else f" {minus} {body}"
@@ -165,10 +166,12 @@ def _unicode(formula: Formula) -> Piece:
             return _unicode_call(function, arguments)
         case Integral(integrand, variable, lower, upper):
             body = _unicode(integrand)
-            # A `d` in the integrand would look like the d of the variable.
-            text = f"({body[0]})" if body[1] <= NEGATIVE or "d" in integrand.symbols() else body[0]
+            # A name with a `d` in front would look like the differential.
+            looks = any(name.startswith("d") for name in integrand.symbols())
+            text = f"({body[0]})" if body[1] <= NEGATIVE or looks else body[0]
             bounds = f"{_unicode(lower)[0]} → {_unicode(upper)[0]}"
-            return f"∫[{bounds}] {text} d {name_to_text(variable)}", NEGATIVE
+            gap = "" if len(name_to_text(variable.partition("_")[0])) == 1 else " "  # dt, dω, but d time
+            return f"∫[{bounds}] {text} d{gap}{name_to_text(variable)}", NEGATIVE
     raise TypeError(f"no text for {formula!r}")
 
 

@@ -59,7 +59,7 @@ class Connection:
         return 0
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
-        """How its forces and rules vary while bodies move: 'constant', 'time' or 'position'."""
+        """How its forces and rules vary while bodies move (see core.varying)."""
         return "constant"
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:

@@ -10,6 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Couple, Force, Rule, signed
 from rotsolve.core.heading import RIGHT, UP, unit
+from rotsolve.core.varying import combined, pace_of
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
@@ -59,9 +60,7 @@ class Driven(Connection):
     def pace(self, arrangement: Arrangement, state: str) -> str:
         """Of its torques; a drive's couple follows what it drives."""
         drives = (drive for ref in self.held() for drive in arrangement.drives(ref.owner, state))
-        friction = self.friction_torque
-        rubs = "time" if friction is not None and "time" in friction.symbols() else "constant"
-        return max((rubs, *(drive.pace for drive in drives)), key=("constant", "time").index)
+        return combined([pace_of(self.friction_torque or ZERO), *(drive.pace for drive in drives)])
 
     def couples(self, instant: Instant) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
@@ -201,7 +200,9 @@ def reaction(
     They are reversed on the carrier of a joint, where `opposite` is the other body.
     """
     name = instant.host(ref.owner)
-    span = instant.span(instant.host((opposite or ref).owner))
+    held = instant.host((opposite or ref).owner)
+    # what carries an off-centre body round changes its direction with it, so that it belongs to one moment
+    span = instant.when if instant.frame(held).cm.parts else instant.span(held)
     for axis, direction in (("x", RIGHT), ("y", UP)):
         component = f"{axis}_{name}" if several else axis
         words = ("right", "left") if axis == "x" else ("up", "down")

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
-from rotsolve.core.drive import TIME
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
@@ -176,10 +175,35 @@ class Composer:
         for name in self._occurring():
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
-        names = self.history.registry.letters(used, taken - set(chosen.values()), chosen)
-        if "t" not in taken | set(names.values()):
-            names["time"] = "t"  # the running time is an ordinary t where nothing else is
+        if "t" not in taken | set(chosen.values()):
+            chosen[TIME] = "t"  # the running time is an ordinary t where nothing else is
+        chosen |= self._running(used, taken | set(chosen.values()), chosen.get(TIME, TIME))
+        return self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+
+    def _running(self, used: Iterable[str], taken: frozenset[str], time: str) -> dict[str, str]:
+        """Letters for what runs through a phase, the same in every phase: ω(t), or plain ω where it is summed over."""
+        quantities, variables = self.history.registry.quantities, set(self._variables())
+        running = [item for key in used if (item := quantities.get(key)) is not None and item.runs]
+        owners: dict[str, set[tuple[str, str, str]]] = {}
+        for item in running:
+            owners.setdefault(item.letter, set()).add((item.kind, item.owner, item.component))
+        names = {}
+        for item in running:
+            alone = len(owners[item.letter]) == 1
+            plain = item.letter if alone else "_".join(filter(None, (item.letter, item.component, item.owner)))
+            if item.key not in variables:
+                names[item.key] = f"{plain}({time})"
+            elif plain not in taken:
+                names[item.key] = plain
         return names
+
+    def _variables(self) -> Iterator[str]:
+        """Variables of integration."""
+        for draft in self.drafts:
+            sides = [side for index in draft.laws for side in (self.pool[index].left, self.pool[index].right)]
+            sides += [side for step in draft.steps for one in step.chain for side in (one.left, one.right)]
+            for side in sides:
+                yield from (node.variable for node in side.walk() if isinstance(node, Integral))
 
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""

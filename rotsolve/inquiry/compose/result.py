@@ -13,9 +13,8 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
-from rotsolve.core.drive import TIME
 from rotsolve.core.heading import RIGHT, UP, Vector
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
 from rotsolve.scene.model import Moment
 from rotsolve.solver import Found

@@ -11,7 +11,7 @@ from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.drive import TIME
+from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 
 NEAR = 1e-9  # share of a phase within which a zero counts as its end

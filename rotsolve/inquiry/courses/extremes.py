@@ -8,9 +8,9 @@ from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.drive import TIME
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.courses.beside import Beside
 from rotsolve.inquiry.courses.running import SPANNED

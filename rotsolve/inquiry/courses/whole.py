@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import pairwise
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
-from rotsolve.core.drive import TIME
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.courses.beside import Beside
 from rotsolve.inquiry.courses.running import way

@@ -42,6 +42,8 @@ class OfElements(Moment):
                 return total([part for part in parts if part != ZERO])
             case "force":
                 return self._element_force(path, forces)
+            case "power" if any(couple.role == "power" for _, couple in couples):
+                return self._given_power(path.owner)
             case "power":
                 parts = [couple.torque * body.motion.spin for body, couple in couples]
                 parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
@@ -53,6 +55,11 @@ class OfElements(Moment):
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
         raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+
+    def _given_power(self, owner: str) -> Formula:
+        """The power of a motor that is told by its power."""
+        item = next(item for item in self.instant.arrangement.actions(self.instant.state) if item.name == owner)
+        return item.now(self.instant)
 
     def _absent(self, owner: str) -> bool:
         """Whether an action or connection has ended or been cut by this moment."""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Key, keys_of
+from rotsolve.scene.phrase.running import running_path
 from rotsolve.scene.reader.points import read_place, read_point
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
@@ -48,7 +50,8 @@ def read_value(scope: Scope, key: Key, node: Node, label: str, owner: str) -> An
 
 
 def quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return value(scope, node, Want(label, key.dimension, key.letter, owner, key.limits, key.varies))
+    want = Want(label, key.dimension, key.letter, owner, key.limits, key.varies)
+    return value(scope, node, want, partial(running_path, scope) if key.varies else None)
 
 
 def quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:

@@ -1,0 +1,165 @@
+"""Separable: the definite integrals that separation of variables leads to: ∫ (p + q x)/(a + b x + c x²) dx and ∫ dx/√(a + b x + c x²).
+
+The real branch is chosen by the sign of the discriminant, so that every root and logarithm is real; a denominator that vanishes on the
+way means that the end is approached for ever, or not reached at all.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+
+from rotsolve.algebra.exact.normal import Problem, simplify
+from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Number, Symbol, add, call, negate, sqrt
+
+TWO, FOUR, HALF = Number(Fraction(2)), Number(Fraction(4)), Number(Fraction(1, 2))
+SignOf = Callable[[Formula], "int | None"]
+
+
+class Unending(ValueError):
+    """The integral has no finite value: what it counts grows without end as the end is approached."""
+
+
+def sign_by_letters(f: Formula, positive: Collection[str]) -> int | None:
+    """The sign of a formula as far as positive letters tell it; 0 where it vanishes."""
+    problem = Problem([f], positive=positive)
+    top, bottom = problem.ratio()
+    product = problem.field.reduce(top * bottom)
+    if not len(product):
+        return 0
+    signs = Signs(problem.field, positive)
+    return 1 if signs.nonnegative(product) else -1 if signs.nonnegative(-product) else None
+
+
+@dataclass(frozen=True)
+class Stretch:
+    """An integral d(name) from one end to another; `sign` tells the sign of a formula without the variable, where it is known."""
+
+    name: str
+    lower: Formula
+    upper: Formula
+    sign: SignOf
+    order: Sequence[str] = ()
+    positive: Collection[str] = ()
+
+    def integral(self, f: Formula) -> Formula | None:
+        """The integral of f in closed form; None where it is of another kind. Raises Unending where it has no finite value."""
+        if self.lower == self.upper:
+            return ZERO
+        parts = self._fraction(f)
+        if parts is not None:
+            return self._quotient(*parts)
+        square = self._fraction(self._tidy(f * f))
+        if square is None or len(square[0]) != 1 or len(square[1]) > 3:
+            return None
+        found = self._root([self._tidy(part / square[0][0]) for part in square[1]])
+        return negate(found) if found is not None and self._negative(f) else found
+
+    def _tidy(self, f: Formula) -> Formula:
+        return simplify(f, order=self.order, positive=self.positive)
+
+    def _fraction(self, f: Formula) -> tuple[list[Formula], list[Formula]] | None:
+        """Coefficients of the numerator and denominator by powers of the variable; None where it stands in a function."""
+        problem = Problem([f], self.order, self.positive, extra=(self.name,))
+        ring = problem.field
+        top, bottom = problem.ratio()
+        top, bottom = ring.cancel((ring.reduce(top), ring.reduce(bottom)))
+        inside = [i for i in range(len(ring.atoms)) if ring.mentions(i, self.name)]
+        if any(poly.degrees()[i] for poly in (top, bottom) for i in inside):
+            return None
+        place = ring.index[Symbol(self.name)]
+        above, below = (ring.coefficients(poly, place) for poly in (top, bottom))
+        if not 2 <= len(below) <= 3 or len(above) > len(below):
+            return None if len(below) > 1 or len(above) > 1 else ([problem.shortest((top, bottom))], [ONE])
+        return tuple([problem.shortest((part, ring.one)) for part in side] for side in (above, below))  # type: ignore[return-value]
+
+    def _quotient(self, above: list[Formula], below: list[Formula]) -> Formula | None:
+        """∫ of a quotient of polynomials; the denominator of degree one or two, the numerator of no higher one."""
+        if len(below) == 1:
+            return self._tidy(above[0] / below[0] * (self.upper - self.lower))
+        whole: Formula = ZERO
+        if len(above) == len(below):
+            share = self._tidy(above[-1] / below[-1])
+            above = [self._tidy(one - share * other) for one, other in zip(above[:-1], below[:-1], strict=True)]
+            whole = share * (self.upper - self.lower)
+        above = [*above, ZERO, ZERO]
+        if len(below) == 2:
+            return self._tidy(add(whole, self._logarithm(self._tidy(above[0] / below[1]), self._at(below))))
+        a, b, c = below
+        result = whole
+        if above[1] != ZERO:
+            result = add(result, self._logarithm(self._tidy(above[1] / (TWO * c)), self._at(below)))
+        rest = self._tidy(above[0] - above[1] * b / (TWO * c))
+        return self._tidy(add(result, rest * self._plain(a, b, c))) if rest != ZERO else self._tidy(result)
+
+    def _at(self, coefficients: list[Formula]) -> tuple[Formula, Formula]:
+        """A polynomial at both ends."""
+        line: Formula = ZERO
+        for power, part in enumerate(coefficients):
+            line = add(line, part * Symbol(self.name) ** power if power else part)
+        first, last = (self._tidy(line.substitute({self.name: end})) for end in (self.lower, self.upper))
+        return first, last
+
+    def _logarithm(self, factor: Formula, ends: tuple[Formula, Formula]) -> Formula:
+        """factor · log(last/first), turned over where that saves a minus sign."""
+        self._same_side(*ends)
+        first, last = ends
+        if isinstance(factor, Negative):
+            first, last, factor = last, first, factor.operand
+        return factor * call("log", self._tidy(last / first))
+
+    def _same_side(self, first: Formula, last: Formula) -> None:
+        """What the integrand is divided by may not vanish at an end or between."""
+        signs = self.sign(first), self.sign(last)
+        if 0 in signs or (None not in signs and signs[0] != signs[1]):
+            raise Unending("what is reached there is only approached: it would take for ever")
+
+    def _plain(self, a: Formula, b: Formula, c: Formula) -> Formula:
+        """∫ dx/(a + b x + c x²): a logarithm where the denominator has real roots, else an arc tangent."""
+        inside = self._tidy(b**2 - FOUR * a * c)
+        sign = self.sign(inside)
+        slopes = [self._tidy(TWO * c * end + b) for end in (self.lower, self.upper)]
+        if sign == 0:
+            self._same_side(*slopes)
+            return TWO / slopes[0] - TWO / slopes[1]
+        root = self._tidy(sqrt(inside if sign != -1 else negate(inside)))
+        if sign == -1:
+            first, last = (call("atan", self._tidy(slope / root)) for slope in slopes)
+            return TWO / root * add(last, negate(first))
+        low, high = ([self._tidy(slope + shift) for slope in slopes] for shift in (negate(root), root))
+        self._same_side(*low)
+        self._same_side(*high)
+        return call("log", self._tidy(low[1] * high[0] / (high[1] * low[0]))) / root
+
+    def _root(self, below: list[Formula]) -> Formula | None:
+        """∫ dx/√(a + b x + c x²): an arc sine where c < 0, a logarithm where c > 0."""
+        first, last = self._at(below)
+        a, b, c = [*below, ZERO, ZERO][:3]
+        if c == ZERO:
+            return self._tidy(TWO / b * (sqrt(last) - sqrt(first)))
+        sign = self.sign(c)
+        slopes = [self._tidy(TWO * c * end + b) for end in (self.lower, self.upper)]
+        if sign == -1:
+            size = self._tidy(sqrt(b**2 - FOUR * a * c))
+            arcs = [call("asin", self._tidy(negate(slope) / size)) for slope in slopes]
+            return self._tidy(add(arcs[1], negate(arcs[0])) / sqrt(negate(c)))
+        if sign != 1:
+            return None
+        tops = [add(slope, TWO * sqrt(c) * sqrt(end)) for slope, end in zip(slopes, (first, last), strict=True)]
+        return self._tidy(call("log", self._tidy(tops[1] / tops[0])) / sqrt(c))
+
+    def _negative(self, f: Formula) -> bool:
+        """Whether the integrand is negative on the way."""
+        sign = self.sign(f.substitute({self.name: HALF * (self.lower + self.upper)}))
+        return sign == -1 if sign is not None else isinstance(f, Negative)
+
+
+def needs_care(f: Formula, name: str) -> bool:
+    """Whether an integrand is divided by something with the variable in it, or has a root of it."""
+    return any(
+        (hasattr(node, "denominator") and name in node.denominator.symbols())
+        or (isinstance(node, Call) and node.function == "sqrt" and name in node.symbols())
+        for node in f.walk()
+    )
