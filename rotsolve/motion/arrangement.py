@@ -22,7 +22,7 @@ from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import ANY_TIME, Body, PointRef, Problem
+from rotsolve.scene.model import Body, PointRef, Problem
 
 MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
@@ -249,7 +249,7 @@ class Arrangement:
     @cached_property
     def functions(self) -> bool:
         """Whether the scene asks for a function of time."""
-        return any(term.at == ANY_TIME for find in self.problem.finds for term in find.terms)
+        return any(find.runs for find in self.problem.finds)
 
     @cached_property
     def runs(self) -> bool:

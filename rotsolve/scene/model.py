@@ -175,6 +175,11 @@ class Find:
     text: str = ""
     span: Span | None = None
 
+    @property
+    def runs(self) -> bool:
+        """Whether it asks for a function of time."""
+        return any(term.at == ANY_TIME for term in self.terms)
+
 
 @dataclass(frozen=True, slots=True)
 class Moment:

@@ -16,7 +16,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
-from rotsolve.scene.model import Condition, Moment, Problem
+from rotsolve.scene.model import Condition, Find, Moment, Problem
 from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
@@ -36,7 +36,7 @@ class Composer:
         self.drafts = drafts_of(inquiry)
         self.names = self._names()
         self.numbers = self._numbers()
-        self.results = Results(inquiry, self.printed, at)
+        self.results = Results(inquiry, self.printed, self._named, at)
 
     def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
@@ -170,15 +170,26 @@ class Composer:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
         for answered in self.inquiry.answered:
-            chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+            chosen.setdefault(answered.asked.letter, self._named(answered.asked.find))
         used: dict[str, None] = {}
         for name in self._occurring():
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
-        if "t" not in taken | set(chosen.values()):
-            chosen[TIME] = "t"  # the running time is an ordinary t where nothing else is
-        chosen |= self._running(used, taken | set(chosen.values()), chosen.get(TIME, TIME))
+        if self.time != TIME:
+            chosen[TIME] = self.time
+        others = [key for key in used if key not in chosen]
+        chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         return self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+
+    @cached_property
+    def time(self) -> str:
+        """The letter of the running time: an ordinary t where nothing else is."""
+        taken = {*(given.name for given in self.problem.givens), *(find.name for find in self.problem.finds)}
+        return TIME if "t" in taken else "t"
+
+    def _named(self, find: Find) -> str:
+        """The name of an answer; ω(t) where it is a function of time."""
+        return f"{find.name}({self.time})" if find.runs else find.name
 
     def _running(self, used: Iterable[str], taken: frozenset[str], time: str) -> dict[str, str]:
         """Letters for what runs through a phase, the same in every phase: ω(t), or plain ω where it is summed over."""
@@ -190,7 +201,7 @@ class Composer:
         names = {}
         for item in running:
             alone = len(owners[item.letter]) == 1
-            plain = item.letter if alone else "_".join(filter(None, (item.letter, item.component, item.owner)))
+            plain = "_".join(filter(None, (item.letter, item.component, "" if alone else item.owner)))
             if item.key not in variables:
                 names[item.key] = f"{plain}({time})"
             elif plain not in taken:
@@ -255,7 +266,7 @@ class Composer:
     # head
 
     def _find(self, answered: Answered) -> Words:
-        return (Symbol(answered.asked.find.name),)
+        return (Symbol(self._named(answered.asked.find)),)
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)

@@ -16,7 +16,7 @@ from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
-from rotsolve.scene.model import Moment
+from rotsolve.scene.model import Find, Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -28,6 +28,7 @@ class Results:
 
     inquiry: Inquiry
     printed: Callable[[Formula], Formula]
+    named: Callable[[Find], str]
     at: Moment | None = None  # when functions of time are evaluated
 
     def answer(self, answered: Answered) -> Answer:
@@ -39,7 +40,7 @@ class Results:
         )
         value = self._value_in(found, unit)
         direction, signed = self._direction(answered, value)
-        symbol, remark = Symbol(asked.find.name), self._when(found)
+        symbol, remark = Symbol(self.named(asked.find)), self._when(found)
         return Answer(asked.find.name, symbol, formula, value, unit, asked.dimension, direction, signed, remark=remark)
 
     def _when(self, found: Found) -> Words:

@@ -6,6 +6,8 @@ from dataclasses import replace
 
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import TIME
+from rotsolve.core.varying import CONSTANT
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
 from rotsolve.motion.instant import Instant
@@ -30,6 +32,7 @@ def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
         raise Unclear("the motion may be another function in each phase", help=f"say `during` which: {names}")
     if term.modifier not in ("", "size of"):
         raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
+    check_pace(term.path, named[0], history)
     start, path = named[0].start, term.path
     if path.quantity in SPANNED:
         middle = history.instant(start, generic=True)
@@ -38,6 +41,15 @@ def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
     if term.modifier == "size of":
         meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
     return meaning, named[0].name
+
+
+def check_pace(path: Path, interval: Interval, history: History) -> None:
+    """A motion whose acceleration goes by the place or the speed is not written as a function of the running time."""
+    name = history.instant(interval.start).host(path.owner) if path.owner in history.arrangement.bodies else ""
+    for travel in history.passages[interval.name].travels:
+        if travel.body == name and travel.pace not in (CONSTANT, TIME) and travel.given not in (0, 1):
+            help = "ask for it at a state whose time is a letter: `end: {time: t1}`"
+            raise NotYet(f"the motion of `{name}` as a function of time is not solved yet", help=help)
 
 
 def one_function(name: str, intervals: tuple[Interval, ...], history: History) -> bool:
