@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import coefficients, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 
@@ -53,10 +54,30 @@ class Beside:
         if not found.complete:
             raise NotYet("where it changes its sign can not be told for certain")
         exact = solve_polynomial(function, TIME) or [item.formula for item in solve_trig(function, TIME)]
-        result = []
-        for root in inside:
-            fitting = [form for form in exact if abs(self.number(form) - root) < edge]
-            if not fitting:
-                raise NotYet("the moment at which it changes its sign has no closed form")
-            result.append(simplify(fitting[0]))
-        return result
+        return [self._closed(root, exact, period_of(function), edge) for root in inside]
+
+    def _closed(self, root: float, exact: list[Formula], period: Formula | None, edge: float) -> Formula:
+        """The closed form of a zero, whole periods later where the motion swings."""
+        for form in exact:
+            gap = root - self.number(form)
+            periods = 0 if period is None else round(gap / self.number(period))
+            shift = ZERO if period is None else periods * period
+            if abs(gap - self.number(shift)) < edge:
+                return simplify(form + shift)
+        raise NotYet("the moment at which it changes its sign has no closed form")
+
+
+def period_of(function: Formula) -> Formula | None:
+    """2π/n of a function in which the time stands in sin n t and cos n t only."""
+    calls = [node for node in function.walk() if isinstance(node, Call) and TIME in node.symbols()]
+    if not calls or any(node.function not in ("sin", "cos") for node in calls):
+        return None
+    slopes = {simplify(differentiate(node.arguments[0], TIME)) for node in calls}
+    slope = slopes.pop()
+    return None if slopes or TIME in slope.symbols() else 2 * PI / slope
+
+
+def straight(function: Formula) -> bool:
+    """Whether a function of time is linear, so that its zero needs no choice."""
+    parts = coefficients(function, TIME)
+    return parts is not None and len(parts) == 2

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.courses.beside import Beside
+from rotsolve.inquiry.courses.beside import Beside, straight
 from rotsolve.inquiry.courses.running import SPANNED
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
@@ -74,7 +74,7 @@ def within(term: Term, best: Candidate, name: str, history: History) -> tuple[Me
     assert best.moment is not None
     slope = in_powers(simplify(differentiate(best.function, TIME)), TIME)
     zero: tuple[Formula, Formula] = (slope.substitute({TIME: time}), ZERO)
-    if sum(node == Symbol(TIME) for node in slope.walk()) != 1:
+    if not straight(slope):
         zero = (time, best.moment)
     law = Equation(*zero, f"{name}, {owner}: its rate is zero", best.interval.name, KINEMATICS, 1)
     value = best.function.substitute({TIME: time})

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from dataclasses import dataclass
 from itertools import pairwise
 
-from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol, add
+from rotsolve.algebra.formula import PI, ZERO, Formula, add
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.courses.beside import Beside
+from rotsolve.inquiry.courses.beside import Beside, straight
 from rotsolve.inquiry.courses.running import way
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
@@ -59,14 +62,13 @@ def parts(
     speed = beside.settled(rate_of(word, name, middle), RATE[word])
     change = rotation(name, interval, first) if word == "rotation" else way(path, name, interval, first)
     turns = beside.zeros(speed, times[0], times[1])
-    come = so_far(word, name, middle)
     marks: list[Formula] = [ZERO]
     laws: list[Equation] = []
     for number, moment in enumerate(turns, 1):
-        when = f"{interval.name} reversal" + (f" {number}" if len(turns) > 1 else "")
-        until = first.ask(word, name, when=when, words=("", ""), letter="phi" if word == "rotation" else "s")
-        laws += reversal(word, name, (speed, moment), (beside.settled(come, word), until), first, when, interval)
-        marks.append(until)
+        come = beside.settled(so_far(word, name, middle), word)
+        turn = Reversal(word, name, interval, str(number) if len(turns) > 1 else "", speed, moment, come)
+        marks.append(turn.until(first))
+        laws += turn.laws(first)
     marks.append(change)
     moments = [times[0], *turns, times[1]]
     result = []
@@ -87,27 +89,37 @@ def rate_of(word: str, name: str, middle: Instant) -> Formula:
     return middle.travel("velocity", name, line[1] if line else "")
 
 
-def reversal(
-    word: str,
-    name: str,
-    speed: tuple[Formula, Formula],
-    come: tuple[Formula, Formula],
-    first: Instant,
-    when: str,
-    interval: Interval,
-) -> list[Equation]:
-    """When the rate vanishes, and how far the body has come by then."""
-    (rate, moment), (function, until) = speed, come
-    time = first.ask("time", name, when=when, letter="t_r")
-    letter = "ω" if word == "rotation" else "v"
-    at = {TIME: time}
-    linear = TIME not in moment.symbols() and len([n for n in rate.walk() if n == Symbol(TIME)]) == 1
-    zero = (rate.substitute(at), ZERO) if linear else (time, moment)
-    turned = "angle turned" if word == "rotation" else "way"
-    remark = () if linear else (f"the zero of {letter} = ", rate)
-    return [
-        Equation(*zero, f"{spoken(name)} reverses where {letter} = 0", interval.name, KINEMATICS, 1, remark),
-        Equation(
-            until, function.substitute(at), f"{turned} until {spoken(name)} reverses", interval.name, KINEMATICS, 1
-        ),
-    ]
+@dataclass(frozen=True)
+class Reversal:
+    """A moment of a phase at which a body reverses: the functions of time of its rate and of its way, and when the rate vanishes."""
+
+    word: str
+    name: str
+    interval: Interval
+    number: str
+    speed: Formula
+    moment: Formula
+    come: Formula
+
+    def time(self, first: Instant) -> Formula:
+        when = f"{self.interval.name} reversal {self.number}".strip()
+        return first.ask("time", self.name, when=when, letter=f"t_r{self.number}")
+
+    def until(self, first: Instant) -> Formula:
+        """The letter for the angle turned, or the way gone, until then."""
+        when = f"{self.interval.name} reversal {self.number}".strip()
+        letter = ("phi" if self.word == "rotation" else "s") + self.number
+        return first.ask(self.word, self.name, when=when, letter=letter)
+
+    def laws(self, first: Instant) -> Iterator[Equation]:
+        """The rate vanishes, and how far the body has come by then."""
+        letter, way_ = ("ω", "angle turned") if self.word == "rotation" else ("v", "way")
+        body, time = spoken(self.name), self.time(first)
+        plain = straight(self.speed)
+        zero = (self.speed.substitute({TIME: time}), ZERO) if plain else (time, self.moment)
+        remark = () if plain else (f"a zero of {letter} = ", self.speed)
+        yield self._law(zero, f"{body} reverses where {letter} = 0", remark)
+        yield self._law((self.until(first), self.come.substitute({TIME: time})), f"{way_} until {body} reverses", ())
+
+    def _law(self, sides: tuple[Formula, Formula], label: str, remark: Words) -> Equation:
+        return Equation(*sides, label, self.interval.name, KINEMATICS, 1, remark)
