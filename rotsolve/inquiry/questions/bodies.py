@@ -107,10 +107,8 @@ class OfBodies(Moment):
                 return self._force(name, component)
             case "power":
                 return self._power(name, component)
-            case "period":
-                return instant.ask("period", host)
-            case "instantaneous_centre":
-                return self._instantaneous_centre(path)
+            case "period" | "instantaneous_centre":
+                return instant.ask("period", host) if path.quantity == "period" else self._instantaneous_centre(path)
             case "cm":
                 centre = instant.frame(name).cm + instant.frame(name).reference
                 return centre.along(UP if component == "y" else RIGHT)

@@ -97,11 +97,11 @@ def build(
         declared = BODY[word]
         if declared.later:
             scope.later(place, word)
-        if declared.kind == "motion":
-            fields["moved"] = (*fields.get("moved", ()), *motion(scope, declared, node, word, name))
-            continue
         reader = READERS.get(declared.kind)
-        found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
+        if declared.kind == "motion":
+            found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
+        else:
+            found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
             fields.update(found)
         elif found is not None:
