@@ -29,10 +29,10 @@ from rotsolve.inquiry.explain import (
     unsolvable,
     with_missing_told,
 )
-from rotsolve.inquiry.finds import Unclear, asked, entries
+from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import NotYet, resting
+from rotsolve.inquiry.questions import NotYet, Unclear, resting
 from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
@@ -84,7 +84,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(inquiry, arrangement.problem.finds)
-    if at is not None and not arrangement.runs:
+    if at is not None and not arrangement.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     broken = contradiction(inquiry)
     if broken is not None:
@@ -155,7 +155,7 @@ def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:
 
     `whole` names the choice to which the question belongs.
     """
-    question = asked(find, inquiry.history, inquiry.letters())
+    question = asked(find, inquiry.history, inquiry.letters(), inquiry.beside())
     question = replace(question, whole=whole)
     if question.moving.parts and stands(question.moving, inquiry):
         raise NotYet(resting(find.terms[0].path))

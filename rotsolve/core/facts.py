@@ -164,6 +164,7 @@ class BodyFacts:
     forces: tuple[Force, ...]
     couples: tuple[Couple, ...]
     round: bool = False
+    period: Formula | None = None  # of a steady rotation, where the scene speaks of it
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:

@@ -14,6 +14,7 @@ from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
 from rotsolve.inquiry.answers import Answered, Chosen
+from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs
@@ -92,6 +93,11 @@ class Inquiry:
         """The answers so far by name: what later questions may use."""
         return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
 
+    def beside(self) -> Beside:
+        """What can be worked out without a trace in this inquiry."""
+        other = Inquiry(self.history, families_for(None)) if self.history.arrangement.runs else self
+        return Beside(other.settled, self.values)
+
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
         finds = self.history.arrangement.problem.finds
@@ -121,6 +127,9 @@ class Inquiry:
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
         self._take_steps(asked)
         parts = tuple(self._part(part) for part in asked.parts)
+        for law in asked.laws:
+            if law not in self.planner.pool:
+                self.planner.extend(law)
         if not asked.direct and asked.letter not in self.defined:
             section = asked.section or self._section_of(asked.formula)
             label = asked.label or "definition"

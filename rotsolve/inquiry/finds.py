@@ -12,11 +12,13 @@ from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.tensor import AXES, ENTRIES
+from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, way, whole_way
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import (
     Asked,
     Meaning,
     NotYet,
+    Unclear,
     in_parts,
     label_of,
     path_text,
@@ -24,28 +26,23 @@ from rotsolve.inquiry.questions import (
     spoken_point,
     whole_vector,
 )
+from rotsolve.inquiry.questions.conversion import conversion
 from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
-from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import displacement, rotation, so_far
+from rotsolve.motion.passages import rotation
 from rotsolve.motion.rigid import tidy
-from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import ANY_TIME, Find, Path, PointRef, Term
 
-SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 STORED = ("potential_energy", "energy")
 DIFFERENCE = ("change of", "lost")
-
-
-class Unclear(NotYet):
-    """A question that the scene does not settle: which state, which end."""
 
 
 Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
 
 
-def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({})) -> Asked:
+def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}), beside: Beside | None = None) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
-    meanings = [meaning_of(term, history) for term in find.terms]
+    meanings = [meaning_of(term, history, beside) for term in find.terms]
+    laws = tuple(law for meaning, _ in meanings for law in meaning.laws)
     values = {f"#{index}": meaning.formula for index, (meaning, _) in enumerate(meanings)}
     values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
     formula = find.formula.substitute(values)
@@ -67,11 +64,16 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
             section=section,
             words=words,
             definitions=definitions,
+            laws=laws,
         )
     vector = first.vector if single and first is not None else None
+    givens = {given.name: given for given in history.arrangement.problem.givens}
+    if isinstance(formula, Symbol) and formula.name in givens:
+        note, label = conversion(find, givens[formula.name]), "conversion of units"
+        return Asked(find, formula, f"asked{SEPARATOR}{find.name}", dimension, label=label if note else "", said=note)
     letter = f"asked{SEPARATOR}{find.name}"
     if not single or first is None:
-        return Asked(find, formula, letter, dimension, vector, "", "", section, definitions=definitions)
+        return Asked(find, formula, letter, dimension, vector, "", "", section, definitions=definitions, laws=laws)
     plain = find.terms[0].modifier == "" and find.modifier == ""
     resolved = find.terms[0].modifier in ("", "mean", *DIFFERENCE) and find.modifier == ""
     question = Asked(
@@ -87,6 +89,7 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}))
         moving=first.moving,
         said=first.said,
         definitions=definitions,
+        laws=laws,
     )
     return in_parts(question) if resolved else question
 
@@ -141,7 +144,7 @@ def dimension_of_find(
         return None
 
 
-def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
+def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     timeline = history.arrangement.timeline
     start, end = term.start, term.end
@@ -152,52 +155,17 @@ def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
         if interval is None:
             raise Unclear(f"there is no phase or event `{term.during}`")
         start, end = interval.start, interval.end
-    if term.modifier in ("largest", "smallest", "total"):
-        raise NotYet(
-            f"`{term.modifier} {term.path.quantity}` is not solved yet",
-            help="ask for it at a state, or from one state to another",
-        )
+    if term.modifier == "total" or term.path.quantity == "distance":
+        return whole_way(term, *span(term, start, end, history), history, beside)
+    if term.modifier in ("largest", "smallest"):
+        return extreme(term, *span(term, start, end, history), history, beside)
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, history)
     if term.modifier in DIFFERENCE and start and end:
         return difference(term, start, end, history)
     if term.modifier == "mean" and start and end:
-        return mean(term, start, end, history)
+        return mean(term, start, end, history, beside)
     return at_state(term, history)
-
-
-def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
-    """The meaning at the running time, in the phase that is named or in the only one; a given motion is one function throughout."""
-    timeline = history.arrangement.timeline
-    intervals = timeline.between(term.start, term.end) if term.start and term.end else timeline.intervals
-    named = [interval for interval in intervals if term.during in (None, interval.name) and interval.event is None]
-    if not named:
-        raise Unclear("a function of time is asked of a phase", help="say `at any time during PHASE`")
-    if len(named) > 1 and not history.arrangement.drives(term.path.owner, named[0].start):
-        names = ", ".join(interval.name for interval in named)
-        raise Unclear("the motion may be another function in each phase", help=f"say `during` which: {names}")
-    if term.modifier not in ("", "size of"):
-        raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
-    start, path = named[0].start, term.path
-    if path.quantity in SPANNED:
-        return Meaning(run_up(path, history.instant(start, generic=True)), BY_WORD[path.quantity].dimension), named[
-            0
-        ].name
-    meaning = history.reader(start, generic=True).meaning(path, term)
-    if term.modifier == "size of":
-        meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
-    return meaning, named[0].name
-
-
-def run_up(path: Path, middle: Instant) -> Formula:
-    """What has come together from the start of a phase up to the running time."""
-    name = middle.host(path.owner)
-    if path.quantity == "displacement":
-        return way(path, name, None, middle)
-    if path.quantity in ("rotation", "turns"):
-        turned = so_far("rotation", name, middle)
-        return turned / (2 * PI) if path.quantity == "turns" else turned
-    raise NotYet(f"`{path.quantity}` as a function of time is not solved yet")
 
 
 def at_state(term: Term, history: History) -> tuple[Meaning, str]:
@@ -238,17 +206,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     """A quantity of one or several phases: the sum over them."""
     arrangement, timeline = history.arrangement, history.arrangement.timeline
     path, kind = term.path, BY_WORD[term.path.quantity]
-    names = list(timeline.named)
-    if term.at is not None and term.at in names:
-        start, end = names[max(0, names.index(term.at) - 1)], term.at
-    start, end = start or names[0], end or names[-1]
-    if names.index(start) >= names.index(end):
-        help = (
-            f"say `from … to …` with two of: {', '.join(names)}"
-            if len(names) > 1
-            else "give `states`, at least two of them"
-        )
-        raise Unclear(f"`{path.quantity}` runs from one state to a later one", help=help)
+    start, end = span(term, start, end, history)
     intervals = timeline.between(start, end)
     if path.quantity == "displacement" and path.point is not None:
         return of_point(term, start, end, history), intervals[-1].name
@@ -297,14 +255,20 @@ def of_point(term: Term, start: str, end: str, history: History) -> Meaning:
     return Meaning(size_of(way), dimension, way, label=label)
 
 
-def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
-    """Displacement along a body's line or a component of it, over a phase, or up to any moment in it where none is named."""
-    axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
-    if path.component and not axis:
-        raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
-    if interval is None:
-        return so_far("displacement", name, instant, axis)
-    return displacement(name, interval, instant, axis)
+def span(term: Term, start: str | None, end: str | None, history: History) -> tuple[str, str]:
+    """The states from and to which a quantity is asked; from the state before to one that is named, else over the whole scene."""
+    names = list(history.arrangement.timeline.named)
+    if term.at is not None and term.at in names:
+        start, end = names[max(0, names.index(term.at) - 1)], term.at
+    start, end = start or names[0], end or names[-1]
+    if names.index(start) >= names.index(end):
+        help = (
+            f"say `from … to …` with two of: {', '.join(names)}"
+            if len(names) > 1
+            else "give `states`, at least two of them"
+        )
+        raise Unclear(f"`{term.path.quantity}` runs from one state to a later one", help=help)
+    return start, end
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
@@ -341,24 +305,32 @@ def stored_difference(term: Term, start: str, end: str, history: History) -> tup
     ].name
 
 
-def mean(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
-    """Mean over time: work over time for a power, angle or way over time for a rate."""
+def mean(term: Term, start: str, end: str, history: History, beside: Beside | None) -> tuple[Meaning, str]:
+    """Mean over time: work over time for a power, angle or way over time for a rate, its change for an acceleration."""
     whole = {
         "power": "work",
         "angular_velocity": "rotation",
         "velocity": "displacement",
+        "speed": "distance",
+        "acceleration": "velocity",
         "angular_acceleration": "angular_velocity",
+        "force": "impulse",
+        "torque": "angular_impulse",
     }
     summed = whole.get(term.path.quantity)
     if summed is None:
         raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
     duration, section = spanned(Term(Path("", "time")), start, end, history)
     other = replace(
-        term, path=replace(term.path, quantity=summed), modifier="change of" if summed == "angular_velocity" else ""
+        term, path=replace(term.path, quantity=summed), modifier="change of" if summed.endswith("velocity") else ""
     )
-    amount, _ = meaning_of(replace(other, start=start, end=end), history)
+    amount, _ = meaning_of(replace(other, start=start, end=end), history, beside)
     word = term.path.quantity.replace("_", " ")
     vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
     return Meaning(
-        amount.formula / duration.formula, BY_WORD[term.path.quantity].dimension, vector, label=f"mean {word}"
+        amount.formula / duration.formula,
+        BY_WORD[term.path.quantity].dimension,
+        vector,
+        label=f"mean {word}",
+        laws=amount.laws,
     ), section

@@ -23,6 +23,7 @@ from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, driven, energy, kinematics, momentum, newton, separation
 from rotsolve.principles import rotation as turning
+from rotsolve.principles.steady import steady_rotation
 from rotsolve.scene.model import Condition
 
 
@@ -134,6 +135,7 @@ class History:
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
         yield from driven.rates(facts, state)
+        yield from steady_rotation(facts, state)
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
             yield from momentum.rate_of_angular_momentum(facts, group, section)

@@ -9,6 +9,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.varying import paths_in
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
@@ -54,6 +55,10 @@ class Statements:
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 self._balance(state.name)
         self._as_drawn(self._fresh(self.arrangement.timeline.states[0].name))
+        for state in self.arrangement.timeline.states:
+            for generic in (False, True):
+                instant = Instant(self.arrangement, self.registry, state.name, generic, self.modes)
+                self._driven(instant, by_motion=True)
         return self.stated
 
     def _as_drawn(self, first: Instant) -> None:
@@ -194,11 +199,15 @@ class Statements:
             for rate in rates:
                 self._set(rate, ZERO)
 
-    def _driven(self, instant: Instant) -> None:
-        """What a drive prescribes at a moment, and rates of it that vanish."""
+    def _driven(self, instant: Instant, *, by_motion: bool = False) -> None:
+        """What a drive prescribes at a moment, and rates of it that vanish; what goes `by_motion` itself waits for what the states say."""
         bodies = self.arrangement.present(instant.state)
         drives = [drive for body in bodies for drive in self.arrangement.drives(body.name, instant.state)]
+        drives = [drive for drive in drives if any(paths_in(drive.function)) == by_motion]
         for drive in drives:
+            if by_motion and drive.order < 2:
+                word = spoken(drive.word)
+                raise NotYet(f"a given {word} is a formula of `time` alone", help="give the acceleration instead")
             self._set(instant.driven(drive, drive.word), instant.now(drive.function))
         for drive in drives:
             for word, function in drive.rates().items():

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, add, negate, sqrt
-from rotsolve.core.facts import signed
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate, sqrt
+from rotsolve.core.facts import BodyFacts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
@@ -12,6 +12,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.encounters import participants
 from rotsolve.principles.energy import potential
+from rotsolve.principles.momentum import over_time
 from rotsolve.scene.model import Path
 
 
@@ -64,22 +65,23 @@ def last_named(owner: str, interval: str, history: History) -> str:
 def impulse_over(path: Path, passage: Passage) -> Formula:
     """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
     result: Formula = ZERO
-    for body in passage.midst.bodies:
-        efforts: list[Formula] = []
-        if path.quantity == "angular_impulse":
-            efforts += [signed(item.torque, body.motion.sense) for item in body.acting if item.owner == path.owner]
-        else:
-            efforts += [force.size for force in body.forces if force.owner == path.owner]
-        for effort in efforts:
+    for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
+        for one, effort in zip(efforts(path, first), efforts(path, body), strict=True):
             if running(effort.symbols()):
                 raise NotYet(
                     f"the {path.quantity.replace('_', ' ')} of `{path.owner}`, which varies with the motion, is not solved yet"
                 )
-            varies = "time" in effort.symbols()
-            result = add(result, Integral(effort, "time", *passage.times) if varies else effort * passage.duration)
+            result = add(result, over_time(one, effort, passage))
     if result == ZERO:
         raise NotYet(f"`{path.owner}` gives no impulse in this phase")
     return result
+
+
+def efforts(path: Path, body: BodyFacts) -> list[Formula]:
+    """What an action or connection does to a body: its torques along the body's positive turn, or the sizes of its forces."""
+    if path.quantity == "angular_impulse":
+        return [signed(item.torque, body.motion.sense) for item in body.acting if item.owner == path.owner]
+    return [force.size for force in body.forces if force.owner == path.owner]
 
 
 def twist_of(owner: str, encounter: Encounter) -> Formula:

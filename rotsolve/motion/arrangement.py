@@ -11,7 +11,7 @@ from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.directions import WORDS
 from rotsolve.core.drive import Drive
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import TIME
@@ -22,7 +22,10 @@ from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import ANY_TIME, Body, PointRef, Problem
+from rotsolve.scene.model import Body, PointRef, Problem
+
+MEAN = ("mean", "speed")
+RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
 
 
 @dataclass(frozen=True)
@@ -35,7 +38,7 @@ class Member:
     own: PointRef
 
 
-def along_line(drives: tuple[Drive, ...], way: Heading) -> tuple[Drive, ...]:
+def along_line(drives: tuple[Drive, ...], way: Heading, span: Span | None) -> tuple[Drive, ...]:
     """Prescribed components as one motion along a body's line of travel."""
     parts = {(drive.word, drive.component): drive for drive in drives}
     result = [drive for drive in drives if not drive.component]
@@ -44,7 +47,7 @@ def along_line(drives: tuple[Drive, ...], way: Heading) -> tuple[Drive, ...]:
             x, y = drive.function, parts[word, "y"].function
             if not is_zero(y * way.cos() - x * way.sin()):
                 said = f"the prescribed `{word}` of `{drive.body}` is not along the line on which it moves"
-                raise Unsolvable(said, help="leave out `moves` for a body that moves freely in the plane")
+                raise Unsolvable(said, span=span, help="leave out `moves` for a body that moves freely in the plane")
             function = in_powers(simplify(x * way.cos() + y * way.sin()), TIME)
             result.append(replace(drive, function=function, component=""))
     return tuple(result)
@@ -178,8 +181,15 @@ class Arrangement:
         )
         if not any(drive.component for drive in found):
             return found
+        if self.cluster(host, state):
+            raise Unsolvable(
+                f"`{host}` is joined to another body: moving it so is not solved yet", span=self.bodies[host].span
+            )
+        if self.pivot(host, state) is not None:
+            said = f"`{host}` is held by an axle or hinge: its centre of mass can not be moved as well"
+            raise Unsolvable(said, span=self.bodies[host].span, help="give its angle, or its rates")
         line = self.line(host, state)
-        return found if line is None else along_line(found, line[0])
+        return found if line is None else along_line(found, line[0], self.bodies[host].span)
 
     def sense(self, name: str, state: str) -> int:
         """+1 where a body's positive turn is counterclockwise: as declared, else as its rolling asks, else counterclockwise."""
@@ -244,9 +254,18 @@ class Arrangement:
         return phase.start if phase is not None else state
 
     @cached_property
-    def runs(self) -> bool:
+    def functions(self) -> bool:
         """Whether the scene asks for a function of time."""
-        return any(term.at == ANY_TIME for find in self.problem.finds for term in find.terms)
+        return any(find.runs for find in self.problem.finds)
+
+    @cached_property
+    def runs(self) -> bool:
+        """Whether what it asks takes the laws at any moment of a phase: functions of time, whole ways, extremes."""
+        terms = [term for find in self.problem.finds for term in find.terms if find.where is None]
+        return self.functions or any(
+            term.modifier in RUNNING or term.path.quantity == "distance" or (term.modifier, term.path.quantity) == MEAN
+            for term in terms
+        )
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

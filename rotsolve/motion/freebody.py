@@ -83,6 +83,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         forces,
         couples,
         instant.is_round(body.name),
+        instant.ask("period", body.name) if instant.arrangement.asks(body.name, "period") else None,
     )
 
 

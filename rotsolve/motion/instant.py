@@ -23,6 +23,7 @@ from rotsolve.motion.running import value_now
 from rotsolve.scene.keys import varying
 from rotsolve.scene.model import Body, PointRef
 
+STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
 FOLLOWED = ("position", "velocity", "acceleration")
 TURNS = ("counterclockwise", "clockwise")
 
@@ -191,8 +192,10 @@ class Instant:
         if len(arrangement.timeline.states) < 2 or slanted:
             return False
         asked = (term.path for find in arrangement.problem.finds for term in find.terms if term.path.owner == name)
-        still = (None, "cm", "center", *WHEEL, *dict(body.radii))
-        return any(path.point not in still and path.quantity in FOLLOWED and path.component in PLANE for path in asked)
+        still = (*STILL, *dict(body.radii))
+        return any(
+            path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
+        )
 
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem

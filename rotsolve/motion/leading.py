@@ -50,6 +50,9 @@ def leading_rate(group: frozenset[str], facts: Facts) -> str:
     """The letter of the rate with which the forces on a group vary; '' where there is none."""
     bodies = [body for body in facts.bodies if body.name in group]
     spoken = {name for body in bodies for item in body.acting for name in effort_letters(item)}
+    for given in facts.given:
+        if given.drive.body in group:
+            spoken |= given.letters[given.drive.word].symbols()
     for rule in facts.rules:
         if not rule.linear and set(rule.bodies) & group:
             spoken |= rule.velocity[0].symbols() | rule.velocity[1].symbols()

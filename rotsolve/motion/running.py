@@ -61,6 +61,8 @@ def check_values(arrangement: Arrangement) -> None:
 
     for state in arrangement.timeline.states:
         instant = Instant(arrangement, Registry(), state.name)
+        for body in arrangement.present(state.name):
+            arrangement.drives(body.name, state.name)  # refuses what can not be driven so
         for item in arrangement.acting(state.name):
             held = [ref for ref in item.touches() if ref.owner in arrangement.bodies]
             for name, owner, word in (path for value in varying(item) for path in paths_in(value)):

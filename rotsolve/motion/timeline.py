@@ -7,7 +7,7 @@ from functools import cached_property
 from itertools import pairwise
 
 from rotsolve.elements.events import Event
-from rotsolve.scene.model import ANY_TIME, Problem, State
+from rotsolve.scene.model import Problem, State
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 
@@ -68,7 +68,7 @@ class Timeline:
 def timeline(problem: Problem) -> Timeline:
     """The timeline of a problem: neighbouring states are joined by a phase unless an event joins them."""
     states = problem.states or (State(""),)
-    if len(states) == 1 and any(term.at == ANY_TIME for find in problem.finds for term in find.terms):
+    if len(states) == 1 and any(find.runs for find in problem.finds):
         states = (*states, State(OPEN))
     intervals = []
     for before, after in pairwise(states):

@@ -100,4 +100,8 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
     gained = HALF * square(travel.after) - HALF * square(travel.before)
     start, end = (signed(angle, travel.sense) for angle in (travel.start, travel.end))
     integral = Integral(signed(travel.acceleration, travel.sense), travel.coordinate.name, start, end)
-    yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)
+    if travel.given is not None:
+        words = "ω dω = α dθ" if travel.kind == "turn" else "v dv = a dx"
+        yield equation(gained, integral, words, travel, section)
+    else:
+        yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)

@@ -10,9 +10,10 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
-from rotsolve.core.registry import TIME
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.varying import at_any_time
 from rotsolve.core.writing import flat, law, moved, positive_first, spoken
-from rotsolve.principles.rotation import about, response, torques
+from rotsolve.principles.rotation import about, response
 
 
 def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
@@ -77,29 +78,44 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
 def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
     """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant, ∫ τ dt where they vary in time; so for m v."""
     for travel in passage.travels:
-        body = passage.midst.body(travel.body)
-        if body is None or travel.pace not in ("constant", TIME):
+        first, body = passage.start.body(travel.body), passage.midst.body(travel.body)
+        if first is None or body is None or travel.pace not in ("constant", TIME):
             continue
         if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
             label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
-            yield summed(torques(body), body.inertia.letter, travel, passage, label, section)
+            sense, pairs = body.motion.sense, zip(first.acting, body.acting, strict=False)
+            efforts = [(signed(one.torque, sense), signed(other.torque, sense)) for one, other in pairs]
+            yield summed(efforts, body.inertia.letter, travel, passage, label, section)
         elif travel.kind == "line" and travel.pace == TIME and body.motion.heading is not None:
-            label = f"impulse = change of momentum, {spoken(body.name)}"
-            forces = [force.vector.along(body.motion.heading) for force in body.forces]
-            yield summed(forces, body.mass, travel, passage, label, section)
+            label, way = f"impulse = change of momentum, {spoken(body.name)}", body.motion.heading
+            efforts = [
+                (one.vector.along(way), other.vector.along(way))
+                for one, other in zip(first.forces, body.forces, strict=False)
+            ]
+            yield summed(efforts, body.mass, travel, passage, label, section)
 
 
 def summed(
-    efforts: list[Formula], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
+    efforts: list[tuple[Formula, Formula]], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
 ) -> Equation:
     """Σ effort summed over time = inertia · (after − before)."""
-    pushes = [
-        Integral(effort, TIME, *passage.times) if TIME in effort.symbols() else effort * passage.duration
-        for effort in flat(efforts)
-    ]
-    left, right = law(pushes, inertia * travel.after - inertia * travel.before)
+    pushes = [over_time(first, midway, passage) for first, midway in efforts]
+    left, right = law(flat(pushes), inertia * travel.after - inertia * travel.before)
     cost = 4 if travel.pace != TIME else 5  # in time it restates what Newton's law and the velocity as an integral say
     return Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
+
+
+def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
+    """effort · t for what stays the same in a phase, ∫ effort dt for what varies: `first` at its start, `midway` in its midst."""
+    letters = midway.symbols()
+    if TIME in letters or (at_any_time(letters) and not of_phase(first, passage.name)):
+        return Integral(midway, TIME, *passage.times)
+    return (first if at_any_time(letters) else midway) * passage.duration
+
+
+def of_phase(effort: Formula, name: str) -> bool:
+    """Whether the letters of a force or torque are the same in the whole phase."""
+    return all(letter.rpartition(SEPARATOR)[2] in (name, "") for letter in effort.symbols() if SEPARATOR in letter)
 
 
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:

@@ -208,6 +208,11 @@ class Find:
         """The name under which the scene asks for it."""
         return self.whole or self.name
 
+    @property
+    def runs(self) -> bool:
+        """Whether it asks for a function of time."""
+        return any(term.at == ANY_TIME for term in self.terms)
+
 
 @dataclass(frozen=True, slots=True)
 class Moment:

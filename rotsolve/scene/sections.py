@@ -23,7 +23,7 @@ SECTIONS: dict[str, Key] = {
     "plane": Key("choice", "`horizontal`: a table seen from above", choices=("vertical", "horizontal")),
     "up": Key("choice", "`z`: a scene in space", choices=("y", "z"), later=True),
     "surfaces": Key("map", "what bodies lie on: floors, slopes, walls"),
-    "bodies": Key("map", "the rigid bodies", required=True),
+    "bodies": Key("map", "the rigid bodies; none where units are converted"),
     "connections": Key("map", "what touches what"),
     "actions": Key("map", "forces, couples and motors from outside"),
     "states": Key("map", "named instants, in the order of time"),

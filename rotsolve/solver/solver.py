@@ -164,7 +164,7 @@ class Solver(Textbook):
         if reason is not None or (item.sources and self.pool[item.index].family):
             step = self._step(item, name, value, reason or ())
             refs = [("step", step.number)]
-            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 1), refs[0]))
+            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
             if name in other.unknowns({name}):
                 self._substitute(other, {name: value}, refs)

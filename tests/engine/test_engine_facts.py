@@ -135,6 +135,8 @@ def test_potential_energy_of_a_phase_has_the_forces_for_slope(
     history = History(Arrangement(loosened(problem_of(file))))
     for passage in history.passages.values():
         facts = passage.end
+        if any(given.drive.order == 0 for given in facts.given):
+            continue  # a place that is given in time is no coordinate
         rates = allowed(facts)
         for group in passage.groups:
             if any(passage.heights.get(name) is None for name in group):

@@ -139,7 +139,7 @@ def test_all_that_the_laws_write_holds_at_the_answers(
     for place in places(inquiry, number, nearby):
         place.spread([(law.left, law.right) for law in laws])
         checked = [law for law in laws if place.known((law.left, law.right))]
-        if not checked:
+        if laws and not checked:
             pytest.fail("no law of this scene can be checked")
         for law in checked:
             check(place, (law.left, law.right), law.label)

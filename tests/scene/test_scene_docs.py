@@ -23,7 +23,7 @@ bodies:
   top: {shape: cone, mass: m, radius: a/2, length: a, axis: z}
   box: {shape: cuboid, mass: m, sides: [a, a, 2*a], thickness: a}
   fog: {shape: sphere, density: rho*r/a}
-  egg: {shape: ellipsoid, mass: m, sides: [a, a, a], inertia: [1, 2, 3], angular_velocity: w}
+  egg: {shape: ellipsoid, mass: m, sides: [a, a, a], inertia: [1, 2, 3]}
   beam: {shape: rod, mass: m, length: a}
 connections:
   foot: {ball: top.tip}

@@ -46,7 +46,7 @@ class Guide(Connection):
             for component, direction, said in self._ways(name, instant):
                 size = instant.ask("force", self.name, when=instant.span(name), component=component)
                 words_ = ("driving force ", size, f", {said}")
-                yield Force(self.name, "applied", name, size, unit(direction), instant.frame(name).cm, words_)
+                yield Force(self.name, "drive", name, size, unit(direction), instant.frame(name).cm, words_)
 
     def _ways(self, name: str, instant: Instant) -> Iterator[tuple[str, Heading, str]]:
         """Along the body's line, or right and up."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Couple, Force, Rule, signed
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -52,6 +53,9 @@ class Driven(Connection):
         return ()
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
+        if self.driven and not self.fixed_points():
+            span = self.held()[-1].span
+            raise Unsolvable(f"`{self.name}` drives one moving body against another: not solved yet", span=span)
         for word in TURNING:
             value = getattr(self, word)
             if value is not None:

@@ -18,7 +18,7 @@ from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.slope import slope
-from rotsolve.scene.model import Condition, Moment, Problem
+from rotsolve.scene.model import Condition, Find, Moment, Problem
 from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
@@ -38,7 +38,7 @@ class Composer:
         self.drafts = drafts_of(inquiry)
         self.names = self._names()
         self.numbers = self._numbers()
-        self.results = Results(inquiry, self.printed, at)
+        self.results = Results(inquiry, self.printed, self._named, at)
 
     def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
@@ -181,9 +181,10 @@ class Composer:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
         for answered in self.inquiry.wholes():
-            chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+            chosen.setdefault(answered.asked.letter, self._named(answered.asked.find))
         taken = frozenset(given.name for given in self.problem.givens)
-        for part in (item for item in self.inquiry.answered if item.asked.whole and not item.asked.direct):
+        answered = [part for item in self.inquiry.answered for part in (item, *item.parts)]
+        for part in (item for item in answered if item.asked.whole and not item.asked.direct):
             twin = next((item for item in self.inquiry.wholes() if item.asked.same_as(part.asked)), None)
             if twin is not None:
                 chosen.setdefault(part.asked.letter, twin.asked.find.name)
@@ -196,10 +197,21 @@ class Composer:
         for name in self._occurring():
             used[name] = None
         taken = frozenset(given.name for given in self.problem.givens)
-        if "t" not in taken | set(chosen.values()):
-            chosen[TIME] = "t"  # the running time is an ordinary t where nothing else is
-        chosen |= self._running(used, taken | set(chosen.values()), chosen.get(TIME, TIME))
+        if self.time != TIME:
+            chosen[TIME] = self.time
+        others = [key for key in used if key not in chosen]
+        chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
         return self.history.registry.letters(used, taken - set(chosen.values()), chosen)
+
+    @cached_property
+    def time(self) -> str:
+        """The letter of the running time: an ordinary t where nothing else is."""
+        taken = {*(given.name for given in self.problem.givens), *(find.name for find in self.problem.finds)}
+        return TIME if "t" in taken else "t"
+
+    def _named(self, find: Find) -> str:
+        """The name of an answer; ω(t) where it is a function of time."""
+        return f"{find.name}({self.time})" if find.runs else find.name
 
     def _running(self, used: Iterable[str], taken: frozenset[str], time: str) -> dict[str, str]:
         """Letters for what runs through a phase, the same in every phase: ω(t), or plain ω where it is summed over."""
@@ -211,7 +223,7 @@ class Composer:
         names = {}
         for item in running:
             alone = len(owners[item.letter]) == 1
-            plain = item.letter if alone else "_".join(filter(None, (item.letter, item.component, item.owner)))
+            plain = "_".join(filter(None, (item.letter, item.component, "" if alone else item.owner)))
             if item.key not in variables:
                 names[item.key] = f"{plain}({time})"
             elif plain not in taken:
@@ -279,7 +291,7 @@ class Composer:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
         arrangement = self.history.arrangement
-        if arrangement.runs:
+        if arrangement.functions:
             first = arrangement.timeline.states[0].name
             said.append((self.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time"))
         return tuple(said)
@@ -323,7 +335,8 @@ def state_words(name: str, conditions: Sequence[Condition], bare: str) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            what = " ".join(filter(None, (owner, spoken(line.path.quantity), line.path.component)))
+            parts.append(f"{what} {value}".strip())
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else bare),)
 
 

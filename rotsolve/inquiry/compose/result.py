@@ -18,7 +18,7 @@ from rotsolve.core.tensor import ENTRIES, ONE_AXIS
 from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.questions import Asked, component
-from rotsolve.scene.model import Moment
+from rotsolve.scene.model import Find, Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -30,6 +30,7 @@ class Results:
 
     inquiry: Inquiry
     printed: Callable[[Formula], Formula]
+    named: Callable[[Find], str]
     at: Moment | None = None  # when functions of time are evaluated
 
     def answers(self) -> tuple[Answer, ...]:
@@ -127,7 +128,7 @@ class Results:
 
     def _symbol(self, asked: Asked) -> Formula:
         """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
-        printed = self.printed(Symbol(asked.letter)) if asked.whole else Symbol(asked.find.name)
+        printed = self.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.named(asked.find))
         return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
 
     def components(self, answered: Answered) -> tuple[Answer, ...]:

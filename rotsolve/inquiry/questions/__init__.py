@@ -1,7 +1,7 @@
 """Questions: what a path of the scene language stands for, as a formula in the quantities of the laws."""
 
 from rotsolve.inquiry.questions.asked import Asked, component, in_parts, whole_vector
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, path_text, size_of, spoken_point
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, Unclear, label_of, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.points import resting
 from rotsolve.inquiry.questions.reader import Reader
 
@@ -10,6 +10,7 @@ __all__ = [
     "Meaning",
     "NotYet",
     "Reader",
+    "Unclear",
     "component",
     "in_parts",
     "label_of",

@@ -20,7 +20,8 @@ class Asked:
     `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
     where its definition belongs. `parts` are the questions for the components of a vector, which are answered before its size; each
     of them, and each quantity that a choice compares, knows its `whole` by name. `moving` is a velocity without which the question
-    has no meaning; `said` is a remark with formulas in it, `definitions` are the steps that lead to the formula.
+    has no meaning; `said` is a remark with formulas in it, `definitions` are the steps that lead to the formula, and
+    `laws` what this question alone speaks of, such as when a wheel reverses.
     """
 
     find: Find
@@ -37,6 +38,7 @@ class Asked:
     moving: Vector = NOWHERE
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
+    laws: tuple[Equation, ...] = ()
 
     @property
     def direct(self) -> bool:

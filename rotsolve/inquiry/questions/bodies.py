@@ -12,7 +12,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.inertias import OfInertias
-from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
+from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.motion.instant import Instant
@@ -62,7 +62,22 @@ class OfBodies(Moment):
                 return self._force(name, component)
             case "power":
                 return self._power(name, component)
+            case "period" | "instantaneous_centre":
+                return instant.ask("period", host) if path.quantity == "period" else self._instantaneous_centre(path)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+
+    def _instantaneous_centre(self, path: Path) -> Meaning:
+        """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
+        body = self.body(path.owner)
+        if body.motion.spin == ZERO:
+            raise NotYet(f"`{path.owner}` does not turn: no point of it is at rest")
+        if path.component is None:
+            raise NotYet("the instantaneous centre is asked by its components", help=f"ask for `{path_text(path)}.x`")
+        axis = RIGHT if path.component == "x" else UP
+        way = body.motion.velocity.turned(90).along(axis)
+        place = (way / body.motion.spin if way != ZERO else ZERO) - body.cm.along(axis)
+        label = f"instantaneous centre of {path.owner.replace('_', ' ')}, v + ω × r = 0, from its centre of mass"
+        return Meaning(place, BY_WORD["instantaneous_centre"].dimension, label=label)
 
     def _rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body that turns."""

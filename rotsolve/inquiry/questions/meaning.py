@@ -24,6 +24,10 @@ class NotYet(ValueError):
         self.span, self.help = span, help
 
 
+class Unclear(NotYet):
+    """A question that the scene does not settle: which state, which end."""
+
+
 @dataclass(frozen=True)
 class Meaning:
     """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation.
@@ -41,6 +45,7 @@ class Meaning:
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
     moving: Vector = NOWHERE
+    laws: tuple[Equation, ...] = ()  # what this question alone speaks of
 
 
 def size_of(vector: Vector) -> Formula:

@@ -9,6 +9,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length
+from rotsolve.motion.instant import STILL
 from rotsolve.scene.model import Path, PointRef
 
 
@@ -44,7 +45,14 @@ class OfPoints(Moment):
             if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns and arm.parts
             else ""
         )
-        return Meaning(size_of(vector), dimension, vector, remark, label)
+        shown = vector if path.quantity != "speed" or self._stands(path) else None
+        return Meaning(size_of(vector), dimension, shown, remark, label)
+
+    def _stands(self, path: Path) -> bool:
+        """Whether it is known where a point is: at first all stands as drawn; a body whose angle nobody follows has turned since."""
+        instant = self.instant
+        first = instant.arrangement.timeline.states[0].name == instant.state and not instant.generic
+        return first or path.point in STILL or instant.angle(instant.host(path.owner)) is not None
 
     def _place(self, path: Path, arm: Vector) -> Meaning:
         """A component of a point's place: that of the body's reference, and from there to the point."""

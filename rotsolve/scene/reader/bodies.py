@@ -105,7 +105,10 @@ def build(
             fields[word] = density(scope, node, name, shape, fields)
             continue
         reader = READERS.get(declared.kind)
-        found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
+        if declared.kind == "motion":
+            found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
+        else:
+            found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
             fields.update(found)
         elif found is not None:

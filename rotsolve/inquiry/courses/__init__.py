@@ -1,0 +1,8 @@
+"""Courses: how quantities run in time: as functions of the running time, where they vanish, where they are largest."""
+
+from rotsolve.inquiry.courses.beside import Beside
+from rotsolve.inquiry.courses.extremes import extreme
+from rotsolve.inquiry.courses.running import SPANNED, at_any_time, way
+from rotsolve.inquiry.courses.whole import whole_way
+
+__all__ = ["SPANNED", "Beside", "at_any_time", "extreme", "way", "whole_way"]

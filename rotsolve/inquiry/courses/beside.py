@@ -1,0 +1,83 @@
+"""Beside: what an inquiry works out beside its derivation: closed forms in time, and where they vanish."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.rootfind import real_roots
+from rotsolve.algebra.exact.normal import coefficients, simplify
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula
+from rotsolve.core.registry import TIME
+from rotsolve.inquiry.questions import NotYet
+
+NEAR = 1e-9  # share of a phase within which a zero counts as its end
+
+
+@dataclass(frozen=True)
+class Beside:
+    """Settles formulas of the laws without a trace, and looks at them as functions of time."""
+
+    settle: Callable[[Formula], Formula | None]
+    values: Mapping[str, Formula]
+
+    def settled(self, value: Formula, what: str) -> Formula:
+        """A formula with every letter of the laws worked out; refused where the laws do not tell it as a function of time."""
+        found = self.settle(value)
+        if found is None or found.symbols() - set(self.values) - {TIME}:
+            raise NotYet(
+                f"`{what}` is not known as a function of time with numbers for all its letters",
+                help="name the turning point as a state, such as `{wheel.angular_velocity: 0}`",
+            )
+        return found
+
+    def number(self, value: Formula, time: Formula | None = None) -> float:
+        """A rough value, at a time where it depends on it."""
+        known = self.values if time is None else {**self.values, TIME: time}
+        try:
+            return evaluate(value, known, digits=12).float
+        except (Undefined, ZeroDivisionError):
+            raise NotYet("a value on the way is not defined") from None
+
+    def zeros(self, function: Formula, start: Formula, end: Formula) -> list[Formula]:
+        """The times between the ends at which a function of time changes its sign, in order and in closed form."""
+        if TIME not in function.symbols():
+            return []
+        found = real_roots(function, TIME, self.values, start, end)
+        first, last = self.number(start), self.number(end)
+        edge = NEAR * (last - first)
+        inside = [root.float for root in found.roots if first + edge < root.float < last - edge]
+        if not found.complete:
+            raise NotYet("where it changes its sign can not be told for certain")
+        exact = solve_polynomial(function, TIME) or [item.formula for item in solve_trig(function, TIME)]
+        return [self._closed(root, exact, period_of(function), edge) for root in inside]
+
+    def _closed(self, root: float, exact: list[Formula], period: Formula | None, edge: float) -> Formula:
+        """The closed form of a zero, whole periods later where the motion swings."""
+        for form in exact:
+            gap = root - self.number(form)
+            periods = 0 if period is None else round(gap / self.number(period))
+            shift = ZERO if period is None else periods * period
+            if abs(gap - self.number(shift)) < edge:
+                return simplify(form + shift)
+        raise NotYet("the moment at which it changes its sign has no closed form")
+
+
+def period_of(function: Formula) -> Formula | None:
+    """2π/n of a function in which the time stands in sin n t and cos n t only."""
+    calls = [node for node in function.walk() if isinstance(node, Call) and TIME in node.symbols()]
+    if not calls or any(node.function not in ("sin", "cos") for node in calls):
+        return None
+    slopes = {simplify(differentiate(node.arguments[0], TIME)) for node in calls}
+    slope = slopes.pop()
+    return None if slopes or TIME in slope.symbols() else 2 * PI / slope
+
+
+def straight(function: Formula) -> bool:
+    """Whether a function of time is linear, so that its zero needs no choice."""
+    parts = coefficients(function, TIME)
+    return parts is not None and len(parts) == 2

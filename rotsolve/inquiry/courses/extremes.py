@@ -1,0 +1,84 @@
+"""Extremes: the largest or smallest value that a quantity takes in some phases, within one of them or at an end."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import TIME
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.courses.beside import Beside, straight
+from rotsolve.inquiry.courses.running import SPANNED
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Meaning, NotYet
+from rotsolve.motion.timeline import Interval
+from rotsolve.scene.model import Term
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A value that may be the greatest: its number, where it is taken, and the moment within the phase if it is no end."""
+
+    number: float
+    interval: Interval
+    state: str
+    moment: Formula | None = None
+    function: Formula = ZERO
+
+
+def extreme(term: Term, start: str, end: str, history: History, beside: Beside | None) -> tuple[Meaning, str]:
+    """Ends of the phases against the moments between them at which the rate of the quantity vanishes."""
+    if beside is None or term.path.quantity in SPANNED:
+        raise NotYet(f"`{term.modifier} {term.path.quantity}` is not solved yet")
+    found: list[Candidate] = []
+    for interval in history.arrangement.timeline.between(start, end):
+        if interval.event is None:
+            found += candidates(term, interval, history, beside)
+    pick = max if term.modifier == "largest" else min
+    best = pick(found, key=lambda candidate: candidate.number)
+    name = f"{term.modifier} {spoken(term.path.quantity)}"
+    if best.moment is None:
+        meaning = history.reader(best.state).meaning(term.path, term)
+        others = any(candidate.moment is not None for candidate in found)
+        why = "more than anywhere between" if term.modifier == "largest" else "less than anywhere between"
+        remark = f"at {spoken(best.state)}: {why if others else 'its rate vanishes nowhere between'}"
+        return replace(meaning, label=f"{name} of {spoken(term.path.owner)}", remark=remark), best.state
+    return within(term, best, name, history)
+
+
+def candidates(term: Term, interval: Interval, history: History, beside: Beside) -> list[Candidate]:
+    """Both ends of a phase, and every moment between at which the rate changes its sign."""
+    meaning = history.reader(interval.start, generic=True).meaning(term.path, term)
+    function = beside.settled(meaning.formula, term.path.quantity)
+    times = [beside.settled(history.instant(state).time(), "time") for state in (interval.start, interval.end)]
+    ends = [
+        Candidate(beside.number(function, time), interval, state)
+        for state, time in zip((interval.start, interval.end), times, strict=True)
+    ]
+    slope = simplify(differentiate(function, TIME))
+    inside = beside.zeros(slope, times[0], times[1])
+    return [*ends, *(Candidate(beside.number(function, at), interval, "", at, function) for at in inside)]
+
+
+def within(term: Term, best: Candidate, name: str, history: History) -> tuple[Meaning, str]:
+    """The value at the moment at which the rate vanishes, with that moment as a letter of its own."""
+    first = history.instant(best.interval.start)
+    owner = spoken(term.path.owner)
+    when = " ".join(filter(None, (best.interval.name, name, term.path.point, term.path.component)))
+    time = first.ask("time", term.path.owner, when=when, letter="t_m")
+    assert best.moment is not None
+    slope = in_powers(simplify(differentiate(best.function, TIME)), TIME)
+    zero: tuple[Formula, Formula] = (slope.substitute({TIME: time}), ZERO)
+    if not straight(slope):
+        zero = (time, best.moment)
+    law = Equation(*zero, f"{name}, {owner}: its rate is zero", best.interval.name, KINEMATICS, 1)
+    value = best.function.substitute({TIME: time})
+    meaning = history.reader(best.interval.start, generic=True).meaning(term.path, term)
+    label = f"{name} of {owner}"
+    result = Meaning(value, BY_WORD[term.path.quantity].dimension, label=label, words=meaning.words, laws=(law,))
+    return result, best.interval.name

@@ -1,0 +1,96 @@
+"""Quantities that run in time: functions, whole ways, extremes within a phase and at its ends, and what is refused."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+
+WHEEL = """title: Driven wheel
+given: {{b: 6 rad/s^2, c: 1 rad/s^3, T: {time} s, R: 2 m, V: 6 rad/s, n: 72 deg/s}}
+bodies: {{wheel: {{shape: disc, radius: R, turns: {turns}, points: {{P: [R/2, 0]}}}}}}
+connections: {{axle: {{axle: wheel, {drive}}}}}
+states: {{start: {{{start}}}, end: {{time: T}}}}
+find: {{x: {find}}}
+"""
+BACK_AND_FORTH = "angle: b*time^2 - c*time^3"  # up to 32 rad at 4 s, fastest at 2 s
+
+
+def value(
+    find: str, drive: str = BACK_AND_FORTH, time: float = 5, start: str = "", turns: str = "counterclockwise"
+) -> float:
+    scene = WHEEL.format(find=find, drive=drive, time=time, start=start, turns=turns)
+    found = solve(scene).answers["x"].float
+    assert found is not None
+    return found
+
+
+@pytest.mark.parametrize(
+    ("find", "time", "expected"),
+    [
+        ("wheel.rotation from start to end", 5, 25),
+        ("total wheel.rotation from start to end", 5, 39),
+        ("total wheel.rotation from start to end", 3, 27),  # before it reverses there is nothing to split
+        ("wheel.rim.distance from start to end", 5, 78),
+        ("wheel.P.distance from start to end", 5, 39),
+        ("mean wheel.P.speed from start to end", 5, 7.8),
+        ("largest wheel.angular_velocity from start to end", 5, 12),
+        ("largest wheel.angular_velocity from start to end", 1, 9),  # still growing: the end decides
+        ("smallest wheel.angular_velocity from start to end", 5, -15),
+        ("smallest wheel.angular_velocity from start to end", 3, 0),  # the start decides
+        ("largest wheel.angle from start to end", 5, 32),
+        ("largest wheel.angular_acceleration from start to end", 5, 12),
+        ("mean wheel.angular_acceleration from start to end", 5, -3),
+    ],
+)
+def test_courses(find: str, time: float, expected: float) -> None:
+    assert value(find, time=time) == pytest.approx(expected, rel=1e-9)
+
+
+def test_a_clockwise_sense_counts_the_rates_but_not_the_angle() -> None:
+    assert value("wheel.angular_velocity at end", time=5, turns="clockwise") == pytest.approx(15)
+    assert value("wheel.angular_acceleration at end", time=5, turns="clockwise") == pytest.approx(18)
+    assert value("wheel.angle at end", time=5, turns="clockwise") == pytest.approx(25)
+    assert value("wheel.rotation from start to end", time=5, turns="clockwise") == pytest.approx(-25)
+
+
+def test_two_reversals_are_split_twice() -> None:
+    whole = value("total wheel.rotation from start to end", drive="angular_velocity: V*cos(n*time)", time=5)
+    assert whole == pytest.approx(4 * 6 / math.radians(72), rel=1e-9)
+
+
+@pytest.mark.parametrize("moment", [0.0, 1.5, 4.0])
+def test_a_function_has_its_values_at_any_time(moment: float) -> None:
+    finds = {"angle": 6 * moment**2 - moment**3, "angular_velocity": 12 * moment - 3 * moment**2}
+    for word, expected in finds.items():
+        scene = WHEEL.format(
+            find=f"wheel.{word} at any time", drive=BACK_AND_FORTH, time=5, start="", turns="counterclockwise"
+        )
+        answer = solve(scene, at=f"{moment} s").answers["x"]
+        assert answer.float == pytest.approx(expected, abs=1e-9)
+        assert solve(scene).answers["x"].float is None
+        assert answer.formula is not None and "t" in answer.formula.symbols()
+
+
+def test_a_moment_wants_a_function() -> None:
+    scene = WHEEL.format(find="wheel.angle at end", drive=BACK_AND_FORTH, time=5, start="", turns="counterclockwise")
+    with pytest.raises(Unsolvable, match="nothing that is asked is a function of time"):
+        solve(scene, at="2 s")
+    with pytest.raises(ValueError, match="is no time"):
+        solve(scene.replace("at end", "at any time"), at="2 kg")
+
+
+@pytest.mark.parametrize(
+    ("drive", "start", "message"),
+    [
+        (BACK_AND_FORTH, "wheel.angular_velocity: 1 rad/s", "contradict"),
+        ("angular_velocity: 3 rad/s", "at rest: wheel", "contradict"),
+        ("angular_velocity: -(2 s^-1)*wheel.rotation", "", "formula of `time` alone"),
+    ],
+)
+def test_what_a_drive_can_not_do_is_told(drive: str, start: str, message: str) -> None:
+    with pytest.raises(Unsolvable, match=message):
+        value("wheel.angular_velocity at end", drive=drive, start=start)
