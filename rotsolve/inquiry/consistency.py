@@ -57,15 +57,9 @@ def summed(inquiry: Inquiry) -> list[Equation]:
                 continue
             value = inquiry.aside(rate.name)
             for equation in inquiry.history.equations if value is not None else ():
-                if equation.section == name and rate.name in inside(equation):
+                if equation.section == name and rate.name in equation.summed():
                     found.append(equation.renamed({rate.name: value}))  # type: ignore[dict-item]
     return found
-
-
-def inside(equation: Equation) -> set[str]:
-    """Letters within the integrals of an equation."""
-    nodes = [node for side in (equation.left, equation.right) for node in side.walk() if isinstance(node, Integral)]
-    return {name for node in nodes for name in node.integrand.symbols()}
 
 
 def backwards(inquiry: Inquiry, numbers: dict[str, Formula]) -> Equation | None:

@@ -10,6 +10,7 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
+from rotsolve.core.registry import in_midst
 from rotsolve.core.varying import TIME
 from rotsolve.core.writing import flat, law, moved, positive_first, spoken
 from rotsolve.principles.rotation import about, response, torques
@@ -82,24 +83,26 @@ def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
             continue
         if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
             label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
-            yield summed(torques(body), body.inertia.letter, travel, passage, label, section)
+            yield from summed(torques(body), body.inertia.letter, travel, passage, label, section)
         elif travel.kind == "line" and travel.pace == TIME and body.motion.heading is not None:
             label = f"impulse = change of momentum, {spoken(body.name)}"
             forces = [force.vector.along(body.motion.heading) for force in body.forces]
-            yield summed(forces, body.mass, travel, passage, label, section)
+            yield from summed(forces, body.mass, travel, passage, label, section)
 
 
 def summed(
     efforts: list[Formula], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
-) -> Equation:
-    """Σ effort summed over time = inertia · (after − before)."""
+) -> Iterator[Equation]:
+    """Σ effort summed over time = inertia · (after − before); not where an effort is a letter that varies in a way not told."""
+    if any(in_midst(name) for effort in efforts for name in effort.symbols()):
+        return
     pushes = [
         Integral(effort, TIME, *passage.times) if TIME in effort.symbols() else effort * passage.duration
         for effort in flat(efforts)
     ]
     left, right = law(pushes, inertia * travel.after - inertia * travel.before)
     cost = 4 if travel.pace != TIME else 5  # in time it restates what Newton's law and the velocity as an integral say
-    return Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
+    yield Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
 
 
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:

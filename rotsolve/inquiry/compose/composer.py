@@ -278,7 +278,7 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            parts.append(" ".join(part for part in (owner, spoken(line.path.quantity), value) if part))
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 
