@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
@@ -11,7 +11,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
-from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
@@ -21,6 +21,10 @@ from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"
+INDICES: tuple[Callable[[Quantity], str], ...] = (  # of letters that run through a phase
+    lambda item: item.letter,
+    lambda item: "_".join((item.letter, item.component or item.owner)),
+)
 WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
@@ -178,10 +182,18 @@ class Composer:
         """Plain letters for what runs through a phase, the same in every phase: ω at any moment, as t is any time."""
         quantities = self.history.registry.quantities
         running = [quantities[key] for key in used if key in quantities and quantities[key].when.startswith(GENERIC)]
-        owners: dict[str, set[tuple[str, str, str]]] = {}
-        for item in running:
-            owners.setdefault(item.letter, set()).add((item.kind, item.owner, item.component))
-        return {item.key: item.letter for item in running if len(owners[item.letter]) == 1 and item.letter not in taken}
+        names: dict[str, str] = {}
+        pending = running
+        for index in INDICES:
+            meant: dict[str, set[tuple[str, str, str]]] = {}
+            for item in pending:
+                meant.setdefault(index(item), set()).add((item.kind, item.owner, item.component))
+            for item in pending:
+                if len(meant[index(item)]) == 1 and index(item) not in taken:
+                    names[item.key] = index(item)
+            taken |= set(names.values())
+            pending = [item for item in pending if item.key not in names]
+        return names
 
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""
