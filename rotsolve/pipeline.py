@@ -14,6 +14,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.varying import MIXED
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.answers import Answered
@@ -147,7 +148,19 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
+        several = varies_with_several(inquiry) if error.shortage is not None else ""
+        if several:
+            message = (
+                f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
+            )
+            raise unsolvable(problem, message, find.span) from None
         raise no_answer(error, inquiry, find) from None
+
+
+def varies_with_several(inquiry: Inquiry) -> str:
+    """A body whose acceleration depends on several of time, place and speed; '' where there is none."""
+    travels = [travel for passage in inquiry.history.passages.values() for travel in passage.travels]
+    return next((travel.body for travel in travels if travel.pace == MIXED), "")
 
 
 def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:

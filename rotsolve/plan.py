@@ -2,7 +2,7 @@
 
 Equations are matched to unknowns in the order of their cost (a transversal matroid, so the greedy choice is the cheapest maximal one);
 the block behind the asked unknown is what its matched equation needs (Dulmage-Mendelsohn). Then each equation of the block is tried
-for omission, since a dearer one elsewhere may make several cheap ones needless.
+for omission, since a dearer one elsewhere may make several cheap ones needless. No equation tells what stands within an integral of it.
 """
 
 from __future__ import annotations
@@ -40,11 +40,13 @@ class Planner:
     def __init__(self, pool: Sequence[Equation]) -> None:
         self.pool = list(pool)
         self.symbols = [equation.symbols() for equation in self.pool]
+        self.summed = [equation.summed() for equation in self.pool]
 
     def extend(self, equation: Equation) -> int:
         """Add an equation found on the way; its index."""
         self.pool.append(equation)
         self.symbols.append(equation.symbols())
+        self.summed.append(equation.summed())
         return len(self.pool) - 1
 
     def plan(self, asked: str, known: Collection[str], allowed: Collection[int] | None = None) -> Plan | Shortage:
@@ -53,7 +55,7 @@ class Planner:
             index: tuple(sorted(self.symbols[index] - set(known)))
             for index in (range(len(self.pool)) if allowed is None else allowed)
         }
-        relevant = self._connected(asked, unknowns)
+        relevant = self._usable(self._connected(asked, unknowns))
         best = self._block(asked, relevant)
         if isinstance(best, Shortage):
             return best
@@ -78,14 +80,26 @@ class Planner:
                     pending.extend(fresh)
         return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
 
+    def _usable(self, unknowns: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """Without the equations that sum over something which none of the others tells."""
+        while True:
+            told = {name for index, names in unknowns.items() for name in names if name not in self.summed[index]}
+            kept = {index: names for index, names in unknowns.items() if self.summed[index] & set(names) <= told}
+            if len(kept) == len(unknowns):
+                return kept
+            unknowns = kept
+
     def _block(
         self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None
     ) -> Plan | Shortage:
         """Match greedily, then collect what the asked unknown's equation needs."""
         owner: dict[str, int] = {}
+        told = {
+            index: tuple(name for name in names if name not in self.summed[index]) for index, names in unknowns.items()
+        }
         for index in unknowns:
             if index != skipped:
-                _augment(index, unknowns, owner, set())
+                _augment(index, told, owner, set())
         needed: dict[int, str] = {}
         pending, seen = [asked], {asked}
         open_: list[str] = []
@@ -113,7 +127,7 @@ class Planner:
         for _ in range(ROUNDS):
             changed = False
             for index, names in unknowns.items():
-                for name in names:
+                for name in (one for one in names if one not in self.summed[index]):
                     others = [ways[other] for other in names if other != name and other in ways]
                     if len(others) < len(names) - 1:
                         continue

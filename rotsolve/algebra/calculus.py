@@ -264,17 +264,24 @@ def _constant_slope(argument: Formula, name: str) -> Formula | None:
 def integrate(
     f: Formula, name: str, lower: Formula, upper: Formula, *, positive: Collection[str] = ()
 ) -> Formula | None:
-    """∫ f d(name) from lower to upper in closed form, None where neither this module nor SymPy finds one.
-
-    An antiderivative with a pole or logarithm is used only where both ends have one known sign.
-    """
-    primitive = integrate_polynomial(f, name)
-    if primitive is not None and _continuous(primitive, name, lower, upper, positive):
-        high = primitive.substitute({name: upper})
-        return simplify(add(high, negate(primitive.substitute({name: lower}))), positive=positive)
+    """∫ f d(name) from lower to upper in closed form, None where neither this module nor SymPy finds one."""
+    found = integrate_by_hand(f, name, lower, upper, positive=positive)
+    if found is not None:
+        return found
     from rotsolve.algebra.sympy_bridge import definite_integral
 
     return definite_integral(f, name, lower, upper, positive)
+
+
+def integrate_by_hand(
+    f: Formula, name: str, lower: Formula, upper: Formula, *, positive: Collection[str] = ()
+) -> Formula | None:
+    """∫ f d(name) by this module alone; an antiderivative with a pole or logarithm only where both ends have one known sign."""
+    primitive = integrate_polynomial(f, name)
+    if primitive is None or not _continuous(primitive, name, lower, upper, positive):
+        return None
+    high = primitive.substitute({name: upper})
+    return simplify(add(high, negate(primitive.substitute({name: lower}))), positive=positive)
 
 
 def carried_out(

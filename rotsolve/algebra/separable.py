@@ -12,7 +12,20 @@ from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import Problem, simplify
 from rotsolve.algebra.exact.signs import Signs
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Number, Symbol, add, call, negate, sqrt
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Call,
+    Formula,
+    Negative,
+    Number,
+    Quotient,
+    Symbol,
+    add,
+    call,
+    negate,
+    sqrt,
+)
 
 TWO, FOUR, HALF = Number(Fraction(2)), Number(Fraction(4)), Number(Fraction(1, 2))
 SignOf = Callable[[Formula], "int | None"]
@@ -158,8 +171,10 @@ class Stretch:
 
 def needs_care(f: Formula, name: str) -> bool:
     """Whether an integrand is divided by something with the variable in it, or has a root of it."""
-    return any(
-        (hasattr(node, "denominator") and name in node.denominator.symbols())
-        or (isinstance(node, Call) and node.function == "sqrt" and name in node.symbols())
-        for node in f.walk()
-    )
+    below = (node.denominator for node in f.walk() if isinstance(node, Quotient))
+    return has_root(f, name) or any(name in node.symbols() for node in below)
+
+
+def has_root(f: Formula, name: str) -> bool:
+    """Whether the variable stands under a root."""
+    return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk())

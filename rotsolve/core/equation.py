@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.core.derivation import Words
 
 NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
@@ -33,6 +33,11 @@ class Equation:
 
     def symbols(self) -> frozenset[str]:
         return self.left.symbols() | self.right.symbols()
+
+    def summed(self) -> frozenset[str]:
+        """Letters within its integrals, which it can not be solved for."""
+        integrals = [node for side in (self.left, self.right) for node in side.walk() if isinstance(node, Integral)]
+        return frozenset(name for node in integrals for name in node.integrand.symbols())
 
     def renamed(self, names: dict[str, Formula]) -> Equation:
         remark = tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.remark)

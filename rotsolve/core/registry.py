@@ -47,6 +47,11 @@ class Quantity:
         return Symbol(self.key)
 
 
+def in_midst(key: str) -> bool:
+    """Whether a letter is one of any moment in the midst of a phase, so that it may run through it."""
+    return key.rpartition(SEPARATOR)[2].startswith(GENERIC) and SEPARATOR in key
+
+
 @dataclass
 class Registry:
     """All quantities that were spoken of, by key, and the values that states fix.

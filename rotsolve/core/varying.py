@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
+from rotsolve.core.registry import GENERIC, SEPARATOR, TIME, in_midst
 
 PLACES = ("angle", "rotation", "displacement")
 RATES = ("angular_velocity", "velocity")
@@ -34,7 +34,7 @@ def combined(paces: Iterable[str]) -> str:
 
 def at_any_time(names: Iterable[str]) -> bool:
     """Whether one of the letters of quantities is of the midst of a phase."""
-    return any(name.rpartition(SEPARATOR)[2].startswith(GENERIC) for name in names if SEPARATOR in name)
+    return any(in_midst(name) for name in names)
 
 
 def running(names: Iterable[str], kinds: Iterable[str] = (*PLACES, *RATES)) -> list[str]:

@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
 from rotsolve.core.directions import along_text
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
-from rotsolve.core.varying import RATE, combined, pace_of
+from rotsolve.core.varying import POSITION, RATE, combined, pace_of
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key
@@ -86,6 +86,16 @@ class Force(Action):
     )
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
+        own = super().pace(arrangement, state)
+        along = self.direction in (None, "tangential", "clockwise", "counterclockwise")
+        if self.on is None or along or self.on.owner not in arrangement.bodies or self.over or self.under:
+            return own
+        held = arrangement.pivot(arrangement.host(self.on.owner, state), state)
+        rim = self.on.point == "rim" or self.on.point in dict(arrangement.bodies[self.on.owner].radii)
+        return combined((own, POSITION)) if held is not None and held.point != self.on.point and not rim else own
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         if self.on is None:

@@ -5,6 +5,7 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
+from dataclasses import replace
 from fractions import Fraction
 from math import isfinite
 
@@ -48,7 +49,7 @@ def contradiction(inquiry: Inquiry) -> Equation | None:
 
 
 def summed(inquiry: Inquiry) -> list[Equation]:
-    """The separated equations with the acceleration put in as Newton's laws give it at any speed."""
+    """The separated equations carried out with the acceleration that Newton's laws give at any speed, where they have a closed form."""
     found = []
     for name, passage in inquiry.history.passages.items():
         for travel in passage.travels:
@@ -57,15 +58,19 @@ def summed(inquiry: Inquiry) -> list[Equation]:
                 continue
             value = inquiry.aside(rate.name)
             for equation in inquiry.history.equations if value is not None else ():
-                if equation.section == name and rate.name in inside(equation):
-                    found.append(equation.renamed({rate.name: value}))  # type: ignore[dict-item]
+                if equation.section == name and rate.name in equation.summed():
+                    found += carried_out(equation.renamed({rate.name: value}), inquiry)  # type: ignore[dict-item]
     return found
 
 
-def inside(equation: Equation) -> set[str]:
-    """Letters within the integrals of an equation."""
-    nodes = [node for side in (equation.left, equation.right) for node in side.walk() if isinstance(node, Integral)]
-    return {name for node in nodes for name in node.integrand.symbols()}
+def carried_out(equation: Equation, inquiry: Inquiry) -> list[Equation]:
+    """An equation with its integrals carried out; nothing where that can not be done, or never comes to an end."""
+    try:
+        left, right = (inquiry.solver.carried_out(side) for side in (equation.left, equation.right))
+    except Undefined:
+        return []
+    done = replace(equation, left=left, right=right)
+    return [] if done.summed() else [done]
 
 
 def backwards(inquiry: Inquiry, numbers: dict[str, Formula]) -> Equation | None:

@@ -231,6 +231,8 @@ class Solver(Textbook):
             raise Contradiction(item.index)
         value = candidates[picked[0]]
         final = self._shortest(self.with_answers(value))
+        if any(isinstance(node, Integral) for node in final.walk()):
+            reason = ("no closed form: the integral is worked out numerically, with certified digits",)
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import partial
 
-from rotsolve.algebra.calculus import integrate
+from rotsolve.algebra.calculus import integrate, integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.exponentials import spread
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral
-from rotsolve.algebra.separable import Stretch, Unending, needs_care, sign_by_letters
-from rotsolve.core.registry import TIME
+from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
+from rotsolve.core.registry import TIME, in_midst
 from rotsolve.solver.step import Found
 
 
@@ -71,14 +71,19 @@ class Textbook:
         """All integrals in closed form where there is one."""
 
         def change(node: Formula) -> Formula:
-            if not isinstance(node, Integral):
+            if not isinstance(node, Integral) or self._open(node):
                 return node
             done = self._separated(node)
             if done is None:
-                done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
+                summed = integrate_by_hand if has_root(node.integrand, node.variable) else integrate
+                done = summed(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
             return node if done is None else self.simplify(done)
 
         return value.transform(change)
+
+    def _open(self, node: Integral) -> bool:
+        """Whether something within an integral runs with its variable in a way that is not known yet."""
+        return any(in_midst(name) for name in node.integrand.symbols() - {node.variable})
 
     def _separated(self, node: Integral) -> Formula | None:
         """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""

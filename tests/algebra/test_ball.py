@@ -104,6 +104,16 @@ def test_integrals() -> None:
     assert evaluate(moment, {"k": Fraction(3), "L": Fraction(2)}).text(6) in ("8", "8.00000")
 
 
+def test_integrals_up_to_a_turning_point() -> None:
+    k = Symbol("k")
+    arc = Integral(1 / call("sqrt", k**2 - X**2), "x", ZERO, k)
+    assert evaluate(arc, {"k": Fraction(3, 7)}).text(18) == "1.57079632679489662"
+    quarter = Integral(1 / call("sqrt", 2 * call("cos", X) - 1), "x", ZERO, call("acos", f("1/2")))
+    assert evaluate(quarter, {}).text(15) == "1.68575035481260"  # K(1/2), the complete elliptic integral
+    whole = Integral(-1 / call("sqrt", 1 - X**4), "x", -ONE, ONE)
+    assert evaluate(whole, {}).text(15) == "−2.62205755429212"  # the lemniscate constant
+
+
 def test_find_root() -> None:
     found = find_root(X - call("cos", X), "x", {}, 0, 1, digits=30)
     assert found.text(30) == "0.739085133215160641655312087674"

@@ -277,6 +277,9 @@ def test_singular_systems() -> None:
         ("x**2+2*x", ["0", "-2"]),
         ("x**2-x-1", ["(1/2) (1 + sqrt(5))", "(1/2) (1 - sqrt(5))"]),
         ("sin(x)-1", []),
+        ("3*a*x**2-b*x**3", ["0", "3 a/b"]),
+        ("x**4-5*x**2+4", ["1", "-1", "2", "-2"]),
+        ("x**3-x-1", []),
     ],
 )
 def test_polynomial_roots(text: str, shown: list[str]) -> None:

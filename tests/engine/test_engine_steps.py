@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from rotsolve.algebra.formula import Formula, Integral, Sum
+from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.inquiry.answering import Inquiry
 from rotsolve.motion.instant import GENERIC, VIRTUAL
@@ -31,6 +31,9 @@ class Place:
                 self.values[name] = number(found.formula, self.values)
             elif found.number is not None:
                 self.values[name] = found.number.float
+        for letter, ends in running(inquiry).items():
+            known = [number(end, self.values) for end in ends if end.symbols() <= set(self.values)]
+            self.values[letter] = sum(known) / len(known) if known else MOMENT
         self.spread([(step.chain[-1].left, step.chain[-1].right) for step in inquiry.solver.steps])
 
     def spread(self, equalities: Iterable[Sides]) -> None:
@@ -67,6 +70,19 @@ class Place:
         parts = [part for side in (left, right) for part in (side.terms if isinstance(side, Sum) else (side,))]
         scale = max(1e-3, *(abs(self.number(part, self.values)) for part in parts))
         return abs(self.gap(left, right, self.values)) < 1e-8 * scale
+
+
+def running(inquiry: Inquiry) -> dict[str, Sides]:
+    """The places and speeds that run through a phase, with their values at its ends."""
+    found: dict[str, Sides] = {}
+    for passage in inquiry.history.passages.values():
+        for travel in passage.travels:
+            if travel.leads and isinstance(travel.coordinate, Symbol):
+                assert travel.start is not None and travel.end is not None
+                found.setdefault(travel.coordinate.name, (travel.start, travel.end))
+            elif travel.leads and isinstance(travel.moving, Symbol):
+                found[travel.moving.name] = (travel.before, travel.after)
+    return found
 
 
 def places(inquiry: Inquiry, number: Number, nearby: Nearby) -> list[Place]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
+from rotsolve.algebra.certified.turning import integral_to_rest
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
     Call,
@@ -144,6 +145,9 @@ class RealBalls:
         return arb.atan2(y, x)
 
     def integral(self, node: Integral) -> Ball:
+        turning = integral_to_rest(node, self)
+        if turning is not None:
+            return turning
         lower, upper = self(node.lower), self(node.upper)
         outer = self
 

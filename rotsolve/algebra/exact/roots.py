@@ -23,7 +23,8 @@ class Candidate:
 def solve_polynomial(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> list[Formula]:
-    """The roots of f = 0 as a linear or quadratic equation in the unknown, or one with such factors only; else empty."""
+    """The roots of f = 0 as a linear or quadratic equation in the unknown, or one with such factors only (of the fourth
+    degree too, in the square of the unknown); else empty."""
     problem = Problem([f], order, positive, extra=(unknown,))
     parts = polynomial(problem, unknown)
     if parts is None or len(parts) < 2:
@@ -33,9 +34,17 @@ def solve_polynomial(
     place = problem.field.index[Symbol(unknown)]
     _, factors = problem.field.factor(problem.numerator())
     split = [problem.field.coefficients(factor, place) for factor, _ in factors]
-    if any(len(factor) > 3 for factor in split):
-        return []
-    return [root for factor in split if len(factor) > 1 for root in _roots(problem, factor, order, positive)]
+    found: list[Formula] = []
+    for factor in split:
+        if len(factor) == 5 and not any(len(part) for part in factor[1::2]):
+            squares = _roots(problem, factor[::2], order, positive)
+            roots = [simplify(sqrt(square), order=order, positive=positive) for square in squares]
+            found += [root for size in roots for root in (size, negate(size))]
+        elif len(factor) > 3:
+            return []
+        elif len(factor) > 1:
+            found += _roots(problem, factor, order, positive)
+    return found
 
 
 def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positive: Collection[str]) -> list[Formula]:

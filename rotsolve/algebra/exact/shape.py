@@ -177,12 +177,12 @@ class Shaper:
         radicand = self.radicands.get(i)
         if i in self.unsure:  # of these only one may join the common root: √p √q is √(p q) only for p, q ≥ 0
             parts.unsure = i if parts.unsure is None else parts.unsure
-        if radicand is None or (i in self.unsure and parts.unsure != i):
+        if radicand is None or power.denominator != 1 or (i in self.unsure and parts.unsure != i):  # √√x stays as it is
             parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
             return
         if radicand.is_constant():
             n = int(radicand.leading_coefficient())
-            if n < 0 or power.denominator != 1:  # √√2 stays a root of a root
+            if n < 0:
                 parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
                 return
             parts.number *= Fraction(n) ** int(power // 2)

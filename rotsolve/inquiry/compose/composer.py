@@ -183,8 +183,8 @@ class Composer:
         for answered in self.inquiry.wholes():
             chosen.setdefault(answered.asked.letter, self._named(answered.asked.find))
         taken = frozenset(given.name for given in self.problem.givens)
-        answered = [part for item in self.inquiry.answered for part in (item, *item.parts)]
-        for part in (item for item in answered if item.asked.whole and not item.asked.direct):
+        every = [part for item in self.inquiry.answered for part in (item, *item.parts)]
+        for part in (item for item in every if item.asked.whole and not item.asked.direct):
             twin = next((item for item in self.inquiry.wholes() if item.asked.same_as(part.asked)), None)
             if twin is not None:
                 chosen.setdefault(part.asked.letter, twin.asked.find.name)

@@ -1,0 +1,81 @@
+"""Turning points: certified integrals of 1/√r whose radicand vanishes at an end, as the time up to a point of rest.
+
+With x = e + d u², e the end and d the way to the other, r(x) = d u² q(x) and dx/√r = 2 d du/√(d q), which is smooth. The quotient
+q = r/(x − e) is enclosed by the derivative of r between x and e (mean value theorem), where dividing would lose all digits.
+"""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.flints import acb
+from rotsolve.algebra.formula import Call, Formula, Integral, Number
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.certified.balls import Ball, RealBalls
+
+HALF = Number(Fraction(1, 2))
+
+
+def radicand(node: Integral) -> Formula | None:
+    """r where the integrand is ±1/√r; None for any other."""
+    inside = [part for part in node.integrand.walk() if isinstance(part, Call) and node.variable in part.symbols()]
+    if not any(part.function == "sqrt" for part in inside):
+        return None
+    found = simplify(1 / (node.integrand * node.integrand))
+    roots = (part for part in found.walk() if isinstance(part, Call) and part.function == "sqrt")
+    return None if any(node.variable in part.symbols() for part in roots) else found
+
+
+def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
+    """The integral where its radicand vanishes exactly at one end or both; None where it does at neither."""
+    inside = radicand(node)
+    if inside is None:
+        return None
+    ends = (node.lower, node.upper)
+    rest = [_vanishes(inside.substitute({node.variable: end}), balls) for end in ends]
+    if not any(rest):
+        return None
+    middle = HALF * (node.lower + node.upper)
+    sign = 1 if balls(node.integrand.substitute({node.variable: middle})) > 0 else -1
+    if all(rest):
+        return sign * (
+            _from_end(node, inside, ends[0], middle, balls) - _from_end(node, inside, ends[1], middle, balls)
+        )
+    if rest[0]:
+        return sign * _from_end(node, inside, *ends, balls)
+    return -sign * _from_end(node, inside, ends[1], ends[0], balls)
+
+
+def _vanishes(value: Formula, balls: RealBalls) -> bool:
+    from rotsolve.algebra.certified.ball import resolve
+    from rotsolve.algebra.certified.balls import Undefined
+
+    try:
+        ball = balls(value)
+        return bool(ball.is_finite() and ball.contains(0)) and is_zero(resolve(value, balls.values))
+    except (Undefined, ZeroDivisionError):
+        return False
+
+
+def _from_end(node: Integral, inside: Formula, end: Formula, other: Formula, balls: RealBalls) -> Ball:
+    """∫ dx/√r from the end where r vanishes to another place."""
+    from rotsolve.algebra.certified.balls import ComplexBalls
+
+    slope = differentiate(inside, node.variable)
+    start, way = acb(balls(end)), acb(balls(other) - balls(end))
+
+    def integrand(u: Ball, analytic: bool) -> Ball:
+        x = start + way * u * u
+        between = acb(x.real.union(start.real), x.imag.union(start.imag))
+        quotient = ComplexBalls(balls, {node.variable: between}, False)(slope)
+        if not (x - start).contains(0):
+            divided = ComplexBalls(balls, {node.variable: x}, False)(inside) / (x - start)
+            if divided.rad() < quotient.rad():
+                quotient = divided
+        return 2 * way / (way * quotient).sqrt(analytic=analytic)
+
+    return acb.integral(integrand, acb(0), acb(1)).real
