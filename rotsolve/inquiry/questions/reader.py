@@ -18,6 +18,8 @@ from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, Term
 
+BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
+
 
 class Reader(Moment):
     """Reads paths at one instant."""
@@ -33,6 +35,10 @@ class Reader(Moment):
         else:
             found = OfElements(self.instant, self.facts).of_element(path)
         kind = BY_WORD[path.quantity]
+        if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
+            raise NotYet(
+                f"`{path.quantity}` is not asked for `by {term.by}`", help=f"ask so for {', '.join(BY_INTEGRATION)}"
+            )
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         words = meaning.words if any(meaning.words) else self._words(path)
         return replace(meaning, label=meaning.label or label_of(path, term), words=words)
