@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
@@ -209,4 +210,6 @@ def _named(ref: PointRef | None) -> str:
     """The index that a letter about a point has."""
     if ref is None:
         return "cm"
-    return f"at {to_text(ref.argument, unicode=False)}" if ref.argument is not None else ref.point or "center"
+    if ref.argument is not None:
+        return re.sub(r"\W+", "", to_text(ref.argument, unicode=False))
+    return ref.point or "center"

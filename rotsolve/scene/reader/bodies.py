@@ -87,9 +87,7 @@ def build(
     own = {word for word, _ in keys_of(shape)} if shape else set()
     if shape is not None:
         fields["shape"] = shape(**read_keys(scope, shape, name, entries))
-        for word, declared in keys_of(shape):
-            if declared.required and word not in entries:
-                scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
+        check_sizes(scope, name, key, entries, shape)
         check_flat(scope, name, entries, fields["shape"])
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
@@ -97,11 +95,11 @@ def build(
         declared = BODY[word]
         if declared.later:
             scope.later(place, word)
-        if word == "density":
-            fields[word] = density(scope, node, name, shape, fields)
-            continue
         reader = READERS.get(declared.kind)
-        found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
+        if word == "density":
+            found = density(scope, node, name, shape, fields)
+        else:
+            found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
             fields.update(found)
         elif found is not None:
@@ -120,6 +118,13 @@ def build(
             "point",
         )
     return body
+
+
+def check_sizes(scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape]) -> None:
+    """Sizes without which a shape is none."""
+    for word, declared in keys_of(shape):
+        if declared.required and word not in entries:
+            scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
 
 
 def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
