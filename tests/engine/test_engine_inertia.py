@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Callable, Mapping
 from fractions import Fraction
 
@@ -13,6 +14,7 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.tensor import AXES, ENTRIES, ROWS, InertiaTensor, Place, displaced
 from rotsolve.elements.shapes import SHAPES, Shape
 from rotsolve.elements.shapes.cylinders import Cylinder, CylindricalShell
@@ -187,3 +189,63 @@ def test_tensor_of_a_composite_is_that_of_particles(
     entries = {part.name: part.value.float for part in solve(scene).answers["T"].answer.components if part.value}
     for row, names in zip(expected, ROWS, strict=True):
         assert [entries[name] for name in names] == pytest.approx(row, abs=1e-9)
+
+
+# what is refused, and two ways to one number
+
+ARM = """title: t
+given: {M: 2 kg, R: 20 cm, m: 1 kg, h: 30 cm, w: 4 rad/s}
+bodies:
+  wheel: {shape: disc, mass: M, radius: R, points: {P: [R, 0]}}
+  rotor: {inertia: 2 kg m^2, radius: R}
+  arm: {parts: {bead: {mass: m, at: [R, 0, h]}, hub: {shape: disc, mass: M, radius: R}}}
+  frame: {shape: polygon, mass: M, corners: [[0, 0], [R, 0], [R, R]]}
+connections: {axle: {axle: arm}}
+states: {now: {arm.angular_velocity: w}}
+find: {x: PHRASE}
+"""
+
+
+@pytest.mark.parametrize(
+    ("phrase", "message"),
+    [
+        ("rotor.inertia along x", "only the moment of inertia of `rotor` about its axis is known"),
+        ("frame.inertia by integration", "`frame` has no usual elements over which to integrate"),
+        ("arm.inertia by integration", "`arm` is made of several pieces"),
+        ("wheel.inertia along tangential", "`along tangential` is no axis of a moment of inertia"),
+        ("wheel.inertia about rotor.center", "`rotor` is no point of `wheel`"),
+        ("wheel.speed by integration", "`speed` is not asked for `by integration`"),
+        ("arm.angular_momentum.x", "is asked about a point of its axis"),
+        ("arm.angular_momentum.x about arm.bead", "is asked about a point of its axis"),
+        ("wheel.angular_momentum.x about wheel.center", "turns about no fixed axis"),
+    ],
+)
+def test_what_can_not_be_told_is_refused_by_name(phrase: str, message: str) -> None:
+    with pytest.raises(Unsolvable, match=re.escape(message)):
+        solve(ARM.replace("PHRASE", phrase))
+
+
+@pytest.mark.parametrize(
+    "body", ["wheel.inertia about wheel.P", "wheel.gyration", "wheel.inertia_tensor.zz about wheel.P"]
+)
+def test_integration_gives_what_the_table_says(body: str) -> None:
+    table, integrated = (
+        solve(ARM.replace("PHRASE", phrase)).answers["x"] for phrase in (body, f"{body} by integration")
+    )
+    assert table.formula == integrated.formula
+
+
+def test_both_ways_may_be_asked_in_one_scene() -> None:
+    scene = ARM.replace("x: PHRASE", "x: wheel.inertia, y: wheel.inertia by integration")
+    solution = solve(scene)
+    assert solution.answers["x"].exact == solution.answers["y"].exact == "½ M R²"
+    assert "rings of radius r" in solution.to("text")
+
+
+def test_angular_momentum_is_the_tensor_times_the_angular_velocity() -> None:
+    scene = ARM.replace("x: PHRASE", "L: arm.angular_momentum about arm.center, T: arm.inertia_tensor about arm.center")
+    answers = solve(scene).answers
+    momentum = [answers["L"].components[axis].float for axis in AXES]
+    column = [answers["T"].components[entry].float for entry in ("zx", "yz", "zz")]
+    assert momentum == pytest.approx([4 * (x or 0.0) for x in column])
+    assert momentum == pytest.approx([-4 * 1 * 0.3 * 0.2, 0, 4 * (0.2**2 + 2 * 0.2**2 / 2)])

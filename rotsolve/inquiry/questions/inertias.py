@@ -9,7 +9,6 @@ from dataclasses import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import signed
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.tensor import AXES, Place
@@ -181,9 +180,15 @@ class OfInertias(Moment):
             raise NotYet(f"`{path.owner}` turns about no fixed axis: its angular momentum in space is not solved yet")
         if motion.orientation != RIGHT:
             raise NotYet(f"the components of an angular momentum in space are those of `{path.owner}` as it is drawn")
+        point, _, ref = self._point(path.owner, term)
+        if ref is None or tidy(point - self.instant.frame(path.owner).reference).parts:
+            raise NotYet(
+                f"a part of the angular momentum of `{path.owner}` is asked about a point of its axis",
+                help="write `about` with a point on the axis",
+            )
         spread = self._spread(path.owner, term)
         axis = path.component or "z"
-        spin = signed(motion.spin, motion.sense) if motion.sense > 0 else motion.spin
+        spin = motion.spin
         if all(piece.shape.word == "particle" for piece in spread.pieces):
             terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
             return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))

@@ -49,7 +49,9 @@ class Reader(Moment):
 
     def _words(self, path: Path) -> tuple[str, str]:
         """The two directions of a signed quantity: of a component, or of a turn."""
-        if path.component in ("x", "y") and path.quantity != "cm":
+        if path.quantity == "cm" or (path.quantity == "angular_momentum" and path.component):
+            return ("", "")  # a coordinate, or a part along an axis: its sign says all
+        if path.component in ("x", "y"):
             return ("right", "left") if path.component == "x" else ("up", "down")
         if path.quantity in ("torque", "angular_momentum"):
             name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)
