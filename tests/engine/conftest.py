@@ -130,15 +130,17 @@ def numeric(formula: Formula, values: Mapping[str, float]) -> float:
 
 
 def quadrature(formula: Integral, values: Mapping[str, float], panels: int = 8) -> float:
-    """A definite integral by Gauss-Legendre."""
+    """A definite integral by Gauss-Legendre in u, with x = lower + (3 u² − 2 u³) (upper − lower), so that a root at an end is smooth."""
     lower, upper = numeric(formula.lower, values), numeric(formula.upper, values)
-    half = (upper - lower) / (2 * panels)
+    half, span = 1 / (2 * panels), upper - lower
     result = 0.0
     for panel in range(panels):
-        middle = lower + (2 * panel + 1) * half
+        middle = (2 * panel + 1) * half
         for node, weight in zip(NODES, WEIGHTS, strict=True):
-            for place in (middle - half * node, middle + half * node):
-                result += weight * half * numeric(formula.integrand, {**values, formula.variable: place})
+            for u in (middle - half * node, middle + half * node):
+                place = lower + span * u * u * (3 - 2 * u)
+                slope = 6 * span * u * (1 - u)
+                result += weight * half * slope * numeric(formula.integrand, {**values, formula.variable: place})
     return result
 
 
