@@ -34,9 +34,6 @@ class InertiaTensor:
         value: Formula = getattr(self, name if name in ENTRIES else name[::-1])
         return value
 
-    def __add__(self, other: InertiaTensor) -> InertiaTensor:
-        return InertiaTensor(*(add(self.entry(name), other.entry(name)) for name in ENTRIES))
-
     def times(self, factor: Formula) -> InertiaTensor:
         return InertiaTensor(*(multiply(factor, self.entry(name)) for name in ENTRIES))
 
@@ -52,14 +49,6 @@ class InertiaTensor:
             return result
 
         return InertiaTensor(*(entry(name) for name in ENTRIES))
-
-    def along(self, axis: Place) -> Formula:
-        """n·I n, the moment of inertia about a line in the direction of the unit vector n."""
-        result: Formula = ZERO
-        for i, row in enumerate(ROWS):
-            for j, own in enumerate(row):
-                result = add(result, multiply(multiply(axis[i], axis[j]), self.entry(own)))
-        return result
 
 
 def round_about(axis: str, along: Formula, across: Formula) -> InertiaTensor:

@@ -18,6 +18,7 @@ from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs
+from rotsolve.inquiry.stepwise import Stepwise
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
@@ -53,8 +54,6 @@ class Inquiry:
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
-    steps: dict[str, set[int]] = field(default_factory=dict)  # pool indices of what leads to a question step by step
-    stepped: dict[Equation, int] = field(default_factory=dict)  # pool index of each such step
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -64,6 +63,7 @@ class Inquiry:
         }
         self.pool = [*self.history.equations, *self.extra]
         self.planner = Planner(self.pool)
+        self.stepwise = Stepwise(self.planner)
         self.refs: dict[int, Ref] = {}
         self.signs = Signs(
             self.history, self.givens, self.values, lambda value: self.solver.with_answers(value), self.aside
@@ -125,7 +125,7 @@ class Inquiry:
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
-        self._take_steps(asked)
+        self.stepwise.take(asked)
         parts = tuple(self._part(part) for part in asked.parts)
         for law in asked.laws:
             if law not in self.planner.pool:
@@ -153,29 +153,6 @@ class Inquiry:
         """Where what is made of earlier answers is written: with the last of them."""
         earlier = [item.asked for item in self.answered if item.asked.letter in formula.symbols()]
         return earlier[-1].section if earlier else ""
-
-    def _take_steps(self, asked: Asked) -> None:
-        """The definitions that lead to a question serve that question alone: as laws they would lead anywhere."""
-        own = {self.stepped[step] if step in self.stepped else self._step(step) for step in asked.definitions}
-        if own:
-            self.steps[asked.letter] = own
-
-    def _step(self, step: Equation) -> int:
-        self.stepped[step] = self.planner.extend(step)
-        return self.stepped[step]
-
-    def _by_steps(self, letter: str, banned: set[int]) -> Plan | None:
-        """The plan that the definitions of a question make, with what was found before and what the laws define."""
-        pool, own = self.planner.pool, self.steps.get(letter, set())
-        open_ = {index for index in own if not pool[index].left.symbols() <= self.known}
-        told = {name for index in open_ for name in pool[index].left.symbols()}
-        allowed = open_ | {
-            index for index, equation in enumerate(pool) if equation.defines and equation.defines not in told
-        }
-        if letter in self.defined:
-            allowed.add(self.defined[letter])
-        plan = self.planner.plan(letter, self.known, sorted(allowed - banned)) if own else None
-        return plan if isinstance(plan, Plan) else None
 
     def _part(self, asked: Asked) -> Answered:
         """A component of a vector, which may have been asked before in its own right."""
@@ -240,10 +217,10 @@ class Inquiry:
 
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
-        stepwise = self._by_steps(letter, banned)
+        stepwise = self.stepwise.plan(letter, self.known, self.defined.get(letter), banned)
         if stepwise is not None:
             return stepwise
-        foreign = set(self.stepped.values()) - self.steps.get(letter, set())
+        foreign = self.stepwise.foreign(letter)
         allowed = [
             index
             for index, equation in enumerate(self.planner.pool)

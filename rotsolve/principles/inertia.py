@@ -2,50 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import (
-    ZERO,
-    Call,
-    Formula,
-    Number,
-    Power,
-    Product,
-    Sum,
-    Symbol,
-    add,
-    multiply,
-    negate,
-    sqrt,
-    total,
-)
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.heading import NOWHERE, RIGHT, Heading
-from rotsolve.core.tensor import AXES, ONE_AXIS, Place
+from rotsolve.core.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.rigid import MINUS, Piece
-from rotsolve.motion.spread import DENSITY, Spread
-from rotsolve.principles.integration import INDICES, by_integration, centre_letter, mass
+from rotsolve.motion.spread import Spread
+from rotsolve.principles.centre import Told, from_centre, piece_masses, plain
+from rotsolve.principles.integration import INDICES, NotSliced, by_integration, mass
+from rotsolve.principles.pieces import about_axis, apart, arm_of, distance_words, entry_of, noun, sum_of_squares
 
-OTHERS = {"xx": (1, 2), "yy": (0, 2), "zz": (0, 1)}  # the coordinates whose squares make the distance from an axis
 HALF = Number(Fraction(1, 2))
-
-
-@dataclass(frozen=True)
-class Told:
-    """What a quantity is: a formula over letters with what defines them, its law and a remark."""
-
-    formula: Formula
-    label: str
-    said: Words = ()
-    definitions: tuple[Equation, ...] = ()
-
-
-class Unknown(ValueError):
-    """A moment of inertia that the scene does not settle."""
 
 
 def moment(spread: Spread, entry: str) -> Told:
@@ -61,6 +34,10 @@ def moment(spread: Spread, entry: str) -> Told:
 
 def one_axis(spread: Spread, entry: str) -> Told:
     """A moment of inertia, by the law that a textbook takes for it."""
+    if spread.integrates and len(spread.pieces) > 1:
+        raise NotSliced(
+            f"`{spread.name}` is made of several pieces: ask for each by integration, or for the whole without"
+        )
     return of_one(spread, entry) if len(spread.pieces) == 1 else of_all(spread, entry)
 
 
@@ -192,14 +169,6 @@ def product(spread: Spread, entry: str) -> Told:
     return Told(written, label, (), (*before, *shares))
 
 
-def plain(written: Formula, definitions: tuple[Equation, ...]) -> Formula:
-    """A formula with its letters put in."""
-    for equation in reversed(definitions):
-        if isinstance(equation.left, Symbol):
-            written = written.substitute({equation.left.name: equation.right})
-    return written
-
-
 def along(spread: Spread, direction: Heading) -> Told:
     """About an axis in the plane: I_x cos² + I_y sin² + 2 I_xy sin cos."""
     told = [moment(spread, entry) for entry in ("xx", "yy", "xy")]
@@ -214,121 +183,3 @@ def gyration(spread: Spread, told: Told) -> Told:
     whole, steps = mass(spread, spread.pieces[0]) if len(spread.pieces) == 1 else (spread.mass, ())
     defined = tuple(dict.fromkeys((*told.definitions, *steps)))
     return Told(sqrt(told.formula / whole), "radius of gyration, I = M k²", (), defined)
-
-
-def centre(spread: Spread, axis: str) -> Told:
-    """x of the centre of mass: Σ m x/Σ m, of a varying density (1/M) ∫ x dm."""
-    number = AXES.index(axis)
-    if len(spread.pieces) == 1:
-        piece = spread.pieces[0]
-        if not piece.shape.tabled:
-            letter, steps = centre_letter(spread, piece, axis)
-            return Told(letter, "", (), steps)
-        at = simplify(piece.place()[number] - spread.begin[number])
-        return Told(at, f"centre of mass, {noun(piece)}")
-    masses, shares = piece_masses(spread)
-    places = [piece.place()[number] for piece in spread.pieces]
-    above = total(flat([multiply(weight, at) for weight, at in zip(masses, places, strict=True)]))
-    whole = spread.mass if any(piece.measure is not None for piece in spread.pieces) else total(flat(masses))
-    if above == ZERO or simplify(plain(above, shares)) == ZERO:
-        return Told(ZERO, "centre of mass")
-    letter = spread.letter("cm", f"{axis}_cm")
-    step = spread.define(letter, above / whole, f"centre of mass, {axis} = Σ m {axis}/Σ m")
-    return Told(letter, "", (), (*shares, step))
-
-
-def from_centre(spread: Spread) -> tuple[Spread, tuple[Equation, ...]]:
-    """The spread with the coordinates of its centre of mass as letters, where that is the point meant and not the origin."""
-    if not spread.central or len(spread.pieces) == 1:
-        return spread, ()
-    found: list[Formula] = []
-    defined: list[Equation] = []
-    for axis in AXES:
-        told = centre(spread, axis)
-        defined += told.definitions
-        found.append(told.formula)
-    return replace(spread, point=(found[0], found[1], found[2]), central=False), tuple(dict.fromkeys(defined))
-
-
-def piece_masses(spread: Spread) -> tuple[list[Formula], tuple[Equation, ...]]:
-    """The masses of the pieces; of a plate with holes as shares of its material, m = σ A, with a minus sign for the holes."""
-    shared = [piece for piece in spread.pieces if piece.measure is not None]
-    if not shared:
-        return [piece.mass for piece in spread.pieces], ()
-    name, word = DENSITY[shared[0].shape.spread]
-    rest = spread.tidy(total([piece.measure for piece in shared if piece.measure is not None]))
-    sigma: Formula = simplify(total([piece.mass for piece in shared]) / rest)
-    defined = []
-    if not isinstance(sigma, Symbol):
-        sigma = spread.letter(name)
-        defined.append(spread.define(sigma, spread.mass / rest, f"mass per {word}"))
-    masses: list[Formula] = []
-    for piece in spread.pieces:
-        if piece.measure is None:
-            masses.append(piece.mass)
-            continue
-        size = spread.tidy(negate(piece.measure) if is_negative(piece.measure) else piece.measure)
-        letter = spread.letter("mass", spread.called(piece))
-        defined.append(spread.define(letter, sigma * size, f"mass of {spoken(spread.called(piece))}"))
-        masses.append(negate(letter) if is_negative(piece.mass) else letter)
-    return masses, tuple(defined)
-
-
-def entry_of(piece: Piece, entry: str) -> Formula:
-    """An entry of a piece's own tensor; the moment about the axis is known even where the others are not."""
-    if piece.tensor is not None:
-        return piece.moment if entry == "zz" else piece.tensor.entry(entry)
-    if entry == "zz":
-        return piece.moment
-    raise Unknown(f"only the moment of inertia of `{piece.name}` about its axis is known")
-
-
-def arm_of(spread: Spread, piece: Piece) -> Place:
-    """Where a piece's centre of mass is, seen from the point."""
-    x, y, z = (simplify(at - point) for at, point in zip(piece.place(), spread.point, strict=True))
-    return (x, y, z)
-
-
-def apart(spread: Spread, piece: Piece, entry: str) -> list[Formula]:
-    """The components of the distance of a piece from the axis; one where they make a plain length."""
-    arm = arm_of(spread, piece)
-    parts = [arm[index] for index in OTHERS[entry] if arm[index] != ZERO]
-    if len(parts) > 1:
-        whole = simplify(total([part**2 for part in parts]))
-        root = simplify(sqrt(whole), positive=spread.positive)
-        if isinstance(whole, (Power, Product)) and not any(isinstance(node, Call) for node in root.walk()):
-            return [root]
-    return [negate(part) if backward(part) else part for part in parts]
-
-
-def backward(part: Formula) -> bool:
-    """Whether a distance is written with minus signs only."""
-    return all(is_negative(term) for term in part.terms) if isinstance(part, Sum) else is_negative(part)
-
-
-def sum_of_squares(parts: list[Formula]) -> Formula:
-    return total([part**2 for part in parts])
-
-
-def distance_words(parts: list[Formula], square: Formula) -> Words:
-    return ("d = ", parts[0]) if len(parts) == 1 else ("d² = ", square)
-
-
-def noun(piece: Piece) -> str:
-    """What a piece is called: "solid disc"; its name where it has no shape to speak of."""
-    word = piece.shape.word
-    if piece.tensor is None or word in ("particle", ""):
-        return spoken(piece.name)
-    return f"solid {word}" if word in ("disc", "cylinder", "sphere", "cone") else word
-
-
-def about_axis(piece: Piece, entry: str) -> str:
-    """Words for an axis through the centre of mass."""
-    tensor = piece.tensor
-    if tensor is None or entry not in ONE_AXIS:
-        return ""
-    if tensor.xx == tensor.yy == tensor.zz:
-        return " about a diameter"
-    if entry == "zz":
-        return " about its centre" if piece.shape.flat and not piece.shape.outer else " about its axis"
-    return f" about its {entry[0]} axis"

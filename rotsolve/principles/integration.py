@@ -40,6 +40,13 @@ def sliced(spread: Spread, piece: Piece) -> Slicing:
     return cut.renamed({item.variable.name: spread.coordinate(item.variable.name.lstrip("|")) for item in cut.ranges})
 
 
+def origin(piece: Piece) -> Place:
+    """Where the coordinates of a shape's elements begin, in its own axes."""
+    cut = piece.shape.slicing()
+    assert cut is not None
+    return cut.origin
+
+
 def density(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     """Mass per length, area or volume of a uniform shape: M over what a table says it is, or over its integral."""
     shape = piece.shape

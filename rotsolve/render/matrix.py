@@ -54,7 +54,7 @@ def text_rows(answer: Answer, digits: int) -> Iterator[Row]:
         if left and right:
             behind = f"{'=' if number == middle else ' '} {right[number]}{unit if number == middle else ''}"
         elif right and number == middle:
-            behind = unit.strip()
+            line += unit
         yield Row(held(head + line), held(behind))
     if formulas and not left:
         for part in answer.components:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, call
 from rotsolve.core.tensor import InertiaTensor
 from rotsolve.core.tensor import Place as Spot
@@ -90,7 +91,7 @@ class Arc(Shape):
 
     def slicing(self) -> Slicing:
         """Pieces of length R dφ, φ from the axis of symmetry."""
-        phi, radius, half = coordinate("phi"), self.radius or ZERO, (self.opening or ZERO) / 2
+        phi, radius, half = coordinate("phi"), self.radius or ZERO, simplify((self.opening or ZERO) / 2)
         x, y = radius * call("cos", phi), radius * call("sin", phi)
         element = ("pieces of length ", radius, " d", phi)
         return Slicing(element, (Range(phi, -half, half),), radius, (x, y, ZERO), (x**2, y**2, ZERO, x * y, ZERO, ZERO))

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import replace
 
-from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import signed
 from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.tensor import AXES, Place
@@ -18,11 +18,12 @@ from rotsolve.inquiry.questions.meaning import Meaning, NotYet
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import locate, rise
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import mass_of, tidy
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.spread import Spread
 from rotsolve.principles import inertia
-from rotsolve.principles.inertia import Told, Unknown
+from rotsolve.principles.centre import Told, centre
 from rotsolve.principles.integration import NotSliced, mass
+from rotsolve.principles.pieces import Unknown, arm_of
 from rotsolve.scene.model import Path, PointRef, Term
 
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
@@ -53,7 +54,7 @@ class OfInertias(Moment):
 
     def _told(self, path: Path, term: Term | None) -> Told:
         if path.quantity == "cm":
-            return self._centre(path)
+            return self._centre(path, term)
         if path.quantity == "mass":
             spread = self._spread(path.owner, None)
             letter, defined = mass(spread, spread.pieces[0])
@@ -69,12 +70,12 @@ class OfInertias(Moment):
             return inertia.gyration(spread, told)
         return told
 
-    def _centre(self, path: Path) -> Told:
+    def _centre(self, path: Path, term: Term | None) -> Told:
         """A coordinate of the centre of mass, from where the coordinates of the body begin."""
         if path.component not in AXES:
             raise NotYet(f"say which coordinate: `{path.owner}.cm.x`, `.y` or `.z`")
-        spread = self._spread(path.owner, None)
-        told = inertia.centre(spread, path.component)
+        spread = self._spread(path.owner, term)
+        told = centre(spread, path.component)
         begin = spread.begin[AXES.index(path.component)]
         return replace(told, formula=told.formula - begin) if len(spread.pieces) > 1 and begin != ZERO else told
 
@@ -124,9 +125,7 @@ class OfInertias(Moment):
         return Spread(
             name,
             own.pieces,
-            mass_of(body)
-            if not instant.arrangement.cluster(name, instant.state)
-            else total([p.mass for p in own.pieces]),
+            simplify(total([piece.mass for piece in own.pieces])) if len(own.pieces) > 1 else own.pieces[0].mass,
             instant.registry,
             instant.state,
             (x, y, height),
@@ -181,11 +180,17 @@ class OfInertias(Moment):
             raise NotYet(f"`{path.owner}` turns about no fixed axis: its angular momentum in space is not solved yet")
         if motion.orientation != RIGHT:
             raise NotYet(f"the components of an angular momentum in space are those of `{path.owner}` as it is drawn")
+        point, _, ref = self._point(path.owner, term)
+        if ref is None or tidy(point - self.instant.frame(path.owner).reference).parts:
+            raise NotYet(
+                f"a part of the angular momentum of `{path.owner}` is asked about a point of its axis",
+                help="write `about` with a point on the axis",
+            )
         spread = self._spread(path.owner, term)
         axis = path.component or "z"
-        spin = signed(motion.spin, motion.sense) if motion.sense > 0 else motion.spin
+        spin = motion.spin
         if all(piece.shape.word == "particle" for piece in spread.pieces):
-            terms = [_orbital(inertia.arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
+            terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
             return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))
         told = inertia.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])
         return Told(multiply(told.formula, spin), f"angular momentum along {axis}, I_{axis}z ω", (), told.definitions)
@@ -210,4 +215,6 @@ def _named(ref: PointRef | None) -> str:
     """The index that a letter about a point has."""
     if ref is None:
         return "cm"
-    return f"at {to_text(ref.argument, unicode=False)}" if ref.argument is not None else ref.point or "center"
+    if ref.argument is not None:
+        return re.sub(r"\W+", "", to_text(ref.argument, unicode=False))
+    return ref.point or "center"

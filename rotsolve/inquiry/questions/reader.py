@@ -22,6 +22,8 @@ from rotsolve.motion.rigid import tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, Term
 
+BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
+
 
 class Reader(Moment):
     """Reads paths at one instant."""
@@ -38,6 +40,10 @@ class Reader(Moment):
         else:
             found = OfElements(self.instant, self.facts).of_element(path)
         kind = BY_WORD[path.quantity]
+        if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
+            raise NotYet(
+                f"`{path.quantity}` is not asked for `by {term.by}`", help=f"ask so for {', '.join(BY_INTEGRATION)}"
+            )
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         words = meaning.words if any(meaning.words) else self._words(path)
         return replace(meaning, label=meaning.label or label_of(path, term), words=words)
@@ -48,7 +54,9 @@ class Reader(Moment):
 
     def _words(self, path: Path) -> tuple[str, str]:
         """The two directions of a signed quantity: of a component, or of a turn."""
-        if path.component in ("x", "y") and path.quantity != "cm":
+        if path.quantity == "cm" or (path.quantity == "angular_momentum" and path.component):
+            return ("", "")  # a coordinate, or a part along an axis: its sign says all
+        if path.component in ("x", "y"):
             return ("right", "left") if path.component == "x" else ("up", "down")
         if path.quantity in ("torque", "angular_momentum"):
             name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)

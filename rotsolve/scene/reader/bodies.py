@@ -88,9 +88,7 @@ def build(
     own = {word for word, _ in keys_of(shape)} if shape else set()
     if shape is not None:
         fields["shape"] = shape(**read_keys(scope, shape, name, entries))
-        for word, declared in keys_of(shape):
-            if declared.required and word not in entries:
-                scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
+        check_sizes(scope, name, key, entries, shape)
         check_flat(scope, name, entries, fields["shape"])
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
@@ -98,15 +96,12 @@ def build(
         declared = BODY[word]
         if declared.later:
             scope.later(place, word)
-        if declared.kind == "motion":
-            fields["moved"] = (*fields.get("moved", ()), *motion(scope, declared, node, word, name))
-            continue
-        if word == "density":
-            fields[word] = density(scope, node, name, shape, fields)
-            continue
         reader = READERS.get(declared.kind)
+        found: Any
         if declared.kind == "motion":
             found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
+        elif word == "density":
+            found = density(scope, node, name, shape, fields)
         else:
             found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
@@ -143,6 +138,13 @@ def motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator
         found = value(scope, item, Want(word, key.dimension, key.letter, owner, varies=key.varies))
         if found is not None:
             yield word, component, found
+
+
+def check_sizes(scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape]) -> None:
+    """Sizes without which a shape is none."""
+    for word, declared in keys_of(shape):
+        if declared.required and word not in entries:
+            scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
 
 
 def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:

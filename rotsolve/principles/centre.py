@@ -1,0 +1,96 @@
+"""Centre of mass: Σ m x/Σ m, with the masses of a plate and of its holes as shares of its material."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, multiply, negate, total
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
+from rotsolve.core.tensor import AXES
+from rotsolve.core.writing import flat, is_negative, spoken
+from rotsolve.motion.spread import DENSITY, Spread
+from rotsolve.principles.integration import centre_letter, origin
+from rotsolve.principles.pieces import noun
+
+
+@dataclass(frozen=True)
+class Told:
+    """What a quantity is: a formula over letters with what defines them, its law and a remark."""
+
+    formula: Formula
+    label: str
+    said: Words = ()
+    definitions: tuple[Equation, ...] = ()
+
+
+def centre(spread: Spread, axis: str) -> Told:
+    """x of the centre of mass: Σ m x/Σ m, of a varying density (1/M) ∫ x dm."""
+    number = AXES.index(axis)
+    if len(spread.pieces) == 1:
+        piece = spread.pieces[0]
+        if spread.integrates or not piece.shape.tabled:
+            letter, steps = centre_letter(spread, piece, axis)
+            ahead = simplify(origin(piece)[number] - spread.begin[number])
+            return Told(letter + ahead, f"centre of mass, {axis} from the {piece.shape.word}'s own origin", (), steps)
+        at = simplify(piece.place()[number] - spread.begin[number])
+        return Told(at, f"centre of mass, {noun(piece)}")
+    masses, shares = piece_masses(spread)
+    places = [piece.place()[number] for piece in spread.pieces]
+    above = total(flat([multiply(weight, at) for weight, at in zip(masses, places, strict=True)]))
+    whole = spread.mass if shares else total(flat(masses))
+    if above == ZERO or simplify(plain(above, shares)) == ZERO:
+        return Told(ZERO, "centre of mass")
+    letter = spread.letter("cm", f"{axis}_cm")
+    step = spread.define(letter, above / whole, f"centre of mass, {axis} = Σ m {axis}/Σ m")
+    return Told(letter, "", (), (*shares, step))
+
+
+def from_centre(spread: Spread) -> tuple[Spread, tuple[Equation, ...]]:
+    """The spread with the coordinates of its centre of mass as letters, where that is the point meant and not the origin."""
+    if not spread.central or len(spread.pieces) == 1:
+        return spread, ()
+    found: list[Formula] = []
+    defined: list[Equation] = []
+    for axis in AXES:
+        told = centre(spread, axis)
+        defined += told.definitions
+        found.append(told.formula)
+    return replace(spread, point=(found[0], found[1], found[2]), central=False), tuple(dict.fromkeys(defined))
+
+
+def piece_masses(spread: Spread) -> tuple[list[Formula], tuple[Equation, ...]]:
+    """The masses of the pieces; of a plate with holes as shares of its material, m = σ A, with a minus sign for the holes."""
+    shared = [piece for piece in spread.pieces if piece.measure is not None]
+    if not shared:
+        return [piece.mass for piece in spread.pieces], ()
+    materials = {simplify(piece.mass / piece.measure) for piece in shared if piece.measure is not None}
+    if len(materials) > 1:  # several plates with holes, each of its own material
+        return [piece.mass for piece in spread.pieces], ()
+    name, word = DENSITY[shared[0].shape.spread] if shared[0].shape.flat else ("sigma", "area that is seen")
+    rest = spread.tidy(total([piece.measure for piece in shared if piece.measure is not None]))
+    (sigma,) = materials
+    defined = []
+    if not isinstance(sigma, Symbol):
+        sigma = spread.letter(name)
+        filled = simplify(total([piece.mass for piece in shared]))
+        defined.append(spread.define(sigma, filled / rest, f"mass per {word}"))
+    masses: list[Formula] = []
+    for piece in spread.pieces:
+        if piece.measure is None:
+            masses.append(piece.mass)
+            continue
+        size = spread.tidy(negate(piece.measure) if is_negative(piece.measure) else piece.measure)
+        letter = spread.letter("mass", spread.called(piece))
+        defined.append(spread.define(letter, sigma * size, f"mass of {spoken(spread.called(piece))}"))
+        masses.append(negate(letter) if is_negative(piece.mass) else letter)
+    return masses, tuple(defined)
+
+
+def plain(written: Formula, definitions: tuple[Equation, ...]) -> Formula:
+    """A formula with its letters put in."""
+    for equation in reversed(definitions):
+        if isinstance(equation.left, Symbol):
+            written = written.substitute({equation.left.name: equation.right})
+    return written
