@@ -98,7 +98,8 @@ def compared(left: Answered, right: Answered, inquiry: Inquiry) -> int:
             for name in (found.formula.symbols() if found.formula is not None else ())
             if name not in inquiry.values
         )
-        help = f"give numbers to: {', '.join(dict.fromkeys(lacking))}" if lacking else ""
+        names = ", ".join(f"`{name}`" for name in dict.fromkeys(lacking))
+        help = f"give a number to {names}" if lacking else ""
         raise NotYet(f"whether `{left.find.text}` exceeds `{right.find.text}` can not be decided", help=help)
     return sign
 

@@ -19,6 +19,7 @@ from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
+from rotsolve.solver.textbook import is_long_root
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -47,7 +48,11 @@ def alone(inquiry: Inquiry) -> Iterator[Check]:
 def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [
-        answered for answered in inquiry.wholes() if answered.found.formula is not None and depends(answered, inquiry)
+        answered
+        for answered in inquiry.wholes()
+        if answered.found.formula is not None
+        and not is_long_root(answered.found.formula)
+        and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
         other = Inquiry(inquiry.history, families_for(law), spare=True)

@@ -9,12 +9,19 @@ from rotsolve.algebra.calculus import integrate, integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.exponentials import spread
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import length, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral
 from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.solver.step import Found
+
+LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold
+
+
+def is_long_root(value: Formula) -> bool:
+    """Whether a formula is a root, such as the size of a vector, of something so long that squaring it out leads nowhere."""
+    return isinstance(value, Call) and value.function == "sqrt" and length(value) > LONGEST
 
 
 class Textbook:
@@ -26,7 +33,9 @@ class Textbook:
     solved: dict[str, Found]
 
     def simplify(self, value: Formula) -> Formula:
-        """Textbook form; bars round a value whose sign the numbers tell are taken off."""
+        """Textbook form; bars round a value whose sign the numbers tell are taken off. A root of long squares stays as it is."""
+        if is_long_root(value):
+            return value
         value = simplify(value, order=self.order, positive=self.positive)
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
             value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)

@@ -49,7 +49,7 @@ def test_the_option_that_holds(choice: str, word: str) -> None:
     if "n*g" in choice:  # n may be negative: nothing tells
         with pytest.raises(Unsolvable, match="can not be decided") as caught:
             chosen(choice)
-        assert "give numbers to: n" in str(caught.value)
+        assert "give a number to `n`" in str(caught.value)
         return
     answer = chosen(choice).answers["pick"]
     assert answer.word == word

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import Call, Symbol
+from rotsolve.algebra.exact.normal import length
+from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Answer, Equality, Move
-from rotsolve.inquiry.compose.result import Results
+from rotsolve.inquiry.compose.result import LONG, Results
 
 LETTERS = ("phi", "delta", "psi")
 
@@ -17,14 +18,17 @@ def slope(vector: Answer, results: Results) -> Move | None:
     x, y = vector.components
     assert x.formula is not None and y.formula is not None
     ratio = y.formula / x.formula
-    value = results.value(ratio)
-    simplify = results.inquiry.solver.simplify
-    positive = simplify(-ratio if value is not None and (value.sign or 0) < 0 else ratio)
     letter = Symbol(free_letter(vector.name, results))
     tangent = Call("tan", (letter,))
-    sides = Call("abs", (y.symbol,)) / Call("abs", (x.symbol,))
-    chain = (Equality(tangent, sides), Equality(tangent, positive))
+    sides = Equality(tangent, Call("abs", (y.symbol,)) / Call("abs", (x.symbol,)))
+    chain = (sides,) if length(ratio) > LONG else (sides, Equality(tangent, positive(ratio, results)))
     return Move(f"direction of {name_to_text(vector.name)}", chain, None, (letter, " to the horizontal"))
+
+
+def positive(ratio: Formula, results: Results) -> Formula:
+    """The size of a quotient whose sign the numbers tell."""
+    value = results.value(ratio)
+    return results.inquiry.solver.simplify(-ratio if value is not None and (value.sign or 0) < 0 else ratio)
 
 
 def free_letter(name: str, results: Results) -> str:

@@ -57,7 +57,10 @@ def size_of(vector: Vector) -> Formula:
     headings = [direction for _, direction in vector.parts]
     if len(vector.parts) == 2 and (headings[0] - headings[1]).cos() == ZERO:
         return sqrt(square(vector.parts[0][0]) + square(vector.parts[1][0]))
-    return sqrt(square(vector.along(RIGHT)) + square(vector.along(UP)))
+    x, y = vector.along(RIGHT), vector.along(UP)
+    if ZERO in (x, y):
+        return absolute(x if y == ZERO else y)
+    return sqrt(square(x) + square(y))
 
 
 def absolute(size: Formula) -> Formula:
