@@ -124,7 +124,7 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     swift = middle.travel("acceleration", name, label)
     ends = (places[0], places[1], places[2])
     return Travel(
-        name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, given, running, swift
+        name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, "", given, running, swift
     )
 
 
@@ -149,10 +149,10 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
         moving,
         *ends,
         initial,
-        1,
-        drive.order,
-        running,
-        swift,
+        axis=axis,
+        given=drive.order,
+        running=running,
+        swift=swift,
     )
 
 
@@ -173,7 +173,21 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     ends = (start, end, angles[2])
     swift = middle.rate("angular_acceleration", name)
     return Travel(
-        name, "turn", before, after, acceleration, change, pace, moving, *ends, initial, sense, given, running, swift
+        name,
+        "turn",
+        before,
+        after,
+        acceleration,
+        change,
+        pace,
+        moving,
+        *ends,
+        initial,
+        sense,
+        "",
+        given,
+        running,
+        swift,
     )
 
 
