@@ -28,8 +28,8 @@ def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
     if len(named) > 1 and not (
         term.path.owner in history.arrangement.bodies and one_function(term.path.owner, intervals, history)
     ):
-        names = ", ".join(interval.name for interval in named)
-        raise Unclear("the motion may be another function in each phase", help=f"say `during` which: {names}")
+        names = ", ".join(f"`from {interval.start} to {interval.end}`" for interval in named)
+        raise Unclear("the motion may be another function in each phase", help=f"say in which: {names}")
     if term.modifier not in ("", "size of"):
         raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
     check_pace(term.path, named[0], history)
