@@ -16,7 +16,8 @@ from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.inquiry.answering import Answered, Inquiry, families_for
-from rotsolve.scene.model import Find, Moment
+from rotsolve.inquiry.courses import phases_of
+from rotsolve.scene.model import ANY_TIME, Find, Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -38,15 +39,39 @@ class Results:
         unit = asked.find.unit or unit_of(
             asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
         )
-        value = self._value_in(found, unit)
+        value = self._value_in(found, unit) if self._lasts(asked.find) else None
         direction, signed = self._direction(answered, value)
-        symbol, remark = Symbol(self.named(asked.find)), self._when(found)
+        symbol, remark = Symbol(self.named(asked.find)), self._when(answered)
         return Answer(asked.find.name, symbol, formula, value, unit, asked.dimension, direction, signed, remark=remark)
 
-    def _when(self, found: Found) -> Words:
-        """The time at which a function of time has the value that is printed."""
-        runs = found.formula is not None and TIME in found.formula.symbols()
-        return ("at ", self.printed(Symbol(TIME)), f" = {self.at.text}") if self.at is not None and runs else ()
+    def _when(self, answered: Answered) -> Words:
+        """The time at which a function of time has the value that is printed, or that it is not a time of its phase."""
+        found, find = answered.found, answered.asked.find
+        if self.at is None or found.formula is None or not find.runs:
+            return ()
+        moment: Words = (self.printed(Symbol(TIME)), f" = {self.at.text}")
+        if not self._lasts(find):
+            return (*moment, " is not in this phase")
+        return ("at ", *moment) if TIME in found.formula.symbols() else ()
+
+    def _lasts(self, find: Find) -> bool:
+        """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""
+        history = self.inquiry.history
+        for term in find.terms if self.at is not None else ():
+            if term.at != ANY_TIME:
+                continue
+            named = phases_of(term, history)
+            ends = [(named[0].start, 1)]
+            if (
+                history.arrangement.timeline.after(named[-1].end) is not None
+            ):  # after the last state it goes on as before
+                ends.append((named[-1].end, -1))
+            for state, sign in ends:
+                end = self.inquiry.beside().settle(history.instant(state).time())
+                gap = self.value(sign * (self.at.value - end)) if end is not None and self.at is not None else None
+                if gap is not None and gap.float < 0:
+                    return False
+        return True
 
     def _readable(self, answered: Answered) -> Formula:
         """The closed form; one that no page would hold stays in the letters found before."""
