@@ -79,8 +79,6 @@ def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equa
     if travel.pace == "constant" and travel.given != 0:
         words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
         rate, passed = travel.acceleration, now - start
-        if travel.swift is not None:
-            yield equation(travel.swift, rate, words, travel, section, cost=1)
         words = f"{words}, at any time"
         yield equation(travel.moving, travel.before + rate * passed, words, travel, section, cost=3)
         way = travel.before * passed + HALF * rate * square(passed)
