@@ -31,11 +31,9 @@ class Travel:
     coordinate: Formula | None = None  # the coordinate at any moment between
     initial: Formula | None = None  # the acceleration at the start of the phase
     sense: int = 1  # +1 where the positive turn is counterclockwise, as the coordinate counts it
+    axis: str = ""  # x or y, where it is one component of the way of a body that is moved in the plane
     given: int | None = None  # what a drive gives: 0 the coordinate, 1 its rate, 2 its acceleration
-    running: Formula | None = (
-        None  # the change of the coordinate up to any moment, where a function of time is asked for
-    )
-    swift: Formula | None = None  # the acceleration at any moment
+    running: Formula | None = None  # the change of the coordinate up to any moment, where a function of time is asked
     leads: bool = False  # whether the forces of its group vary with this coordinate, or with this rate
 
 

@@ -10,7 +10,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
-from rotsolve.core.passage import Encounter, Passage
+from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
@@ -149,7 +149,7 @@ class History:
         yield from kinematics.kinematics(passage, section)
         yield from separation.separation(passage, section)
         yield from momentum.impulses_over(passage, section)
-        yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
+        yield from constraints.for_displacements(self.thought(interval.start), self.changes(passage), section)
         if self.varies(interval) or self.arrangement.runs:
             yield from turning.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
@@ -158,38 +158,48 @@ class History:
             yield from constraints.for_velocities(passage.midst, section)
             yield from driven.rates(passage.midst, section)
         if self.arrangement.runs:
-            changes = {rate.name: way for rate, way in self.ways(passage) if isinstance(rate, Symbol)}
-            yield from constraints.for_displacements(passage.midst, changes, section)
+            changes = self.changes(passage, running=True)
+            yield from constraints.for_displacements(self.thought(interval.start), changes, section)
 
     def varies(self, interval: Interval) -> bool:
         """Whether accelerations vary in a phase."""
         return any(travel.pace != "constant" for travel in self.passages[interval.name].travels)
 
-    def ways(self, passage: Passage) -> list[tuple[Formula, Formula]]:
-        """Rates at any time, with the displacements and angles turned up to then."""
-        return [(travel.moving, travel.running) for travel in passage.travels if travel.running is not None]
-
-    def changes(self, passage: Passage) -> dict[str, Formula]:
-        """Displacements and angles turned by the letters of the rates that they come from."""
+    def changes(self, passage: Passage, *, running: bool = False) -> dict[str, Formula]:
+        """Displacements and angles turned by the letters of the rates that they come from, at a moment that is only thought of
+        (the real rates may be given, and then have no letters); those up to any moment where they are `running`."""
+        thought = self.instant(passage.start.state, generic=True, virtual=True)
         result = {}
         for travel in passage.travels:
-            rate = travel.moving
-            if isinstance(rate, Symbol):
-                result[rate.name] = travel.change
+            change, rate = travel.running if running else travel.change, rate_of(travel, thought)
+            if change is not None and isinstance(rate, Symbol):
+                result[rate.name] = change
         return result
+
+    def thought(self, state: str) -> Facts:
+        """Facts in the midst of the phase that starts at a state, with velocities that are only thought of."""
+        return self.facts(state, generic=True, virtual=True)
 
     def _elongations(self) -> Iterator[Equation]:
         """A spring's elongation grows by what its ends move apart."""
         for name, phase in self.passages.items():
-            for first, last, midst in zip(
-                phase.start.potentials, phase.end.potentials, phase.midst.potentials, strict=False
-            ):
+            thought = self.thought(phase.start.state).potentials
+            for first, last, midst in zip(phase.start.potentials, phase.end.potentials, thought, strict=False):
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown:
                     yield Equation(
                         left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
                     )
+
+
+def rate_of(travel: Travel, instant: Instant) -> Formula:
+    """The rate of a coordinate at a moment."""
+    if travel.kind == "turn":
+        return instant.rate("angular_velocity", travel.body)
+    if travel.axis:
+        return instant.component("velocity", travel.body, travel.axis)
+    return instant.travel("velocity", travel.body, "")
 
 
 __all__ = ["History", "NotYet"]

@@ -163,7 +163,7 @@ def limits(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     best: tuple[int, Words] | None = None
     for answered in inquiry.wholes()[:2]:
         formula = answered.found.formula
-        if formula is None or formula.symbols() == frozenset():
+        if answered.asked.find.runs or formula is None or formula.symbols() == frozenset():
             continue
         for given in inquiry.givens.values():
             if given.name not in formula.symbols() or given.dimension != DIMENSIONS["mass"]:

@@ -115,7 +115,9 @@ class Instant:
         return self.modes.get(f"{contact}@{self.arrangement.phase_start(self.state)}", "sticks")
 
     def span(self, name: str) -> str:
-        return self.when if self.generic else self.arrangement.span(name, self.state)
+        """Where forces and accelerations of a body belong: to its phase while they are constant, else to this moment."""
+        own = self.arrangement.span(name, self.state)
+        return self.when if self.generic and own == self.state else own
 
     def body(self, name: str) -> Body:
         return self.arrangement.bodies[name]

@@ -121,10 +121,9 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
     running = so_far("displacement", name, middle) if first.arrangement.runs else None
-    swift = middle.travel("acceleration", name, label)
     ends = (places[0], places[1], places[2])
     return Travel(
-        name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, given, running, swift
+        name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, "", given, running
     )
 
 
@@ -132,8 +131,8 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
     """One component of the way of a body that is moved freely in the plane."""
     name, axis = drive.body, drive.component
     before, after, moving = (moment.component("velocity", name, axis) for moment in (first, last, middle))
-    initial, swift = (moment.component("acceleration", name, axis) for moment in (first, middle))
-    acceleration = initial if drive.pace == "constant" else swift
+    initial, later = (moment.component("acceleration", name, axis) for moment in (first, middle))
+    acceleration = initial if drive.pace == "constant" else later
     places = [moment.component("position", name, axis) for moment in (first, last, middle)]
     change = displacement(name, interval, first, axis)
     running = so_far("displacement", name, middle, axis) if first.arrangement.runs else None
@@ -149,10 +148,9 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
         moving,
         *ends,
         initial,
-        1,
-        drive.order,
-        running,
-        swift,
+        axis=axis,
+        given=drive.order,
+        running=running,
     )
 
 
@@ -171,9 +169,21 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     given = drives[0].order if drives else None
     running = so_far("rotation", name, middle) if first.arrangement.runs else None
     ends = (start, end, angles[2])
-    swift = middle.rate("angular_acceleration", name)
     return Travel(
-        name, "turn", before, after, acceleration, change, pace, moving, *ends, initial, sense, given, running, swift
+        name,
+        "turn",
+        before,
+        after,
+        acceleration,
+        change,
+        pace,
+        moving,
+        *ends,
+        initial,
+        sense,
+        "",
+        given,
+        running,
     )
 
 

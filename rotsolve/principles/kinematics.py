@@ -79,11 +79,10 @@ def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equa
     if travel.pace == "constant" and travel.given != 0:
         words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
         rate, passed = travel.acceleration, now - start
-        if travel.swift is not None:
-            yield equation(travel.swift, rate, words, travel, section, cost=1)
-        yield equation(travel.moving, travel.before + rate * passed, f"{words}, at any time", travel, section)
+        words = f"{words}, at any time"
+        yield equation(travel.moving, travel.before + rate * passed, words, travel, section, cost=3)
         way = travel.before * passed + HALF * rate * square(passed)
-        yield equation(change, way, f"{words}, at any time", travel, section)
+        yield equation(change, way, words, travel, section, cost=3)
     elif travel.pace == "time" and travel.given != 0:
         words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
         way = Integral(travel.moving, TIME, start, now)

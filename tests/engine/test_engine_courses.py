@@ -94,3 +94,31 @@ def test_a_moment_wants_a_function() -> None:
 def test_what_a_drive_can_not_do_is_told(drive: str, start: str, message: str) -> None:
     with pytest.raises(Unsolvable, match=message):
         value("wheel.angular_velocity at end", drive=drive, start=start)
+
+
+def test_what_a_driven_wheel_takes_along_turns_by_the_same_rule() -> None:
+    """A rate that is given has no letter, yet the rule between angles turned is that between the rates."""
+    belt = """title: Belt
+given: {w: 5 rad/s, a: 2 rad/s^2, T: 3 s}
+bodies: {motor: {radius: 8 cm}, drum: {radius: 20 cm}}
+connections: {shaft: {axle: motor, angular_velocity: DRIVE}, spindle: {axle: drum}, strap: {belt: [motor, drum]}}
+states: {start: {}, end: {time: T}}
+find: {x: drum.rotation from start to end}
+"""
+    for drive, turned in (("w", 15.0), ("w + a*time", 24.0), ("w + a*time^2*(1 s^-1)", 33.0)):
+        found = solve(belt.replace("DRIVE", drive)).answers["x"].float
+        assert found == pytest.approx(turned * 8 / 20)
+
+
+def test_a_function_is_not_evaluated_outside_its_phase() -> None:
+    pushed = """title: Wheel pushed for a while
+bodies: {wheel: {inertia: 2 kg m^2}}
+connections: {axle: {axle: wheel}}
+actions: {push: {couple: 3 N m, on: wheel, from: start, to: pushed}}
+states: {start: at rest, pushed: {time: 1 s}, end: {time: 2 s}}
+find:
+  early: wheel.angular_velocity at any time from start to pushed
+  late: wheel.rotation at any time from pushed to end
+"""
+    assert [solve(pushed, at="0.5 s").answers[name].float for name in ("early", "late")] == [pytest.approx(0.75), None]
+    assert [solve(pushed, at="3 s").answers[name].float for name in ("early", "late")] == [None, pytest.approx(3)]

@@ -17,8 +17,9 @@ from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.tensor import ENTRIES, ONE_AXIS
 from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.answers import Answered, Chosen
+from rotsolve.inquiry.courses import phases_of
 from rotsolve.inquiry.questions import Asked, component
-from rotsolve.scene.model import Find, Moment
+from rotsolve.scene.model import ANY_TIME, Find, Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -74,7 +75,7 @@ class Results:
         unit = asked.find.unit or unit_of(
             asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
         )
-        value = self._value_in(found, unit)
+        value = self._value_in(found, unit) if self._lasts(asked.find) else None
         parts = self.components(answered)
         direction, signed = self._direction(answered, value, parts)
         return Answer(
@@ -88,14 +89,38 @@ class Results:
             signed,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
-            remark=self._when(found),
+            remark=self._when(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
         )
 
-    def _when(self, found: Found) -> Words:
-        """The time at which a function of time has the value that is printed."""
-        runs = found.formula is not None and TIME in found.formula.symbols()
-        return ("at ", self.printed(Symbol(TIME)), f" = {self.at.text}") if self.at is not None and runs else ()
+    def _when(self, answered: Answered) -> Words:
+        """The time at which a function of time has the value that is printed, or that it is not a time of its phase."""
+        found, find = answered.found, answered.asked.find
+        if self.at is None or found.formula is None or not find.runs:
+            return ()
+        moment: Words = (self.printed(Symbol(TIME)), f" = {self.at.text}")
+        if not self._lasts(find):
+            return (*moment, " is not in this phase")
+        return ("at ", *moment) if TIME in found.formula.symbols() else ()
+
+    def _lasts(self, find: Find) -> bool:
+        """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""
+        history = self.inquiry.history
+        for term in find.terms if self.at is not None else ():
+            if term.at != ANY_TIME:
+                continue
+            named = phases_of(term, history)
+            ends = [(named[0].start, 1)]
+            if (
+                history.arrangement.timeline.after(named[-1].end) is not None
+            ):  # after the last state it goes on as before
+                ends.append((named[-1].end, -1))
+            for state, sign in ends:
+                end = self.inquiry.beside().settle(history.instant(state).time())
+                gap = self.value(sign * (self.at.value - end)) if end is not None and self.at is not None else None
+                if gap is not None and gap.float < 0:
+                    return False
+        return True
 
     def label(self, chosen: Chosen) -> Answer:
         """The answer to a choice: the label, with the comparisons as its reason."""

@@ -18,18 +18,24 @@ from rotsolve.scene.model import Path, Term
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 
 
-def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
-    """The meaning at the running time, in the phase that is named or in the only one; a given motion is one function throughout."""
+def phases_of(term: Term, history: History) -> tuple[Interval, ...]:
+    """The phases in which a function of time is asked; several only where a given motion is one function throughout."""
     timeline = history.arrangement.timeline
     intervals = timeline.between(term.start, term.end) if term.start and term.end else timeline.intervals
-    named = [interval for interval in intervals if term.during in (None, interval.name) and interval.event is None]
+    named = tuple(interval for interval in intervals if term.during in (None, interval.name) and interval.event is None)
     if not named:
         raise Unclear("a function of time is asked of a phase", help="say `at any time during PHASE`")
     if len(named) > 1 and not (
         term.path.owner in history.arrangement.bodies and one_function(term.path.owner, intervals, history)
     ):
-        names = ", ".join(interval.name for interval in named)
-        raise Unclear("the motion may be another function in each phase", help=f"say `during` which: {names}")
+        names = ", ".join(f"`from {interval.start} to {interval.end}`" for interval in named)
+        raise Unclear("the motion may be another function in each phase", help=f"say in which: {names}")
+    return named
+
+
+def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
+    """The meaning at the running time, in the phase that is named or in the only one."""
+    named = phases_of(term, history)
     if term.modifier not in ("", "size of"):
         raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
     check_pace(term.path, named[0], history)

@@ -32,7 +32,8 @@ def whole_way(term: Term, start: str, end: str, history: History, beside: Beside
     arm: Formula | None = None
     word = {"distance": "displacement", "turns": "rotation"}.get(path.quantity, path.quantity)
     if path.quantity == "distance" and first.motion(name).kind == "axis":
-        word, arm = "rotation", size_of(first.point(PointRef(path.owner, path.point or "cm", path.argument)))
+        reach = first.point(PointRef(path.owner, path.point or "cm", path.argument))
+        word, arm = "rotation", reach.parts[0][0] if len(reach.parts) == 1 else size_of(reach)
     if word not in RATE or beside is None:
         raise NotYet(f"the total of `{path.quantity}` is not solved yet")
     result: Formula = ZERO
