@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from rotsolve.algebra.certified.ball import Undefined, decimal_text, evaluate
 from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
+from rotsolve.algebra.notation.parse import parse
 
 X, M1, M2, G = (Symbol(name) for name in ("x", "m1", "m2", "g"))
 
@@ -95,6 +96,12 @@ def test_borderline_arguments_are_settled() -> None:
 def test_a_value_that_refers_to_itself() -> None:
     with pytest.raises(Undefined):
         evaluate(X, {"x": Symbol("y"), "y": Symbol("x")})
+
+
+def test_powers_of_a_difference_that_vanishes() -> None:
+    tenth = {"a": Number(Fraction(1, 10)), "b": Number(Fraction(1, 10))}
+    for text in ("(a - b)^2 + 1", "(a - b)^3 + 1", "1 - (a - b)^7"):
+        assert evaluate(parse(text), tenth).text(4) == "1"
 
 
 def test_integrals() -> None:

@@ -36,6 +36,17 @@ def rational_ball(node: Number) -> Ball:
     return arb(fmpz(value.numerator)) / fmpz(value.denominator)
 
 
+def whole_power(base: Ball, n: int) -> Ball:
+    """baseⁿ; around zero by multiplication, where flint's own power gives no number."""
+    if not base.contains(0):
+        return base**n
+    result, square = arb(1), base
+    while n:
+        result = result * square if n & 1 else result
+        square, n = square * square, n >> 1
+    return result
+
+
 class RealBalls:
     """Evaluates formulas over arb; `is_zero` decides borderline arguments exactly, `clip` cuts intervals to the domain."""
 
@@ -91,7 +102,7 @@ class RealBalls:
     def power(self, node: Power) -> Ball:
         if isinstance(node.exponent, Number) and node.exponent.value.denominator == 1:
             n = node.exponent.value.numerator
-            return self(node.base) ** n if n >= 0 else 1 / self._divisor(node.base) ** -n
+            return whole_power(self(node.base), n) if n >= 0 else 1 / self._divisor(node.base) ** -n
         base, exponent = self(node.base), self(node.exponent)
         if base < 0:
             raise Undefined("a fractional power of a negative number")
