@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from rotsolve.algebra.formula import Formula, Symbol
@@ -29,8 +28,8 @@ from rotsolve.inquiry.finds import Unclear, asked
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
-from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
+from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.scene.model import Find, Problem
@@ -117,7 +116,8 @@ def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:
         pending = [find for find, _ in waiting]
     order = {find.name: place for place, find in enumerate(finds)}
     inquiry.order = sorted(
-        range(len(inquiry.answered)), key=lambda place: order[inquiry.answered[place].asked.find.name]
+        (place for place, answered in enumerate(inquiry.answered) if not answered.aside),
+        key=lambda place: order[inquiry.answered[place].asked.find.name],
     )
 
 
@@ -125,8 +125,8 @@ def answer(inquiry: Inquiry, find: Find) -> None:
     """Answer one question, or say why there is no answer."""
     problem = inquiry.history.arrangement.problem
     try:
-        if find.where is not None:
-            extreme(inquiry, find)
+        if find.where is not None or over_a_letter(find, inquiry):
+            answer_where(inquiry, find)
         else:
             by_law(inquiry, find)
     except (NotYet, Unclear) as error:
@@ -152,35 +152,6 @@ def by_law(inquiry: Inquiry, find: Find) -> None:
         finally:
             inquiry.families = laws
         inquiry.helped.append(find.name)
-
-
-def extreme(inquiry: Inquiry, find: Find) -> None:
-    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
-    condition = find.where
-    assert condition is not None
-    history = inquiry.history
-    if condition.path is None or condition.word not in ("sticks", "rolls"):
-        raise NotYet("this `where` is not solved yet", help="solved is `where CONTACT sticks`")
-    bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
-    question = asked(bare, history, inquiry.letters())
-    state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
-    candidates = []
-    for equation, normal in limiting(history, condition.path.owner, state):
-        trial = Inquiry(history, inquiry.families, spare=inquiry.spare)
-        try:
-            value = trial.answer(question, equation).found.formula
-            push = trial.value_of(next(iter(normal.symbols())))
-        except NoAnswer:
-            continue
-        number = trial.number(value) if value is not None else None
-        pressed = trial.number(push) if push is not None else None
-        if number is None or (number > 0 and (pressed is None or pressed >= 0)):
-            candidates.append((0.0 if number is None else number, equation))
-    if not candidates:
-        raise NotYet(f"`{condition.path.owner}` does not come to the point of slipping")
-    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
-    pick = max if modifier == "largest" else min
-    inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])
 
 
 def facts_text(history: History) -> str:

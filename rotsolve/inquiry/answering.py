@@ -44,6 +44,7 @@ class Answered:
     found: Found
     used: tuple[int, ...]
     steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
+    aside: bool = False  # settled on the way to another answer: the scene does not ask for it
 
 
 @dataclass
@@ -59,6 +60,9 @@ class Inquiry:
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
+    extrema: dict[tuple[Formula, str, str], Answered] = field(
+        default_factory=dict
+    )  # (quantity, letter, word): its place
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -93,11 +97,12 @@ class Inquiry:
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""
-        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.answered}
+        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.in_order()}
 
     def in_order(self) -> list[Answered]:
         """The answers in the order in which the scene asks for them."""
-        return [self.answered[place] for place in self.order] if self.order else list(self.answered)
+        placed = [self.answered[place] for place in self.order]
+        return placed or [answered for answered in self.answered if not answered.aside]
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -105,16 +110,16 @@ class Inquiry:
         named = [(given.name, given.dimension) for given in self.givens.values()]
         return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
 
-    def answer(self, asked: Asked, limit: Equation | None = None) -> Answered:
+    def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
         extra = self.planner.extend(limit) if limit is not None else None
         try:
-            return self._answer(asked)
+            return self._answer(asked, aside)
         finally:
             if extra is not None:
                 self.retired.add(extra)
 
-    def _answer(self, asked: Asked) -> Answered:
+    def _answer(self, asked: Asked, aside: bool) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
@@ -123,10 +128,10 @@ class Inquiry:
             self.defined[asked.letter] = self.planner.extend(definition)
         first = len(self.solver.steps)
         if asked.letter in self.solver.solved:
-            answered = Answered(asked, self.solver.solved[asked.letter], ())
+            answered = Answered(asked, self.solver.solved[asked.letter], (), aside=aside)
         else:
             found, used = self._settle(asked)
-            answered = Answered(asked, found, used, (first, len(self.solver.steps)))
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)), aside)
         self.known.add(asked.letter)
         self.answered.append(answered)
         if asked.letter in self.defined and has_calls(asked.formula):
@@ -169,7 +174,7 @@ class Inquiry:
                 banned.add(self._hardest(plan))
                 problem = problem or error
                 continue
-            self._remember()
+            self.remember()
             return found, plan.equations
         if isinstance(problem, Contradiction):
             raise NoAnswer("the data contradict each other", None, problem.index)
@@ -245,7 +250,7 @@ class Inquiry:
         ]
         return [allowed, *alone] if len(laws) > 1 else [allowed]
 
-    def _remember(self) -> None:
+    def remember(self) -> None:
         """Results found on the way may serve the next question."""
         for equation, ref in self.solver.derived:
             self.refs[self.planner.extend(equation)] = ref

@@ -70,7 +70,7 @@ class Path:
 class Condition:
     """One line of a state, event or `where`: path = value; a word (`grip: rolls`, `string: slack`, `… : largest`) is in `word`.
 
-    `rest` = True for `at rest` (owner 'all' or one body), path None.
+    `rest` = True for `at rest` (owner 'all' or one body), path None. After `where` a quantity with its clauses is in `phrase`, path None.
     """
 
     path: Path | None
@@ -79,6 +79,7 @@ class Condition:
     rest: bool = False
     owner: str = ""
     span: Span | None = None
+    phrase: Find | None = None
 
 
 @dataclass(frozen=True, slots=True)

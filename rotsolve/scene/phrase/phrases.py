@@ -17,6 +17,7 @@ from rotsolve.algebra.units.quantities import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
+from rotsolve.scene.phrase.conditions import read_condition
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.dims import fits, named
@@ -101,16 +102,21 @@ class Reader:
         if not words:
             self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
             return None
+        return self.quantity(words, outer)
+
+    def quantity(self, words: list[Piece], outer: bool) -> Formula | None:
+        """[modifier] EXPRESSION [clauses], given in pieces."""
+        given = words
         modifier, words = self.modifier(words)
         if modifier is None:
             return None
         cut = next((index for index, piece in at_top(words) if piece.text in CLAUSES), len(words))
         if cut == 0:
-            place = words[0] if words else found[-1]
+            place = words[0] if words else given[-1]
             self.scope.fault(self.node.part(place.start, place.end), "a quantity is missing here", HELP, "find")
             return None
         first = len(self.phrase.terms)
-        clauses = Clauses(self.scope, self.node, outer)
+        clauses = Clauses(self.scope, self.node, outer, self.condition)
         if not clauses.read(words[cut:]):
             return None
         formula = self.formula(words[0].start, words[cut - 1].end)
@@ -122,6 +128,21 @@ class Reader:
         for index in own:
             self.phrase.terms[index] = clauses.applied(self.phrase.terms[index])
         return self.modified(formula, modifier, first, outer, words[0])
+
+    def condition(self, part: Text) -> Condition | None:
+        """What follows `where`; the phrase that it speaks of is read like any other."""
+        phrase = Phrase()
+        reader = Reader(self.scope, part, phrase, self.answers)
+
+        def quantity(words: list[Piece]) -> tuple[Find, Any] | None:
+            formula = reader.quantity(words, False)
+            if formula is None:
+                return None
+            text = part.value[words[0].start : words[-1].end]
+            dimension = dimension_found(self.scope, part, formula, phrase, self.answers)
+            return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
+
+        return read_condition(self.scope, part, quantity)
 
     def modifier(self, words: list[Piece]) -> tuple[str | None, list[Piece]]:
         """The modifier in front and the rest; None after a fault."""

@@ -1,0 +1,80 @@
+"""Conditions: `x where path = value` solves with one more equation; `largest F where touch sticks` on the point of slipping."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotsolve.core.equation import Equation
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.finds import asked
+from rotsolve.inquiry.history import NotYet
+from rotsolve.inquiry.questions.meaning import label_of
+from rotsolve.inquiry.sticking import limiting
+from rotsolve.inquiry.where.extremum import extreme_value, place_of_extremum
+from rotsolve.scene.model import Find
+
+
+def answer_where(inquiry: Inquiry, find: Find) -> None:
+    """Answer a question that has a condition, or asks for the largest value over a letter."""
+    condition = find.where
+    if condition is None:
+        extreme_value(inquiry, find)
+    elif condition.phrase is None:
+        on_the_point_of_slipping(inquiry, find)
+    elif condition.word is not None:
+        place_of_extremum(inquiry, find)
+    else:
+        with_equation(inquiry, find)
+
+
+def with_equation(inquiry: Inquiry, find: Find) -> None:
+    """One more equation, quantity = value, that holds for this question."""
+    condition = find.where
+    assert condition is not None and condition.phrase is not None and condition.value is not None
+    question = asked(replace(find, where=None), inquiry.history, inquiry.letters())
+    said = asked(condition.phrase, inquiry.history, inquiry.letters())
+    limit = Equation(said.formula, condition.value, f"the condition{told(condition.phrase)}", said.section, "", 2)
+    answered = inquiry.answer(question, limit)
+    if not any(inquiry.planner.pool[index] is limit for index in answered.used):
+        raise NotYet(
+            f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
+            help="leave the condition out, or declare as `unknown` the letter that it is to settle",
+        )
+
+
+def told(phrase: Find) -> str:
+    """What a condition is about, in words: ", horizontal impulse of pin"."""
+    if len(phrase.terms) != 1:
+        return ""
+    term = phrase.terms[0]
+    side = {"x": "horizontal ", "y": "vertical "}.get(term.path.component or "", "")
+    return f", {side}{label_of(term.path, term)}"
+
+
+def on_the_point_of_slipping(inquiry: Inquiry, find: Find) -> None:
+    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
+    condition, history = find.where, inquiry.history
+    assert condition is not None and condition.path is not None
+    if condition.word not in ("sticks", "rolls"):
+        raise NotYet(f"`where {condition.path.owner} is {condition.word}` is not solved yet")
+    bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
+    question = asked(bare, history, inquiry.letters())
+    state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
+    candidates = []
+    for equation, normal in limiting(history, condition.path.owner, state):
+        trial = Inquiry(history, inquiry.families, spare=inquiry.spare)
+        try:
+            value = trial.answer(question, equation).found.formula
+            push = trial.value_of(next(iter(normal.symbols())))
+        except NoAnswer:
+            continue
+        number = trial.number(value) if value is not None else None
+        pressed = trial.number(push) if push is not None else None
+        if number is None or (number > 0 and (pressed is None or pressed >= 0)):
+            candidates.append((0.0 if number is None else number, equation))
+    if not candidates:
+        raise NotYet(f"`{spoken(condition.path.owner)}` does not come to the point of slipping")
+    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
+    pick = max if modifier == "largest" else min
+    inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])
