@@ -131,7 +131,7 @@ class Potential:
 
 @dataclass(frozen=True, slots=True)
 class Inertia:
-    """Moment of inertia about the body's reference: the letter that the laws use, and the formula that defines it."""
+    """Moment of inertia about the body's reference, of a cut-off piece also its mass: the letter, and the formula that defines it."""
 
     letter: Formula
     formula: Formula
@@ -153,6 +153,7 @@ class BodyFacts:
     forces: tuple[Force, ...]
     couples: tuple[Couple, ...]
     round: bool = False
+    along: tuple[str, ...] = ()  # what the axes are called, where that is not plain
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:
@@ -169,6 +170,20 @@ class BodyFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class Cut:
+    """A piece of a rod, cut free: as a body whose reference is its centre of mass, its mass, and where the cut is from there.
+
+    `index` marks the letters of what is found at the cut.
+    """
+
+    body: BodyFacts
+    mass: Inertia
+    at: Vector
+    index: str
+    jumps: bool = False  # whether something acts just at the cut, so that shear and compression jump there
+
+
+@dataclass(frozen=True, slots=True)
 class Facts:
     """All facts at one instant."""
 
@@ -178,9 +193,15 @@ class Facts:
     rules: tuple[Rule, ...]
     requirements: tuple[Requirement, ...]
     potentials: tuple[Potential, ...]
+    cuts: tuple[Cut, ...] = ()
 
     def body(self, name: str) -> BodyFacts | None:
-        return next((body for body in self.bodies if body.name == name), None)
+        return next((body for body in self.diagrams if body.name == name), None)
+
+    @property
+    def diagrams(self) -> tuple[BodyFacts, ...]:
+        """All free-body diagrams: of the bodies, and of pieces of them."""
+        return (*self.bodies, *(cut.body for cut in self.cuts))
 
 
 def signed(value: Formula, sense: int) -> Formula:

@@ -141,9 +141,9 @@ QUANTITIES = (
     kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring"),
     kind("turns", "number", "n", (BODY,), "number of turns since the state before"),
     kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`"),
-    kind("bending_moment", "torque", "M", (POINT, LINK), "inside a rod at a point", later=True),
-    kind("shear", "force", "V", (POINT, LINK), "inside a rod at a point", later=True),
-    kind("compression", "force", "C", (POINT, LINK), "inside a rod at a point", later=True),
+    kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
+    kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
+    kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
     kind("precession", "angular velocity", "Omega", (BODY,), "rate at which the spin axis turns", later=True),
     kind("spin", "angular velocity", "s", (BODY,), "rate about the symmetry axis, in the precessing frame", later=True),
     kind("nutation", "angular velocity", "nu", (BODY,), "rate at which the spin axis nods", later=True),
@@ -151,4 +151,5 @@ QUANTITIES = (
     kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )
+INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
 BY_WORD = {entry.word: entry for entry in QUANTITIES}

@@ -21,7 +21,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, energy, kinematics, momentum, newton
+from rotsolve.principles import constraints, energy, inside, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
 from rotsolve.scene.model import Condition
 
@@ -131,6 +131,7 @@ class History:
         yield from turning.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
         yield from turning.law_of_rotation(facts, section)
+        yield from inside.of_pieces(facts, section)
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
         virtual = self.facts(state, virtual=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Symbol, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
@@ -45,6 +45,11 @@ class Signs:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
                 return min(fitting, key=lambda entry: abs(entry[1]))[0], words
+        start = self._started(name)
+        if start is not None:
+            # two angles equally far from the start belong to the two ways in which it may go: the smaller one is told
+            first = min(real, key=lambda entry: (round(abs(entry[1] - start), 9), abs(entry[1])))
+            return first[0], ("the first on the way",)
         if self._is_angle(name):
             return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
         return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
@@ -60,6 +65,18 @@ class Signs:
         if quantity is not None:
             return quantity.kind == "angle"
         return given is not None and (given.dimension is None or is_angle(given))
+
+    def _started(self, name: str) -> float | None:
+        """The angle from which a body came to the angle that a letter of the scene stands for."""
+        for passage in self.history.passages.values():
+            for travel in passage.travels:
+                if (
+                    name in self.givens
+                    and travel.end in (Symbol(name), negate(Symbol(name)))
+                    and travel.start is not None
+                ):
+                    return self.number(travel.start if travel.end == Symbol(name) else negate(travel.start))
+        return None
 
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""

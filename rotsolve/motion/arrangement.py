@@ -6,17 +6,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import WORDS
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
+from rotsolve.core.quantity import INSIDE
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Weld
 from rotsolve.elements.events import Cuts, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, PointRef, Problem
+from rotsolve.scene.model import Body, Path, PointRef, Problem, points_of
 
 
 @dataclass(frozen=True)
@@ -202,9 +203,26 @@ class Arrangement:
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""
-        said = (line.path for state in self.problem.states for line in state.conditions if line.path)
-        asked = (term.path for find in self.problem.finds for term in find.terms)
-        return any(path.owner == owner and path.quantity == word for path in (*said, *asked))
+        return any(path.owner == owner and path.quantity == word for path in self.paths)
+
+    @cached_property
+    def paths(self) -> tuple[Path, ...]:
+        """All quantities that the states and questions speak of, those of conditions too."""
+        spoken_of = points_of((self.problem.states, self.problem.finds))
+        return tuple(path for path in spoken_of if isinstance(path, Path))
+
+    @cached_property
+    def cuts(self) -> dict[str, Path]:
+        """The points at which the scene asks what acts inside a rod, by the index that their letters get."""
+        found: dict[tuple[str, str | None, Formula | None], Path] = {}
+        for path in self.paths:
+            if path.quantity in INSIDE:
+                found.setdefault((path.owner, path.point, path.argument), path)
+        letters = [path.argument.name if isinstance(path.argument, Symbol) else "cut" for path in found.values()]
+        return {
+            letter if letters.count(letter) == 1 else f"{letter}{number}": path
+            for number, (letter, path) in enumerate(zip(letters, found.values(), strict=True), 1)
+        }
 
     def driven(self, name: str, state: str) -> bool:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""

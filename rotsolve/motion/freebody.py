@@ -8,6 +8,7 @@ from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
 from rotsolve.elements.rims import shape_of
+from rotsolve.motion.cuts import cuts_at
 from rotsolve.motion.instant import Frame, Instant
 from rotsolve.motion.rigid import mass_of, moment_about
 from rotsolve.scene.model import Body, PointRef
@@ -25,6 +26,7 @@ def free_bodies(instant: Instant) -> Facts:
         own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
         own_couples = tuple(couple for couple in couples if couple.body == body.name)
         bodies.append(free_body(body, instant, own_forces, own_couples))
+    moment = instant.generic or instant.virtual
     return Facts(
         instant.state,
         instant.when,
@@ -32,6 +34,7 @@ def free_bodies(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Rule)),
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
+        () if moment else cuts_at(instant, tuple(bodies)),
     )
 
 

@@ -159,10 +159,9 @@ class Instant:
         return self.ask("angle", name, words=TURNS)
 
     def _speaks_of_angle(self, name: str) -> bool:
-        problem = self.arrangement.problem
-        said = (line.path for state in problem.states for line in state.conditions if line.path)
-        asked = (term.path for find in problem.finds for term in find.terms)
-        return any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked))
+        return any(
+            path.owner == name and path.quantity == "angle" and not path.point for path in self.arrangement.paths
+        )
 
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""

@@ -11,6 +11,7 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage
 from rotsolve.core.writing import flat, law, moved, positive_first, spoken
+from rotsolve.motion.rigid import tidy
 from rotsolve.principles.rotation import about, response, torques
 
 
@@ -122,7 +123,7 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         point = f"about the {pivot}" if pivot else "about the meeting point"
         label = (
             f"angular momentum {point} is conserved"
-            if not outside
+            if not flat(torque)
             else f"angular impulse = change of angular momentum, {point}"
         )
         words: Words = (
@@ -161,7 +162,7 @@ def arm_from_point(item: Meeting, blow: Force) -> Vector:
     """Arm of a blow from the common point."""
     if item.body.motion.kind == "axis" or item.place is None:
         return blow.arm
-    return item.place + blow.arm - item.body.cm
+    return tidy(item.place + blow.arm - item.body.cm)
 
 
 def single(item: Meeting, section: str) -> Iterator[Equation]:

@@ -14,10 +14,15 @@ def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
     """Σ τ = I α about the reference point of every body that turns."""
     for body in facts.bodies:
         if body.motion.turns:
-            left, right = law(torques(body), response(body))
-            if (left, right) != (ZERO, ZERO):
-                label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
-                yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
+            yield from rotation_of(body, section)
+
+
+def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
+    """Σ τ = I α of one body."""
+    left, right = law(torques(body), response(body))
+    if (left, right) != (ZERO, ZERO):
+        label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
+        yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
 
 
 def torques(body: BodyFacts) -> list[Formula]:

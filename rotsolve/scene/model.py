@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, is_dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
@@ -211,3 +212,15 @@ class Problem:
     answers: tuple[Published, ...] = ()
     marking: object | None = None
     vary: object | None = None
+
+
+def points_of(item: object) -> Iterator[PointRef | Path]:
+    """All points and paths that a part of a scene speaks of."""
+    if isinstance(item, (PointRef, Path)):
+        yield item
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from points_of(part)
+    elif is_dataclass(item) and not isinstance(item, Formula):
+        for entry in fields(item):
+            yield from points_of(getattr(item, entry.name))

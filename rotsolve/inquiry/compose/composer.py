@@ -119,7 +119,7 @@ class Composer:
             return ()
         needed = {name for equation in equations for name in equation.symbols()}
         return tuple(
-            self._force_line(body.name, facts, needed, draft.laws) for body in facts.bodies if body.name in names
+            self._force_line(body.name, facts, needed, draft.laws) for body in facts.diagrams if body.name in names
         )
 
     def _facts_of(self, key: str) -> Facts | None:
@@ -192,7 +192,7 @@ class Composer:
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
         facts = self._facts_of(draft.key)
-        for body in facts.bodies if facts is not None else ():
+        for body in facts.diagrams if facts is not None else ():
             if body.name in names:
                 for item in body.acting:
                     if item.role != "reaction":

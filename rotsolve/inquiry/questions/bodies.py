@@ -8,7 +8,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, INSIDE
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
@@ -24,7 +24,7 @@ class OfBodies(Moment):
 
     def at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("velocity", "speed", "acceleration") and (
+        return path.quantity in ("velocity", "speed", "acceleration", *INSIDE) and (
             path.point is not None or not self._travels(path)
         )
 
@@ -35,6 +35,8 @@ class OfBodies(Moment):
     def of_point(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: its size, or a component."""
         instant = self.instant
+        if path.quantity in INSIDE:
+            return self._inside(path)
         ref = PointRef(path.owner, path.point or "cm", path.argument)
         motion, arm = instant.motion(path.owner), instant.point(ref)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
@@ -53,6 +55,26 @@ class OfBodies(Moment):
             else ""
         )
         return Meaning(size_of(vector), dimension, vector, remark, label)
+
+    def _inside(self, path: Path) -> Meaning:
+        """What acts at a cut through a rod."""
+        same = (path.owner, path.point, path.argument)
+        cuts = self.instant.arrangement.cuts.items()
+        index = next(index for index, cut in cuts if (cut.owner, cut.point, cut.argument) == same)
+        cut = next((cut for cut in self.facts().cuts if cut.index == index), None)
+        if cut is not None and cut.jumps and path.quantity != "bending_moment":
+            raise NotYet(
+                f"`{path.quantity}` jumps there, where something acts on `{path.owner}`",
+                help="ask for it a little before or beyond",
+            )
+        if cut is None:
+            raise NotYet(
+                f"what acts inside `{path.owner}` there is not solved yet",
+                help="in a uniform rod whose loads lie certainly on this or that side of the point: give lengths numbers",
+            )
+        instant = self.instant
+        letter = instant.ask(path.quantity, path.owner, when=instant.span(path.owner), component=index)
+        return Meaning(letter, BY_WORD[path.quantity].dimension)
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""

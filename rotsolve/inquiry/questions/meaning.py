@@ -5,12 +5,16 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Product, sqrt
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.facts import signed, square
 from rotsolve.core.faults import Span
 from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import Path, Term
+
+POINT_WORDS = [entry.word for entry in QUANTITIES if POINT in entry.owners]
 
 
 class NotYet(ValueError):
@@ -64,7 +68,8 @@ def label_of(path: Path, term: Term | None) -> str:
     """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
     word = spoken(path.quantity)
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    owner = spoken(path.owner)
+    of_point = path.point is not None and path.quantity in POINT_WORDS
+    owner = spoken_point(path) if of_point else spoken(path.owner)
     about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"
@@ -79,5 +84,6 @@ def path_text(path: Path) -> str:
 def spoken_point(path: Path) -> str:
     """The owner and point of a path in words."""
     name = spoken(path.owner)
-    point = {"cm": "centre of mass", None: ""}.get(path.point, path.point)
+    at = f"point at {to_text(path.argument)}" if path.argument is not None else path.point
+    point = {"cm": "centre of mass", None: ""}.get(path.point, at)
     return f"the {name}'s {point}" if point else name

@@ -4,15 +4,21 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import Equation
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer
-from rotsolve.inquiry.finds import asked
+from rotsolve.inquiry.finds import Asked, asked
 from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.questions.meaning import label_of
 from rotsolve.inquiry.sticking import limiting
-from rotsolve.inquiry.where.extremum import extreme_value, place_of_extremum
+from rotsolve.inquiry.where.conclude import by_equation
+from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
 from rotsolve.scene.model import Find
+from rotsolve.solver import Found
 
 
 def answer_where(inquiry: Inquiry, find: Find) -> None:
@@ -32,6 +38,10 @@ def with_equation(inquiry: Inquiry, find: Find) -> None:
     """One more equation, quantity = value, that holds for this question."""
     condition = find.where
     assert condition is not None and condition.phrase is not None and condition.value is not None
+    letter = find.formula.name if isinstance(find.formula, Symbol) else ""
+    if letter in inquiry.givens and letter in inquiry.known and letter not in inquiry.values:
+        over_free_letter(inquiry, find, letter, condition.phrase, condition.value)
+        return
     question = asked(replace(find, where=None), inquiry.history, inquiry.letters())
     said = asked(condition.phrase, inquiry.history, inquiry.letters())
     limit = Equation(said.formula, condition.value, f"the condition{told(condition.phrase)}", said.section, "", 2)
@@ -41,6 +51,26 @@ def with_equation(inquiry: Inquiry, find: Find) -> None:
             f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
             help="leave the condition out, or declare as `unknown` the letter that it is to settle",
         )
+
+
+def over_free_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: Formula) -> None:
+    """The value of a letter, which stays free, at which a quantity that depends on it has a given value."""
+    quantity = function_of(inquiry, phrase, letter)
+    curve = quantity.found.formula
+    if curve is None or letter not in curve.symbols():
+        raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
+    own = Symbol(f"asked{SEPARATOR}{find.name}")
+    left, label = curve.substitute({letter: own}), f"the condition{told(phrase)}"
+    equation = Equation(left, value, label, quantity.asked.section, "", 2)
+    order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
+    roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
+    roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
+    picked = inquiry.signs.choose(letter, roots) if len(roots) > 1 else (0, ())
+    if not roots or picked is None:
+        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
+    root = roots[picked[0]]
+    question = Asked(find, own, own.name, inquiry.givens[letter].dimension, section=quantity.asked.section)
+    by_equation(inquiry, question, Found(own.name, root), equation, Equality(own, root), picked[1], aside=False)
 
 
 def told(phrase: Find) -> str:

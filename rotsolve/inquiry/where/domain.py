@@ -1,19 +1,15 @@
-"""Domains: between which values a letter of the scene can lie, and which of two closed forms is the larger there."""
+"""Domains: between which values a letter of the scene can lie, and the signs of what the givens settle."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import Problem, simplify
-from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.certified import sign
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.elements.shapes import Rod
 from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.signs import is_angle
-from rotsolve.scene.model import Path, PointRef
+from rotsolve.scene.model import points_of
 
 
 @dataclass(frozen=True)
@@ -35,30 +31,6 @@ def domain_of(letter: str, inquiry: Inquiry) -> Domain:
     return Domain(None if given.dimension is None or is_angle(given) else ZERO, None)
 
 
-def points_of(item: object) -> Iterator[PointRef | Path]:
-    """All points and paths that a scene speaks of."""
-    if isinstance(item, (PointRef, Path)):
-        yield item
-    elif isinstance(item, tuple):
-        for part in item:
-            yield from points_of(part)
-    elif is_dataclass(item) and not isinstance(item, Formula):
-        for entry in fields(item):
-            yield from points_of(getattr(item, entry.name))
-
-
 def sign_of(value: Formula, inquiry: Inquiry) -> int | None:
-    """The certified sign of a formula: by its number, else from the signs of its letters; None where neither tells."""
-    value = simplify(value, order=inquiry.solver.order, positive=inquiry.solver.positive)
-    if value == ZERO:
-        return 0
-    if not value.symbols() - set(inquiry.values):
-        try:
-            return evaluate(value, inquiry.values, digits=6).sign
-        except (Undefined, ValueError):
-            return None
-    problem = Problem([value], positive=inquiry.solver.positive)
-    top, bottom = problem.field.cancel(problem.ratio())
-    signs = Signs(problem.field, inquiry.solver.positive)
-    found = [1 if signs.nonnegative(part) else -1 if signs.nonnegative(-part) else 0 for part in (top, bottom)]
-    return found[0] * found[1] or None
+    """The certified sign of a formula at the givens; None where they do not tell."""
+    return sign.sign_of(value, inquiry.values, inquiry.solver.positive)

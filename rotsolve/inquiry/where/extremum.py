@@ -15,9 +15,8 @@ from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.finds import Asked, asked
 from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.where.conclude import by_answers, by_equation, forget
-from rotsolve.inquiry.where.domain import points_of
 from rotsolve.inquiry.where.places import Course, best_place
-from rotsolve.scene.model import Condition, Find
+from rotsolve.scene.model import Condition, Find, points_of
 from rotsolve.solver import Found
 
 EXTREMES = ("largest", "smallest")
@@ -96,9 +95,9 @@ def place_of_extremum(inquiry: Inquiry, find: Find, *, aside: bool = False) -> A
     slope = inquiry.solver.simplify(differentiate(curve, letter))
     text = name_to_text(letter)
     label = f"where {name_to_text(quantity.asked.find.name)} is {condition.word}: its derivative by {text} is zero"
-    equation = Equation(slope, ZERO, label, quantity.asked.section, "", 2)
     given = inquiry.givens[letter]
     own = letter if given.asked else f"asked{SEPARATOR}{find.name}"
+    equation = Equation(slope.substitute({letter: Symbol(own)}), ZERO, label, quantity.asked.section, "", 2)
     at, reason = best_place(Course(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, inquiry)
     question = Asked(find, Symbol(own), own, given.dimension, section=quantity.asked.section)
     line = Equality(Symbol(own), at)

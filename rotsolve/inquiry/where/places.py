@@ -37,7 +37,7 @@ def best_place(course: Course, word: str, inquiry: Inquiry) -> tuple[Formula, Wo
     """The place of the extremum, and why it is this one: all places where it can be, with the value there."""
     domain = domain_of(course.letter, inquiry)
     check_smooth(course, domain, inquiry)
-    roots = solve_polynomial(course.slope, course.letter, order=inquiry.solver.order, positive=inquiry.solver.positive)
+    roots = roots_of(course, inquiry)
     turning = [] if roots else angles(course, inquiry)
     inside = [root for root in roots if is_inside(root, domain, course, inquiry)] or turning
     ends = [end for end in (domain.low, domain.high) if end is not None and end not in inside]
@@ -53,6 +53,22 @@ def best_place(course: Course, word: str, inquiry: Inquiry) -> tuple[Formula, Wo
         best = other if ahead * side > 0 else best
     at_end: Words = ("an end of the range; ",) if best[0] in ends else ()
     return best[0], (*at_end, *told(course, valued, best, word))
+
+
+def roots_of(course: Course, inquiry: Inquiry) -> list[Formula]:
+    """The roots of the derivative, factor by factor; none where one of the factors is of a higher degree."""
+    order, positive = inquiry.solver.order, inquiry.solver.positive
+    problem = Problem([course.slope], order, positive, extra=(course.letter,))
+    _, factors = problem.field.factor(problem.numerator())
+    roots: dict[Formula, None] = {}
+    for factor, _ in factors:
+        part = problem.shaper.poly(factor)
+        if course.letter in part.symbols():
+            found = solve_polynomial(part, course.letter, order=order, positive=positive)
+            if not found:
+                return []
+            roots |= dict.fromkeys(found)
+    return list(roots)
 
 
 def angles(course: Course, inquiry: Inquiry) -> list[Formula]:

@@ -1,0 +1,183 @@
+"""What acts inside rods, blows on them and heavy ropes, by routes of their own: many point masses, sums over time, quadrature."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import cache
+from pathlib import Path
+
+import mpmath
+import pytest
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.formula import Number
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
+G = 9.8
+PIECES = 4000
+
+
+@cache
+def solved(name: str) -> Solution:
+    return solve(PROBLEMS / f"{name}.yaml")
+
+
+def given(name: str, letter: str) -> float:
+    problem = solved(name).problem
+    values = {item.name: item.value for item in problem.givens if item.value is not None}
+    return evaluate(values[letter], values, digits=15).float
+
+
+def answer(name: str, asked: str, **places: float) -> float:
+    """An answer as a number; letters that the scene leaves free have the value of `places`."""
+    solution = solved(name)
+    values = {item.name: item.value for item in solution.problem.givens if item.value is not None}
+    values |= {letter: Number(Fraction(value)) for letter, value in places.items()}
+    found = solution.answers[asked].formula
+    assert found is not None
+    return evaluate(found, values, digits=15).float
+
+
+def steps(
+    rate: Callable[[float, list[float]], list[float]], start: list[float], end: float, number: int
+) -> Iterator[tuple[float, list[float]]]:
+    """Runge and Kutta's fourth-order steps."""
+    time, state, h = 0.0, list(start), end / number
+    yield time, state
+    for _ in range(number):
+        a = rate(time, state)
+        b = rate(time + h / 2, [x + h / 2 * k for x, k in zip(state, a, strict=True)])
+        c = rate(time + h / 2, [x + h / 2 * k for x, k in zip(state, b, strict=True)])
+        d = rate(time + h, [x + h * k for x, k in zip(state, c, strict=True)])
+        state = [x + h / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(state, a, b, c, d, strict=True)]
+        time += h
+        yield time, state
+
+
+def inside(mass: float, length: float, angle: float, spin: float, rate: float, x: float) -> tuple[float, float, float]:
+    """(bending moment, shear, compression) at x of a rod turning about its start: what its point masses beyond x ask for."""
+    along, across = (math.cos(angle), math.sin(angle)), (-math.sin(angle), math.cos(angle))
+    bending = shear = compression = 0.0
+    for k in range(PIECES):
+        s = (k + 0.5) / PIECES * (length - x) + x
+        m = mass / length * (length - x) / PIECES
+        pull = [m * (rate * s * across[i] - spin**2 * s * along[i]) for i in (0, 1)]
+        pull[1] += m * G  # what holds it must carry its weight too
+        compression += pull[0] * along[0] + pull[1] * along[1]
+        shear += pull[0] * across[0] + pull[1] * across[1]
+        bending -= (s - x) * (pull[0] * across[0] + pull[1] * across[1])
+    return bending, shear, compression
+
+
+@cache
+def fall(length: float, down_to: float) -> tuple[float, float]:
+    """(angular velocity, angular acceleration) of a hinged rod of point masses that tips over from the upright."""
+    arms = [(k + 0.5) / 200 * length for k in range(200)]
+    inertia, moment = sum(arm**2 for arm in arms), sum(arms)
+
+    def rate(_: float, state: list[float]) -> list[float]:
+        return [state[1], -moment * G * math.cos(state[0]) / inertia]
+
+    before = (math.pi / 2, 0.0)
+    for _, (angle, spin) in steps(rate, [math.pi / 2 - 1e-5, 0.0], 60.0, 60000):
+        if angle <= down_to:
+            share = (before[0] - down_to) / (before[0] - angle)
+            return before[1] + share * (spin - before[1]), rate(0, [down_to, 0])[1]
+        before = (angle, spin)
+    raise AssertionError("it never comes down")
+
+
+@pytest.mark.parametrize("part", [0.0, 0.2, 1 / 3, 0.7])
+def test_a_falling_chimney_is_held_together_by_what_its_bricks_need(part: float) -> None:
+    name = "falling-chimney"
+    mass, length, angle = (given(name, letter) for letter in ("M", "L", "theta"))
+    spin, rate = fall(length, angle)
+    found = inside(mass, length, angle, spin, rate, part * length)
+    for asked, expected in zip(("B", "V", "C"), found, strict=True):
+        assert answer(name, asked, x=part * length) == pytest.approx(expected, rel=3e-4, abs=2e-4 * mass * G)
+
+
+def test_a_chimney_breaks_where_a_search_finds_most_bending() -> None:
+    name = "falling-chimney"
+    mass, length, angle = (given(name, letter) for letter in ("M", "L", "theta"))
+    spin, rate = fall(length, angle)
+    most = max((inside(mass, length, angle, spin, rate, k / 60 * length)[0], k / 60 * length) for k in range(61))
+    assert answer(name, "x_B") == pytest.approx(most[1], rel=1e-9)
+    assert answer(name, "B_max") == pytest.approx(most[0], rel=1e-4)
+
+
+def test_the_top_of_a_chimney_outruns_free_fall_at_the_angle_of_a_step_by_step_fall() -> None:
+    name = "chimney-tip-outruns-gravity"
+    length, angle = given(name, "L"), answer(name, "theta")
+    for shift, slower in ((0.01, True), (-0.01, False)):
+        spin, rate = fall(length, angle + shift)
+        downward = -(rate * length * math.cos(angle + shift) - spin**2 * length * math.sin(angle + shift))
+        assert (downward < G) == slower
+    assert answer(name, "omega") == pytest.approx(fall(length, angle)[0], rel=1e-4)
+
+
+@pytest.mark.parametrize("part", [0.0, 0.3, 0.9])
+def test_a_whirled_rod_is_pulled_by_the_integral_of_what_is_beyond(part: float) -> None:
+    name = "whirled-rod"
+    mass, load, length, spin = (given(name, letter) for letter in ("M", "m", "L", "omega"))
+    rod = mpmath.quad(lambda s: mass / length * spin**2 * s, [part * length, length])
+    assert answer(name, "T", x=part * length) == pytest.approx(float(rod) + load * spin**2 * length, rel=1e-12)
+
+
+@pytest.mark.parametrize("part", [0.1, 0.5, 0.8])
+def test_a_rod_just_let_go_bends_as_its_point_masses_do(part: float) -> None:
+    name = "released-rod-inside"
+    mass, length = given(name, "M"), given(name, "L")
+    arms = [(k + 0.5) / PIECES for k in range(PIECES)]
+    rate = -G * sum(arms) / sum(arm**2 for arm in arms) / length
+    bending, shear, _ = inside(mass, length, 0.0, 0.0, rate, part * length)
+    assert answer(name, "B", x=part * length) == pytest.approx(bending, rel=1e-5, abs=1e-5)
+    assert answer(name, "V", x=part * length) == pytest.approx(shear, rel=1e-5, abs=1e-5)
+
+
+def test_a_plank_is_cut_on_its_left_where_the_program_cuts_on_its_right() -> None:
+    name = "plank-on-trestles"
+    mass, crate, length, b, a, x = (given(name, letter) for letter in ("M", "m", "L", "b", "a", "x"))
+    boards = [((k + 0.5) / PIECES * length, mass * G / PIECES) for k in range(PIECES)]
+    loads = [*boards, (a, crate * G)]
+    push = sum(weight * (length - place) for place, weight in loads) / (length - b)
+    assert answer(name, "N") == pytest.approx(push, rel=1e-9)
+    for asked, cut in (("B", x), ("B_a", a)):
+        left = [(place, weight) for place, weight in loads if place < cut]
+        bending = push * (cut - b) - sum(weight * (cut - place) for place, weight in left)
+        assert answer(name, asked) == pytest.approx(bending, rel=1e-6)
+    assert answer(name, "V") == pytest.approx(push - sum(weight for place, weight in loads if place < x), rel=1e-3)
+
+
+@pytest.mark.parametrize("place", [0.2, 0.6, 0.9])
+def test_a_short_strong_push_gives_the_hinge_the_impulse_of_a_blow(place: float) -> None:
+    name, short = "centre-of-percussion", 1e-4
+    mass, length, blow = (given(name, letter) for letter in ("M", "L", "J"))
+    inertia = mass * sum(((k + 0.5) / PIECES * length) ** 2 for k in range(PIECES)) / PIECES
+
+    def rate(_: float, state: list[float]) -> list[float]:
+        angle, spin, _ = state
+        turned = (blow / short * place * math.cos(angle) - mass * G * length / 2 * math.sin(angle)) / inertia
+        sideways = mass * length / 2 * (turned * math.cos(angle) - spin**2 * math.sin(angle))
+        return [spin, turned, sideways - blow / short]
+
+    *_, (_, (_, spin, hinge)) = steps(rate, [0.0, 0.0, 0.0], short, 100)
+    assert answer(name, "omega", x=place) == pytest.approx(spin, rel=1e-3)
+    assert answer(name, "J_pin", x=place) == pytest.approx(hinge, rel=1e-3, abs=1e-3)
+
+
+def test_the_point_of_a_struck_rod_that_stays_is_found_by_bisection() -> None:
+    name = "rod-on-ice-blow"
+    mass, length, place, blow = (given(name, letter) for letter in ("M", "L", "a", "J"))
+    arms = [(k + 0.5) / PIECES * length - length / 2 for k in range(PIECES)]
+    spin = blow * (place - length / 2) / (mass * sum(arm**2 for arm in arms) / PIECES)
+    low, high = 0.0, length
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if blow / mass + spin * (middle - length / 2) < 0 else (low, middle)
+    assert answer(name, "y_0") == pytest.approx(low, rel=1e-6)
+    assert answer(name, "omega") == pytest.approx(spin, rel=1e-6)
