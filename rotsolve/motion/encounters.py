@@ -13,6 +13,7 @@ from rotsolve.elements.events import Collides, Cuts, Event, Impulse, Joins, Remo
 from rotsolve.elements.rims import rim_radius
 from rotsolve.motion.freebody import free_body
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import PointRef
 
@@ -70,10 +71,12 @@ def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, 
     """One body before and after; afterwards it may be part of another."""
     host = last.host(body.name)
     motion = last.motion(host)
-    if host == body.name and not last.arrangement.cluster(host, last.state):
+    if host == body.name and last.arrangement.cluster(host, last.state) == first.arrangement.cluster(host, first.state):
         centre = motion.velocity_of(body.cm)
     else:
-        centre = motion.velocity_of(last.point(PointRef(body.name, "cm")))
+        own = PointRef(body.name, "cm")
+        carried = tidy(body.cm - first.point(own))  # what was joined to it before moves its centre of mass
+        centre = motion.velocity_of(last.point(own) + carried)
     inertia: Formula = body.inertia.letter if body.inertia is not None else own_inertia(body, first)
     return Meeting(body, inertia, body.centre_velocity, centre, body.motion.spin, motion.spin, place, blows)
 

@@ -181,3 +181,25 @@ def test_the_point_of_a_struck_rod_that_stays_is_found_by_bisection() -> None:
         low, high = (middle, high) if blow / mass + spin * (middle - length / 2) < 0 else (low, middle)
     assert answer(name, "y_0") == pytest.approx(low, rel=1e-6)
     assert answer(name, "omega") == pytest.approx(spin, rel=1e-6)
+
+
+def test_a_ball_that_bounces_like_a_spring_leaves_the_hand_alone_at_the_sweet_spot() -> None:
+    name = "bat-sweet-spot"
+    mass, lump, ball, length, speed, bounce = (given(name, letter) for letter in ("M", "m", "m_b", "L", "u", "e"))
+    place, inertia, lever = answer(name, "x"), (mass / 3 + lump) * length**2, (mass / 2 + lump) * length
+    stiff = 1e7
+
+    def rate(_: float, state: list[float]) -> list[float]:
+        pressed, closing = state[0], state[1] - place * state[2]
+        push = max(0.0, stiff * pressed * (1 if closing > 0 else bounce**2))  # gives back e² of the energy
+        turned = push * place / inertia
+        return [closing, -push / ball, turned, lever * turned - push]
+
+    final = [0.0, speed, 0.0, 0.0]
+    for _, state in steps(rate, final, 1e-3, 40000):
+        final = state
+        if state[0] < 0:
+            break
+    assert answer(name, "v") == pytest.approx(final[1], rel=1e-3)
+    assert answer(name, "omega") == pytest.approx(final[2], rel=1e-3)
+    assert abs(final[3]) < 1e-9 * ball * speed

@@ -15,7 +15,7 @@ from rotsolve.inquiry.finds import Asked, asked
 from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.questions.meaning import label_of
 from rotsolve.inquiry.sticking import limiting
-from rotsolve.inquiry.where.conclude import by_equation
+from rotsolve.inquiry.where.conclude import by_equation, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
 from rotsolve.scene.model import Find
 from rotsolve.solver import Found
@@ -39,13 +39,21 @@ def with_equation(inquiry: Inquiry, find: Find) -> None:
     condition = find.where
     assert condition is not None and condition.phrase is not None and condition.value is not None
     letter = find.formula.name if isinstance(find.formula, Symbol) else ""
-    if letter in inquiry.givens and letter in inquiry.known and letter not in inquiry.values:
-        over_free_letter(inquiry, find, letter, condition.phrase, condition.value)
+    free = letter in inquiry.givens and letter not in inquiry.values and letter not in inquiry.solver.solved
+    if free and letter in inquiry.known:
+        over_letter(inquiry, find, letter, condition.phrase, condition.value)
         return
     question = asked(replace(find, where=None), inquiry.history, inquiry.letters())
     said = asked(condition.phrase, inquiry.history, inquiry.letters())
     limit = Equation(said.formula, condition.value, f"the condition{told(condition.phrase)}", said.section, "", 2)
-    answered = inquiry.answer(question, limit)
+    try:
+        answered = inquiry.answer(question, limit)
+    except NoAnswer:
+        if not free:
+            raise
+        # all equations at once may hide the letter in a factor that two of them share; as a function of it the quantity shows
+        over_letter(inquiry, find, letter, condition.phrase, condition.value)
+        return
     if not any(inquiry.planner.pool[index] is limit for index in answered.used):
         raise NotYet(
             f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
@@ -53,13 +61,14 @@ def with_equation(inquiry: Inquiry, find: Find) -> None:
         )
 
 
-def over_free_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: Formula) -> None:
-    """The value of a letter, which stays free, at which a quantity that depends on it has a given value."""
+def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: Formula) -> None:
+    """The value of a letter at which a quantity, found first as a function of it, has a given value."""
     quantity = function_of(inquiry, phrase, letter)
     curve = quantity.found.formula
     if curve is None or letter not in curve.symbols():
         raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
-    own = Symbol(f"asked{SEPARATOR}{find.name}")
+    given = inquiry.givens[letter]
+    own = Symbol(letter if given.asked else f"asked{SEPARATOR}{find.name}")
     left, label = curve.substitute({letter: own}), f"the condition{told(phrase)}"
     equation = Equation(left, value, label, quantity.asked.section, "", 2)
     order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
@@ -69,8 +78,10 @@ def over_free_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, va
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     root = roots[picked[0]]
-    question = Asked(find, own, own.name, inquiry.givens[letter].dimension, section=quantity.asked.section)
+    question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
     by_equation(inquiry, question, Found(own.name, root), equation, Equality(own, root), picked[1], aside=False)
+    if given.asked:
+        forget(quantity, inquiry)
 
 
 def told(phrase: Find) -> str:
