@@ -119,7 +119,10 @@ class Requirement:
 
 @dataclass(frozen=True, slots=True)
 class Potential:
-    """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`."""
+    """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`; or by the length of a rope that hangs.
+
+    `label` says how the elongation grows in a phase.
+    """
 
     owner: str
     energy: Formula
@@ -127,6 +130,7 @@ class Potential:
     rate: Formula
     bodies: tuple[str, ...]
     words: Words
+    label: str = "the spring stretches with the motion"
 
 
 @dataclass(frozen=True, slots=True)

@@ -176,9 +176,7 @@ class History:
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown:
-                    yield Equation(
-                        left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
-                    )
+                    yield Equation(left, grown, midst.label, name, "", 2, bodies=midst.bodies)
 
 
 __all__ = ["History", "NotYet"]

@@ -61,11 +61,8 @@ class Statements:
             said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
             touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
             for item in self.arrangement.connections(state.name):
-                if item.word == "spring":
-                    self._set(fresh.ask("elongation", item.name), last.ask("elongation", item.name))
-                    self._set(
-                        fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when)
-                    )
+                for word in item.kept:
+                    self._set(fresh.ask(word, item.name), last.ask(word, item.name))
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
                 if old is not None and new is not None:

@@ -239,7 +239,8 @@ def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry
         size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     letter = need.left.substitute(lettered(need, inquiry, composer))
-    what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"
+    told = str(need.words[-1]).partition(": ")[2]
+    what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
     return (letter, " = 0: only just, " if touching else " > 0: ", what)
 
 

@@ -8,7 +8,9 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.actions import Action
 from rotsolve.elements.connections.connection import Connection
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
@@ -37,6 +39,7 @@ class _Letters:
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
     check_points(problem)
+    check_ropes(problem)
     letters = _Letters(problem)
     wheels = {
         ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
@@ -75,6 +78,28 @@ def check_points(problem: Problem) -> None:
             if item.word == "string" and ref.point in ("top", "bottom"):
                 help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
                 raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+
+def check_ropes(problem: Problem) -> None:
+    """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
+    bodies = {body.name: body for body in problem.bodies}
+    level = {surface.name for surface in problem.surfaces if surface.word == "level"} | {"ground"}
+    ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
+    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
+    held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]
+    holders: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
+    for item in holders:
+        for index, ref in enumerate(item.touches()):
+            if (ref.owner in ropes) != (isinstance(item, Drapes) and index == 0):
+                help = "write `drapes: [rope, pulley]`, with a body of `shape: rope` first"
+                raise Unsolvable(f"`{item.word}` can not hold `{ref.owner}`", span=ref.span, help=help)
+    for rope, over, *_ in held:
+        if over.owner not in (turning if over.owner in bodies else level):
+            help = "it hangs over a wheel on an `axle`, a smooth peg (`ground`) or the edge of a level table"
+            raise Unsolvable(f"`{rope.owner}` can not hang over `{over.owner}`", span=over.span, help=help)
+    for name in sorted(ropes - {points[0].owner for points in held}):
+        help = f"say what it hangs over, as in `drapes: [{name}, pulley]`"
+        raise Unsolvable(f"`{name}` is a rope that nothing holds", span=bodies[name].span, help=help)
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:

@@ -43,7 +43,9 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     gravity = instant.arrangement.problem.gravity
     if gravity is None or not instant.arrangement.heavy:
         return ()
-    forces = []
+    body, forces = instant.body(name), []
+    if any(item.weighs(body) for item in instant.arrangement.connections(instant.state)):
+        return ()
     for owner in (name, *(member.name for member in instant.arrangement.cluster(name, instant.state))):
         mass = mass_of(instant.body(owner))
         if mass != ZERO:

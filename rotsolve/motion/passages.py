@@ -135,7 +135,7 @@ def works_on(
     """Work of the forces and couples on a body that are neither weights, springs nor ideal connections."""
     name = body.name
     for force in body.forces:
-        if force.internal or not force.works or force.role in ("weight", "spring"):
+        if force.internal or not force.works or force.role in ("weight", "spring", "hanging"):
             continue
         amount = work_of_force(force.vector, force.arm, body, interval, first, last, middle)
         yield named_work(force.owner, amount, (name,), interval, first)

@@ -203,3 +203,65 @@ def test_a_ball_that_bounces_like_a_spring_leaves_the_hand_alone_at_the_sweet_sp
     assert answer(name, "v") == pytest.approx(final[1], rel=1e-3)
     assert answer(name, "omega") == pytest.approx(final[2], rel=1e-3)
     assert abs(final[3]) < 1e-9 * ball * speed
+
+
+def beads(number: int, mass: float, length: float, hanging: float, rim: float, *, rest_hangs: bool) -> float:
+    """Force of gravity forward along a chain of beads: down on one side of a rim, up the other, nothing on a table or a drum."""
+    force = 0.0
+    for k in range(number):
+        place = hanging - (k + 0.5) / number * length  # from the last point of the rim, forward
+        if place > 0:
+            force += mass / number * G
+        elif place > -math.pi * rim:
+            force += mass / number * G * math.cos(-place / rim)
+        elif rest_hangs:
+            force -= mass / number * G
+    return force
+
+
+def slide(inertia: float, force: Callable[[float], float], start: float, end: float) -> float:
+    """The speed at the end of a way from rest, step by step: v grows by a dt."""
+    place, speed, tick = start, 0.0, 1e-3
+    while place < end:
+        rate = force(place) / inertia
+        place, speed, before = place + speed * tick + rate * tick**2 / 2, speed + rate * tick, (place, speed)
+    share = (end - before[0]) / (place - before[0])
+    return before[1] + share * (speed - before[1])
+
+
+def test_beads_run_over_a_pulley_as_the_rope_does() -> None:
+    name = "rope-over-pulley"
+    mass, length, wheel, rim, hanging = (given(name, letter) for letter in ("m", "L", "M", "R", "b"))
+    inertia = mass + wheel / 2
+
+    def force(x: float) -> float:
+        return beads(200, mass, length, x, rim, rest_hangs=True)
+
+    assert answer(name, "a") == pytest.approx(force(hanging) / inertia, rel=2e-2)
+    assert answer(name, "v") == pytest.approx(slide(inertia, force, hanging, length - math.pi * rim), rel=5e-3)
+    assert answer(name, "omega") * rim == pytest.approx(answer(name, "v"))
+
+
+@pytest.mark.parametrize("name", ["rope-over-peg", "chain-off-table"])
+def test_beads_run_off_as_the_rope_does(name: str) -> None:
+    mass, length, hanging = (given(name, letter) for letter in ("m", "L", "b"))
+
+    def force(x: float) -> float:
+        return beads(200, mass, length, x, 0.0, rest_hangs=name == "rope-over-peg")
+
+    assert answer(name, "a") == pytest.approx(force(hanging) / mass, rel=1e-9)
+    assert answer(name, "v") == pytest.approx(slide(mass, force, hanging, length), rel=1e-3)
+
+
+def test_beads_unwind_with_their_bucket() -> None:
+    name = "bucket-on-heavy-rope"
+    mass, length, drum, load, hanging, way = (given(name, letter) for letter in ("m", "L", "M", "m_b", "b", "h"))
+    inertia = mass + drum / 2 + load
+
+    def force(x: float) -> float:
+        return load * G + beads(200, mass, length, x, 0.0, rest_hangs=False)
+
+    assert answer(name, "a") == pytest.approx(force(hanging) / inertia, rel=1e-9)
+    assert answer(name, "a_low") == pytest.approx(force(hanging + way) / inertia, rel=1e-9)
+    assert answer(name, "T") == pytest.approx(load * (G - force(hanging) / inertia), rel=1e-9)
+    assert answer(name, "v") == pytest.approx(slide(inertia, force, hanging, hanging + way), rel=1e-3)

@@ -2,6 +2,7 @@
 
 from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
@@ -16,6 +17,7 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Contact,
     Rolls,
     String,
+    Drapes,
     Spring,
     Torsion,
     Belt,

@@ -21,7 +21,8 @@ Fact = Force | Couple | Rule | Requirement | Potential
 class Connection:
     """Base of all connections. `quantities` can be asked of it; `words` can be said of it in a state.
 
-    `independent` marks one that holds several bodies without making one move with the other.
+    `independent` marks one that holds several bodies without making one move with the other. `kept` are its quantities that an event
+    leaves as they were.
     """
 
     word: ClassVar[str] = ""
@@ -30,6 +31,7 @@ class Connection:
     words: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     independent: ClassVar[bool] = False
+    kept: ClassVar[tuple[str, ...]] = ()
     name: str = ""
 
     def touches(self) -> tuple[PointRef, ...]:
@@ -51,6 +53,10 @@ class Connection:
 
     def hangs(self, body: Body) -> bool:
         """Whether a body hangs from it, so that it travels up and down."""
+        return False
+
+    def weighs(self, body: Body) -> bool:
+        """Whether it states the weight of a body, part by part."""
         return False
 
     def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:

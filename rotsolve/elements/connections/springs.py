@@ -26,6 +26,7 @@ class Spring(Connection):
     word = "spring"
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
+    kept = ("elongation", "force")
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
     stiffness: Formula | None = key(
         "quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None

@@ -4,11 +4,12 @@ from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.shape import WHEEL, Place, Shape
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
-from rotsolve.elements.shapes.thin import Arc, Particle, Rod
+from rotsolve.elements.shapes.thin import Arc, Particle, Rod, Rope
 
 SHAPES: tuple[type[Shape], ...] = (
     Particle,
     Rod,
+    Rope,
     Arc,
     Disc,
     Ring,
@@ -25,4 +26,4 @@ SHAPES: tuple[type[Shape], ...] = (
     Ellipsoid,
 )
 
-__all__ = ["SHAPES", "WHEEL", "Particle", "Place", "Rod", "Shape"]
+__all__ = ["SHAPES", "WHEEL", "Particle", "Place", "Rod", "Rope", "Shape"]

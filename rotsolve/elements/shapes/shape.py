@@ -26,6 +26,7 @@ class Shape:
     about: ClassVar[str] = ""
     points: ClassVar[tuple[str, ...]] = ("center",)
     later: ClassVar[bool] = False
+    rigid: ClassVar[bool] = True  # whether it keeps its form, so that it has a moment of inertia
 
     def moment(self, mass: Formula) -> Formula:
         """Moment of inertia about the centre of mass, axis square to the plane."""

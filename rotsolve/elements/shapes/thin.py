@@ -41,6 +41,15 @@ class Rod(Shape):
 
 
 @dataclass(frozen=True)
+class Rope(Shape):
+    word = "rope"
+    about = "uniform heavy rope or chain that bends freely; `drapes` says what it hangs over"
+    points = ()
+    rigid = False
+    length: Formula | None = extent("length", "L")
+
+
+@dataclass(frozen=True)
 class Arc(Shape):
     word = "arc"
     about = "thin uniform wire along an arc of a circle, symmetric about its +x axis; `center` is the circle's"

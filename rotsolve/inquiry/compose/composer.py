@@ -21,6 +21,7 @@ from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"
+UNSEEN = ("reaction", "grip")  # told in a free-body diagram only where an equation speaks of them
 WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
@@ -144,7 +145,7 @@ class Composer:
             size = item.size if isinstance(item, Force) else item.torque
             if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
-            elif item.role != "reaction" or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
+            elif item.role not in UNSEEN or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
                 spoken_of.append(self.words(item.words))
         return ForceLine(spoken(name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent))))
 
@@ -195,7 +196,7 @@ class Composer:
         for body in facts.diagrams if facts is not None else ():
             if body.name in names:
                 for item in body.acting:
-                    if item.role != "reaction":
+                    if item.role not in UNSEEN:
                         yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
 
     @cached_property

@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD, INSIDE
+from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
@@ -158,6 +159,8 @@ class OfBodies(Moment):
     def _inertia(self, path: Path, term: Term | None) -> Formula:
         """Moment of inertia about the centre of mass, or about a named point or support."""
         name, instant = path.owner, self.instant
+        if not shape_of(instant.body(name)).rigid:
+            raise NotYet(f"`{name}` is no rigid body: it has no `{path.quantity}`")
         own = instant.frame(name)
         point = own.reference + own.cm
         if term is not None and term.about is not None:

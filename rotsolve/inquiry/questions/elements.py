@@ -48,6 +48,10 @@ class OfElements(Moment):
                 return total([_plain(part) for part in parts if part != ZERO])
             case "elongation":
                 return self.instant.ask("elongation", path.owner)
+            case "length":
+                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
+                    return stored.elongation
             case "angle" | "angular_velocity" | "angular_acceleration":
                 name = self._turned_by(path.owner)
                 if name:
@@ -71,7 +75,7 @@ class OfElements(Moment):
             tension = item.tension_at(path.point, self.instant)
             if tension is not None:
                 return tension
-        sizes = {force.size: None for force in forces}
+        sizes = {force.size: None for force in forces if force.role == "tension"}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:
