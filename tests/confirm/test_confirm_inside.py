@@ -205,6 +205,54 @@ def test_a_ball_that_bounces_like_a_spring_leaves_the_hand_alone_at_the_sweet_sp
     assert abs(final[3]) < 1e-9 * ball * speed
 
 
+def test_a_rod_swung_with_that_spin_pulls_at_nothing_when_it_is_upright() -> None:
+    name = "rod-over-the-top"
+    length = given(name, "L")
+
+    def rate(_: float, state: list[float]) -> list[float]:
+        return [state[1], -1.5 * G * math.cos(state[0]) / length]
+
+    spin = 0.0
+    for _, state in steps(rate, [-math.pi / 2, answer(name, "omega_0")], 2.0, 20000):
+        if state[0] >= math.pi / 2:
+            spin = state[1]
+            break
+    assert answer(name, "omega") == pytest.approx(spin, rel=1e-4)
+    assert spin**2 * length / 2 == pytest.approx(G, rel=1e-4)  # weight alone bends the way of its centre
+
+
+def test_a_plank_tips_where_its_boards_and_the_child_balance_on_the_right_trestle() -> None:
+    name = "plank-tips"
+    mass, child, length, back = (given(name, letter) for letter in ("M", "m", "L", "c"))
+    boards = [((k + 0.5) / PIECES * length, mass / PIECES) for k in range(PIECES)]
+    low, high = 0.0, length
+    for _ in range(60):
+        middle = (low + high) / 2
+        tips = sum(m * (x - length + back) for x, m in boards) + child * (middle - length + back) > 0
+        low, high = (low, middle) if tips else (middle, high)
+    assert answer(name, "a") == pytest.approx(low, rel=1e-9)
+    assert answer(name, "N") == pytest.approx((mass + child) * G, rel=1e-12)
+
+
+@pytest.mark.parametrize("part", [0.1, 0.5, 0.75])
+def test_a_ladder_is_cut_at_its_foot_where_the_program_cuts_at_its_top(part: float) -> None:
+    name = "ladder-inside"
+    mass, length, angle = (given(name, letter) for letter in ("M", "L", "theta"))
+    rungs = [((k + 0.5) / PIECES * length, mass * G / PIECES) for k in range(PIECES)]
+    wall = sum(weight * s * math.cos(angle) for s, weight in rungs) / (length * math.sin(angle))
+    x = part * length
+    below = [(s, weight) for s, weight in rungs if s < x]
+    right, up = (
+        wall,
+        mass * G - sum(weight for _, weight in below),
+    )  # the floor's push on the foot, less the weight below
+    assert answer(name, "C", x=x) == pytest.approx(right * math.cos(angle) + up * math.sin(angle), rel=1e-3)
+    assert answer(name, "V", x=x) == pytest.approx(up * math.cos(angle) - right * math.sin(angle), rel=1e-3, abs=0.1)
+    bending = (mass * G * math.cos(angle) - wall * math.sin(angle)) * x
+    bending -= sum(weight * (x - s) * math.cos(angle) for s, weight in below)
+    assert answer(name, "B", x=x) == pytest.approx(bending, rel=1e-6)
+
+
 def beads(number: int, mass: float, length: float, hanging: float, rim: float, *, rest_hangs: bool) -> float:
     """Force of gravity forward along a chain of beads: down on one side of a rim, up the other, nothing on a table or a drum."""
     force = 0.0
