@@ -45,11 +45,9 @@ class Signs:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
                 return min(fitting, key=lambda entry: abs(entry[1]))[0], words
-        start = self._started(name)
-        if start is not None:
-            # two angles equally far from the start belong to the two ways in which it may go: the smaller one is told
-            first = min(real, key=lambda entry: (round(abs(entry[1] - start), 9), abs(entry[1])))
-            return first[0], ("the first on the way",)
+        first = self._first_on_the_way(name, real)
+        if first is not None:
+            return first, ("the first on the way",)
         if self._is_angle(name):
             return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
         return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
@@ -66,16 +64,24 @@ class Signs:
             return quantity.kind == "angle"
         return given is not None and (given.dimension is None or is_angle(given))
 
-    def _started(self, name: str) -> float | None:
-        """The angle from which a body came to the angle that a letter of the scene stands for."""
+    def _first_on_the_way(self, name: str, roots: Sequence[tuple[int, float]]) -> int | None:
+        """Of several angles for a letter of the scene the one that a body comes to first, on the side to which it sets out."""
+        if name not in self.givens:
+            return None
         for passage in self.history.passages.values():
             for travel in passage.travels:
-                if (
-                    name in self.givens
-                    and travel.end in (Symbol(name), negate(Symbol(name)))
-                    and travel.start is not None
-                ):
-                    return self.number(travel.start if travel.end == Symbol(name) else negate(travel.start))
+                start = self.number(travel.start) if travel.start is not None else None
+                if travel.end not in (Symbol(name), negate(Symbol(name))) or start is None:
+                    continue
+                sense = 1 if travel.end == Symbol(name) else -1
+                ways = [(index, sense * number - start) for index, number in roots]
+                sizes = [
+                    self.number(value) for value in (travel.before, self._push(travel.initial)) if value is not None
+                ]
+                onward = next((size for size in sizes if size), 0.0)
+                ahead = [entry for entry in ways if entry[1] * onward > 0] or ways
+                # from a summit it may go to either side, equally far: the smaller angle is told
+                return min(ahead, key=lambda entry: (round(abs(entry[1]), 9), entry[1] * sense))[0]
         return None
 
     def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:

@@ -97,3 +97,18 @@ find: {F: F where end.normal_force = 0}
 """
     ).to("text")
     assert "the condition, normal force of end" in text and "F = ¾ M g" in text
+
+
+@pytest.mark.parametrize(("start", "spin", "reached"), [("150 deg", "-4", 114.747), ("30 deg", "4", 65.253)])
+def test_of_two_angles_the_first_on_the_way_is_meant(start: str, spin: str, reached: float) -> None:
+    solution = solve(
+        f"""
+title: Rod swung up to where it is slow
+given: {{M: 2 kg, L: 1 m, theta: unknown, w: {spin} rad/s, u: {spin}/2 rad/s}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+states: {{low: {{rod.angle: {start}, rod.angular_velocity: w}}, high: {{rod.angle: theta}}}}
+find: {{theta: theta where rod.angular_velocity = u at high in deg}}
+"""
+    )
+    assert solution.answers["theta"].float == pytest.approx(reached, abs=0.01)
