@@ -205,6 +205,23 @@ def test_a_ball_that_bounces_like_a_spring_leaves_the_hand_alone_at_the_sweet_sp
     assert abs(final[3]) < 1e-9 * ball * speed
 
 
+def test_two_hinged_rods_bend_as_their_point_masses_ask_for() -> None:
+    name = "two-rods-released-inside"
+    inner, outer, length = (given(name, letter) for letter in ("M", "m", "L"))
+    first, second = answer(name, "alpha_1"), answer(name, "alpha_2")
+    arms = [(k + 0.5) / PIECES * length for k in range(PIECES)]
+    near = [inner / PIECES * (first * s + G) for s in arms]  # what holds each mass must give it, upwards
+    far = [outer / PIECES * (first * length + second * s + G) for s in arms]
+    assert sum(f * s for f, s in zip(far, arms, strict=True)) == pytest.approx(0, abs=1e-4)  # none about the joint
+    pull = sum(far)
+    assert sum(f * s for f, s in zip(near, arms, strict=True)) + pull * length == pytest.approx(0, abs=1e-4)
+    middle = length / 2
+    bent = sum(f * (s - middle) for f, s in zip(near, arms, strict=True) if s > middle) + pull * middle
+    assert answer(name, "B_1") == pytest.approx(-bent, rel=1e-4)
+    bent = sum(f * (s - middle) for f, s in zip(far, arms, strict=True) if s > middle)
+    assert answer(name, "B_2") == pytest.approx(-bent, rel=1e-4)
+
+
 def test_a_rod_swung_with_that_spin_pulls_at_nothing_when_it_is_upright() -> None:
     name = "rod-over-the-top"
     length = given(name, "L")

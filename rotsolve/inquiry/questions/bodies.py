@@ -71,7 +71,7 @@ class OfBodies(Moment):
         if cut is None:
             raise NotYet(
                 f"what acts inside `{path.owner}` there is not solved yet",
-                help="in a uniform rod whose loads lie certainly on this or that side of the point: give lengths numbers",
+                help="in a uniform rod whose loads act at named points, certainly on this or that side: give lengths numbers",
             )
         instant = self.instant
         letter = instant.ask(path.quantity, path.owner, when=instant.span(path.owner), component=index)

@@ -41,7 +41,7 @@ def cut_free(section: Section, facts: BodyFacts, loads: Loads) -> Cut:
     place = simplify(centre.along(RIGHT) + section.length / 2, order=order)
     at, back = section.point(place), simplify(place - section.x, order=order)
     cut = Vector((positive_part(back, facts.motion.orientation.turned(180)),))
-    moment, remark = moment_about(pieces, centre, order)
+    moment, remark = moment_about(pieces, centre, (*mass.symbols(), *order))
     name = f"{section.rod.name} {'beyond' if sign > 0 else 'up to'} {to_text(section.x)}"
     letter = section.ask("inertia") if moment != ZERO else ZERO
     body = BodyFacts(

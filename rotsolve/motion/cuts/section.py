@@ -90,7 +90,8 @@ def free_side(section: Section, facts: BodyFacts) -> Loads | None:
     start = section.point(ZERO)
     for item in facts.acting:
         if item.role != "weight":
-            arm = item.arm if isinstance(item, Force) else held_at(item, section)
+            ref = named_point(item, section)
+            arm = None if ref is None else item.arm if isinstance(item, Force) else section.instant.point(ref)
             side = None if arm is None else section.side((arm - start).along(facts.motion.orientation))
             if side is None:
                 return None
@@ -108,11 +109,13 @@ def free_side(section: Section, facts: BodyFacts) -> Loads | None:
     return Loads(sign, tuple(pieces[sign]), tuple(acting[sign]), jumps)
 
 
-def held_at(couple: Couple, section: Section) -> Vector | None:
-    """Where a couple acts on a rod: at the point that its connection or action names."""
-    instant = section.instant
-    for item in instant.arrangement.acting(instant.state):
+def named_point(acting: Force | Couple, section: Section) -> PointRef | None:
+    """The point at which something acts on a rod, as the scene names it; a floor that a rod lies on pushes all along it."""
+    arrangement, state = section.instant.arrangement, section.instant.state
+    supports = {ref for item in arrangement.connections(state) for ref in item.fixed_points()}
+    for item in arrangement.acting(state):
         for ref in item.touches():
-            if item.name == couple.owner and ref.owner == section.rod.name and ref.point is not None:
-                return instant.point(ref)
+            named = ref.point is not None or ref in supports
+            if item.name == acting.owner and ref.owner == section.rod.name and named:
+                return ref
     return None
