@@ -4,31 +4,39 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from math import pi
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import ONE, Formula, Number, Symbol
 from rotsolve.core.derivation import Words
+from rotsolve.core.facts import signed
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.registry import SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
+from rotsolve.principles.energy import one_motion
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
 
 TINY = 1e-14
+TURN = 2 * pi
+RATES = ("velocity|", "angular_velocity|")
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
 @dataclass(frozen=True)
 class Signs:
-    """What a scene says of signs; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
+    """What a scene says of signs; `with_answers` puts in what is found, `aside` finds a letter without a derivation, `definition` tells
+    what an asked letter stands for."""
 
     history: History
     givens: Mapping[str, Given]
     values: Mapping[str, Formula]
     with_answers: Callable[[Formula], Formula]
     aside: Callable[[str], Formula | None]
+    definition: Callable[[str], Formula | None]
 
     def choose(self, name: str, roots: Sequence[Formula]) -> Choice | None:
         """The root that is meant, with the reason."""
@@ -40,6 +48,9 @@ class Signs:
             real = moved  # the root 0 is the start itself
         if len(real) == 1:
             return real[0][0], ()
+        reached = self._first_reached(name, real)
+        if reached is not None:
+            return reached
         sign, words = self.expected(name)
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]
@@ -48,6 +59,40 @@ class Signs:
         if self._is_angle(name):
             return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
         return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
+
+    def _first_reached(self, name: str, roots: Sequence[tuple[int, float]]) -> Choice | None:
+        """Of several places on a circle the one that a body comes to first on its way; None for what tells no such place.
+
+        The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
+        """
+        letter, scale, shift = self._place_behind(name)
+        quantity = self.history.registry.quantities.get(letter)
+        if quantity is None or quantity.kind != "angle" or quantity.when not in self.history.arrangement.timeline.order:
+            return None
+        before = self.history.arrangement.timeline.before(quantity.when)
+        passage = self.history.passages.get(before.name) if before is not None else None
+        for travel in passage.travels if passage is not None else ():
+            if travel.kind != "line" or travel.start is None or travel.end != signed(Symbol(letter), travel.sense):
+                continue
+            start = self.number(self.with_answers(travel.start))
+            if start is None:
+                return None
+            speeds = (self.number(value) for value in (travel.before, self._push(travel.initial)) if value is not None)
+            way = -1 if next((speed for speed in speeds if speed), 1) < 0 else 1
+            gaps = {k: (way * (travel.sense * (root - shift) / scale - start)) % TURN for k, root in roots}
+            return min(gaps, key=lambda k: gaps[k] or TURN), ("the first place on the way where this holds",)
+        return None
+
+    def _place_behind(self, name: str) -> tuple[str, float, float]:
+        """The angle that an asked letter stands for, with the letter = scale · angle + shift."""
+        formula = self.definition(name)
+        angles = [key for key in formula.symbols() if SEPARATOR in key] if formula is not None else []
+        if formula is None or len(angles) != 1:
+            return name, 1.0, 0.0
+        at = [self.number(formula.substitute({angles[0]: Number(Fraction(value))})) for value in (0, 1, 2)]
+        if at[0] is None or at[1] is None or at[2] is None or abs(at[2] + at[0] - 2 * at[1]) > TINY or at[1] == at[0]:
+            return name, 1.0, 0.0
+        return angles[0], at[1] - at[0], at[0]
 
     def _is_change(self, name: str) -> bool:
         """Whether a quantity is a change since the state before, or the time that it took."""
@@ -86,6 +131,8 @@ class Signs:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.when in self.history.arrangement.timeline.order:
+            return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when)
         if quantity.kind in ("time", "tension", "mass", "normal_force"):
@@ -127,6 +174,19 @@ class Signs:
                 relation = " > 0" if sign > 0 else " < 0"
                 return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), relation)
         return 0, ()
+
+    def _by_turn(self, name: str, quantity: Quantity) -> tuple[int, Words]:
+        """Which way a part of a velocity points: as the rules tie it to the turn of the body."""
+        rules = list(self.history.facts(quantity.when).rules)
+        names = {letter for rule in rules for side in rule.velocity for letter in side.symbols()}
+        rates = sorted(letter for letter in names if letter.startswith(RATES))
+        tied = (one_motion(rates, rules) or {}).get(name)
+        turns = [letter for letter in tied.symbols() if letter.startswith(RATES)] if tied is not None else []
+        if tied is None or len(turns) != 1 or turns[0].split(SEPARATOR)[2]:
+            return 0, ()
+        share = self.number(self.with_answers(tied.substitute({turns[0]: ONE})))
+        sign, words = self.expected(turns[0])
+        return (0, ()) if not share else (sign if share > 0 else -sign, words)
 
     def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
         """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""

@@ -50,6 +50,8 @@ def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
 
 def axis_words(body: BodyFacts, axis: Heading) -> str:
     """Which component is meant, where the law has more than one."""
+    if body.motion.bend is not None:
+        return ", along the circle" if axis == body.motion.heading else ", towards the centre"
     if body.motion.kind == "line":
         path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
         if axis == body.motion.heading:

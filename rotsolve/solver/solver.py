@@ -18,7 +18,17 @@ from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
-from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
+from rotsolve.solver.item import (
+    Item,
+    inner,
+    isolated,
+    kind_of,
+    monomial,
+    moved_alone,
+    only_squared,
+    put_square,
+    quarters_turned,
+)
 from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
 from rotsolve.solver.textbook import Textbook
 
@@ -181,6 +191,9 @@ class Solver(Textbook):
                     continue
                 square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
                 refs: list[Ref] = [item.ref, *item.sources]
+                if item.sources:
+                    chain = [Equality(item.left, item.right), Equality(square, value)]
+                    refs = [("step", self._keep(item, chain, "", ()).number)]
                 for other in others:
                     other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
                     other.sources.extend(ref for ref in refs if ref not in other.sources)
@@ -189,7 +202,7 @@ class Solver(Textbook):
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
-        item.left, item.right = item.left.substitute(values), item.right.substitute(values)
+        item.left, item.right = (quarters_turned(side.substitute(values)) for side in (item.left, item.right))
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:

@@ -12,6 +12,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
+from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
@@ -68,8 +69,15 @@ class OfBodies(Moment):
                     motion = instant.motion(name)
                     vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
                     return vector.along(RIGHT if component == "x" else UP)
-                line = instant.arrangement.line(host, instant.state)
+                if component in ("tangential", "normal"):
+                    return self._part(name, path.quantity, component)
+                line = instant.line(host)
                 return instant.travel(path.quantity, host, line[1] if line else "")
+            case "height":
+                above = height(host, instant)
+                if above is None:
+                    raise NotYet(f"how high `{name}` is, the scene does not tell")
+                return above
             case "speed":
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
@@ -92,6 +100,14 @@ class OfBodies(Moment):
                 centre = instant.frame(name).cm + instant.frame(name).reference
                 return centre.along(UP if component == "y" else RIGHT)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+
+    def _part(self, name: str, word: str, component: str) -> Formula:
+        """Part of a body's velocity or acceleration along its line, or towards the centre of its circle."""
+        motion = self.instant.motion(name)
+        vector = motion.velocity if word == "velocity" else motion.acceleration
+        if component == "tangential" and motion.heading is not None:
+            return vector.along(motion.heading)
+        return vector.along(motion.bend.outward.turned(180)) if motion.bend is not None else ZERO
 
     def _rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body that turns."""
