@@ -9,12 +9,12 @@ from math import pi
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, Formula, Number, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
 from rotsolve.core.derivation import Words
-from rotsolve.core.facts import signed
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.connection import Orbit
 from rotsolve.inquiry.history import History
 from rotsolve.principles.energy import one_motion
 from rotsolve.scene.model import Given
@@ -47,7 +47,7 @@ class Signs:
         if len(moved) < len(real) and moved and self._is_change(name):
             real = moved  # the root 0 is the start itself
         if len(real) == 1:
-            return real[0][0], ()
+            return Choice(real[0][0])
         reached = self._first_reached(name, real)
         if reached is not None:
             return reached
@@ -55,10 +55,10 @@ class Signs:
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
-                return min(fitting, key=lambda entry: abs(entry[1]))[0], words
+                return Choice(min(fitting, key=lambda entry: abs(entry[1]))[0], words)
         if self._is_angle(name):
-            return min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",)
-        return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",)
+            return Choice(min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",))
+        return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
 
     def _first_reached(self, name: str, roots: Sequence[tuple[int, float]]) -> Choice | None:
         """Of several places on a circle the one that a body comes to first on its way; None for what tells no such place.
@@ -66,22 +66,38 @@ class Signs:
         The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
         """
         letter, scale, shift = self._place_behind(name)
-        quantity = self.history.registry.quantities.get(letter)
-        if quantity is None or quantity.kind != "angle" or quantity.when not in self.history.arrangement.timeline.order:
+        quantity, timeline = self.history.registry.quantities.get(letter), self.history.arrangement.timeline
+        if quantity is None or quantity.kind != "angle" or quantity.when not in timeline.order:
             return None
-        before = self.history.arrangement.timeline.before(quantity.when)
+        before = timeline.before(quantity.when)
         passage = self.history.passages.get(before.name) if before is not None else None
         for travel in passage.travels if passage is not None else ():
-            if travel.kind != "line" or travel.start is None or travel.end != signed(Symbol(letter), travel.sense):
+            circle = self.history.instant(quantity.when).orbit(travel.body)
+            if before is None or travel.kind != "line" or circle is None or circle.owner != quantity.owner:
                 continue
-            start = self.number(self.with_answers(travel.start))
+            start = self._entry(travel.body, circle, before.start)
             if start is None:
                 return None
             speeds = (self.number(value) for value in (travel.before, self._push(travel.initial)) if value is not None)
-            way = -1 if next((speed for speed in speeds if speed), 1) < 0 else 1
-            gaps = {k: (way * (travel.sense * (root - shift) / scale - start)) % TURN for k, root in roots}
-            return min(gaps, key=lambda k: gaps[k] or TURN), ("the first place on the way where this holds",)
+            way = -circle.way if next((speed for speed in speeds if speed), 1) < 0 else circle.way
+            ways = [(k, self._way_to((root - shift) / scale, start, way)) for k, root in roots]
+            index, (_, turns) = min(ways, key=lambda item: (item[1][0], item[1][1] != 0))
+            words: Words = ("the first place on the way where this holds",)
+            return Choice(index, words, turns * Fraction(scale).limit_denominator(1000))
         return None
+
+    def _way_to(self, place: float, start: float, way: int) -> tuple[float, int]:
+        """How far it is to a place on a circle, and the whole turns that its angle must be changed by to lie on the way."""
+        gap = round(way * (place - start) % TURN, 9) or TURN
+        return gap, round((start + way * gap - place) / TURN)
+
+    def _entry(self, body: str, circle: Orbit, state: str) -> float | None:
+        """Where on its circle a body is at the start of its way; a track leads into a bowl at its bottom, over a hill at its top."""
+        instant = self.history.instant(state)
+        orbit = instant.orbit(body)
+        if orbit == circle:
+            return self.number(self.with_answers(instant.place_on(circle)))
+        return None if orbit is None else pi / 2 if circle.level == ZERO else -pi / 2
 
     def _place_behind(self, name: str) -> tuple[str, float, float]:
         """The angle that an asked letter stands for, with the letter = scale · angle + shift."""
@@ -110,8 +126,8 @@ class Signs:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
         sign, words = self.expected(name)
         if sign < 0 and len(roots) > 1:
-            return 1, words
-        return 0, words or ("the root along the positive sense",)
+            return Choice(1, words)
+        return Choice(0, words or ("the root along the positive sense",))
 
     def _lacks_numbers(self, roots: Sequence[Formula]) -> bool:
         """Whether a root holds a given without a number."""
@@ -145,35 +161,37 @@ class Signs:
         return given is not None and given.dimension is not None and not given.dimension.matches(DIMENSIONS["angle"])
 
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
-        """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed."""
+        """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.
+
+        After an event, or at the first state, it is the way to the angle of the next state.
+        """
         timeline = self.history.arrangement.timeline
         if state not in timeline.order:
             return 0, ()
-        before = timeline.before(state)
-        quantity = self.history.registry.quantities[name]
-        if before is None or before.event is not None:
-            return 0, ()
-        passage = self.history.passages[before.name]
-        travel = next(
-            (
-                item
-                for item in passage.travels
-                if item.body == owner and (item.kind == "turn") == (kind == "angular_velocity")
-            ),
-            None,
+        before, after = timeline.before(state), timeline.after(state)
+        first = before is None or before.event is not None
+        passage = self.history.passages.get(
+            after.name if first and after is not None else before.name if before else ""
         )
+        wanted = "turn" if kind == "angular_velocity" else "line"
+        travels = passage.travels if passage is not None else ()
+        travel = next((item for item in travels if item.body == owner and item.kind == wanted), None)
         if travel is None:
             return 0, ()
-        change = travel.end - travel.start if travel.start is not None and travel.end is not None else travel.change
-        for value in (change, travel.before, self._push(travel.initial)):
+        change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
+        rest = () if first else (travel.change if change is None else None, travel.before, self._push(travel.initial))
+        for value in (change, *rest):
             size = self.number(self.with_answers(value)) if value is not None else None
             if size:
-                sign = 1 if size > 0 else -1
-                verb = "turns" if kind == "angular_velocity" else "moves"
-                words = quantity.positive if sign > 0 else quantity.negative
-                relation = " > 0" if sign > 0 else " < 0"
-                return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), relation)
+                return self._told(kind, owner, name, 1 if size > 0 else -1)
         return 0, ()
+
+    def _told(self, kind: str, owner: str, name: str, sign: int) -> tuple[int, Words]:
+        """A sign with the words for it: "rod turns clockwise: ω > 0"."""
+        quantity = self.history.registry.quantities[name]
+        verb = "turns" if kind == "angular_velocity" else "moves"
+        words = quantity.positive if sign > 0 else quantity.negative
+        return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), " > 0" if sign > 0 else " < 0")
 
     def _by_turn(self, name: str, quantity: Quantity) -> tuple[int, Words]:
         """Which way a part of a velocity points: as the rules tie it to the turn of the body."""

@@ -7,7 +7,6 @@ from dataclasses import dataclass, field, replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
-from rotsolve.core.heading import RIGHT, heading
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
@@ -74,9 +73,12 @@ class Statements:
             self._same_places(before, last, fresh)
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
-                if old is not None and new is not None:
-                    turned = fresh.offset(body.name) - last.offset(body.name)  # a new hinge counts from its own side
-                    self._set(new, (heading(old) + turned).formula() if turned != RIGHT else old)
+                if new is not None:
+                    same = old is not None and fresh.offset(body.name) == last.offset(body.name)
+                    turned = last.orientation(body.name) + fresh.offset(
+                        body.name
+                    )  # a new hinge counts from its own side
+                    self._set(new, old if same and old is not None else turned.formula())
                 if body.name not in touched and "all" not in touched:
                     for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
                         self._set(other, one)

@@ -66,7 +66,9 @@ class Arrangement:
             elif isinstance(event, Removes):
                 gone |= frozenset(event.removes)
             elif isinstance(event, Grips):
-                gone = (gone | self._left_for(event)) - {event.grips}
+                gone = (gone | self._left_by(event.grips)) - {event.grips}
+            elif isinstance(event, Fixes) and event.fixes is not None:
+                gone |= self._surfaces_of(event.fixes.owner)
             result[interval.end] = gone
         return result
 
@@ -76,11 +78,15 @@ class Arrangement:
         names = {event.grips for event in self.problem.events if isinstance(event, Grips)}
         return tuple(item for item in self.problem.connections if item.name in names)
 
-    def _left_for(self, event: Grips) -> frozenset[str]:
-        """The other surfaces of a body that a contact takes: a ball that hits a corner turns about it and leaves the floor."""
-        touches = [item for item in self.problem.connections if isinstance(item, Touch)]
-        taken = {item.pair()[0].owner for item in touches if item.name == event.grips}
-        return frozenset(item.name for item in touches if item.pair()[0].owner in taken and item.name != event.grips)
+    def _left_by(self, contact: str | None) -> frozenset[str]:
+        """The surfaces that a body leaves for a contact: a ball that hits a corner turns about it and leaves the floor."""
+        taken = (item.pair()[0].owner for item in self.gripped if isinstance(item, Touch) and item.name == contact)
+        return frozenset[str]().union(*(self._surfaces_of(owner) for owner in taken))
+
+    def _surfaces_of(self, name: str) -> frozenset[str]:
+        """The contacts of a body with surfaces."""
+        touches = (item for item in self.problem.connections if isinstance(item, Touch))
+        return frozenset(item.name for item in touches if item.pair()[0].owner == name)
 
     def connections(self, state: str) -> tuple[Connection, ...]:
         """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""

@@ -157,11 +157,16 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
-        if not rod and not self._speaks_of_angle(name):
+        if not rod and (not self._speaks_of_angle(name) or self._stands(name)):
             return None
         if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
             return None
         return self.ask("angle", name, words=TURNS)
+
+    def _stands(self, name: str) -> bool:
+        """Whether a body slides along as it is drawn, with nothing said of its angle."""
+        flat = self.arrangement.line(name, self.state) is not None
+        return flat and not self.can_turn(name, flat) and not self.arrangement.says(self.state, name, "angle")
 
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem

@@ -221,6 +221,71 @@ def test_plate_caught_at_a_corner() -> None:
     assert answer("plate-caught-at-corner", "share") == pytest.approx(lost)
 
 
+@pytest.mark.parametrize("factor", [0.999, 1.001])
+def test_block_falls_over_the_ridge_from_the_speed_found_on(factor: float) -> None:
+    mass, side = 5.0, 0.3
+    masses = [(mass / 4, x, y) for x, y in product(spread(side), spread(side))]
+    inertia = sum(m * ((x - side) ** 2 + y**2) for m, x, y in masses)
+    turn = answer("block-trips-over-ridge", "u") * factor * sum(m * y for m, _, y in masses) / inertia  # clockwise
+    arm = side / math.sqrt(2)
+
+    def force(phi: float, rate: float) -> float:
+        """Of the angle of the diagonal from the vertical, which shrinks while the block tips."""
+        return mass * G * arm * math.sin(phi) / inertia
+
+    phi, _ = until((math.pi / 4, -turn), force, lambda phi, rate: phi if factor > 1 else rate)
+    assert (phi < 1e-9) == (factor > 1)
+    assert answer("block-trips-over-ridge", "omega") * factor == pytest.approx(-turn)
+
+
+SHOT = """title: Marble shot up in a bowl
+given: {{R: 3 m, r: 20 cm, u: 2 m/s}}
+surfaces: {{bowl: {{hollow: R}}}}
+bodies: {{marble: {{shape: sphere, radius: r, moves: {way}}}}}
+connections: {{touch: {{rolls: [marble, bowl]}}}}
+states: {{bottom: {{touch.angle: -90 deg, marble.velocity: u}}, high: {{at rest: all}}}}
+find:
+  theta: touch.angle at high in deg
+  beta: touch.angle + 90 deg at high in deg
+  s: marble.displacement from bottom to high
+"""
+LOST = """title: Ball let go too low for the loop
+given: {{R: 3 m, r: 20 cm, h: 5.5 m}}
+surfaces: {{slide: profile unknown, loop: {{hollow: R}}}}
+bodies: {{ball: {{shape: sphere, mass: 2 kg, radius: r, moves: {way}}}}}
+connections: {{touch: {{rolls: [ball, slide, loop]}}}}
+states: {{start: {{ball.height: h, at rest: all}}, off: {{touch: leaves}}}}
+find: {{theta: touch.angle at off in deg, v: ball.speed at off}}
+"""
+
+
+@pytest.mark.parametrize(("way", "sign"), [("right", 1), ("left", -1)])
+def test_places_on_a_circle_are_the_first_on_the_way(way: str, sign: int) -> None:
+    """The same motion to both sides; angles run on from where the body starts."""
+    path = 3 - 0.2
+    high, _ = until((0.0, 2 / path), lambda phi, rate: -5 / 7 * G * math.sin(phi) / path, lambda phi, rate: rate)
+    found = {name: item.float for name, item in solve(SHOT.format(way=way)).answers.items()}
+    assert found["theta"] == pytest.approx(-90 + sign * math.degrees(high), rel=1e-8)
+    assert found["beta"] == pytest.approx(sign * math.degrees(high), rel=1e-8)
+    assert found["s"] == pytest.approx(path * high, rel=1e-8)
+
+    start = math.sqrt(10 / 7 * G * 5.5) / path
+    off, rate = until(
+        (0.0, start),
+        lambda phi, rate: -5 / 7 * G * math.sin(phi) / path,
+        lambda phi, rate: path * rate**2 + G * math.cos(phi),
+    )
+    found = {name: item.float for name, item in solve(LOST.format(way=way)).answers.items()}
+    assert found["theta"] == pytest.approx(-90 + sign * math.degrees(off), rel=1e-8)
+    assert found["v"] == pytest.approx(path * rate, rel=1e-8)
+
+
+def test_a_ball_that_falls_off_the_loop_is_objected_to() -> None:
+    scene = LOST.format(way="right").replace("touch: leaves", "touch.angle: 90 deg").replace("5.5 m", "7 m")
+    objections = [check for check in solve(scene).checks if check.holds is False]
+    assert len(objections) == 1
+
+
 def test_rod_slides_down_on_ice() -> None:
     mass, length, theta = 2.0, 1.2, math.radians(60)
     half, inertia = length / 2, 2.0 * 1.2**2 / 12

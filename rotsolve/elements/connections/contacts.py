@@ -131,9 +131,8 @@ class Touch(Connection):
             f"{spoken(ref.owner)} leaves the surface",
         )
         motion = instant.motion(name)
-        if (
-            motion.heading is None or (motion.heading - facing).cos() != ZERO
-        ):  # its motion does not keep it there by itself
+        kept = motion.heading is not None and (motion.heading - facing).cos() == ZERO
+        if not kept:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
             yield slip_rule(self.name, label, name, arm, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
