@@ -17,6 +17,7 @@ class Surface:
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     later: ClassVar[bool] = False
+    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
     name: str = ""
 
     @property
@@ -118,6 +119,7 @@ class Step(Curved):
     """A corner is a hill of no radius: the centre of a wheel on it moves on a circle as large as the wheel."""
 
     word = "corner"
+    held_at = "corner"
     about = "an edge at a height above the floor, which a wheel climbs or rolls off: `step: {corner: h, side: right}`"
     corner: Formula | None = key(
         "quantity",

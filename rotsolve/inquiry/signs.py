@@ -11,6 +11,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
 from rotsolve.core.derivation import Words
+from rotsolve.core.passage import Travel
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
@@ -61,7 +62,7 @@ class Signs:
         return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
 
     def _first_reached(self, name: str, roots: Sequence[tuple[int, float]]) -> Choice | None:
-        """Of several places on a circle the one that a body comes to first on its way; None for what tells no such place.
+        """Of several angles the one that a body comes to first on its way; None where nothing tells which way it goes.
 
         The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
         """
@@ -72,18 +73,30 @@ class Signs:
         before = timeline.before(quantity.when)
         passage = self.history.passages.get(before.name) if before is not None else None
         for travel in passage.travels if passage is not None else ():
-            circle = self.history.instant(quantity.when).orbit(travel.body)
-            if before is None or travel.kind != "line" or circle is None or circle.owner != quantity.owner:
+            begin = self._begin(travel, quantity, before.start) if before is not None else None
+            if begin is None:
                 continue
-            start = self._entry(travel.body, circle, before.start)
-            if start is None:
-                return None
-            speeds = (self.number(value) for value in (travel.before, self._push(travel.initial)) if value is not None)
-            way = -circle.way if next((speed for speed in speeds if speed), 1) < 0 else circle.way
-            ways = [(k, self._way_to((root - shift) / scale, start, way)) for k, root in roots]
+            ways = [(k, self._way_to((root - shift) / scale, *begin)) for k, root in roots]
             index, (_, turns) = min(ways, key=lambda item: (item[1][0], item[1][1] != 0))
             words: Words = ("the first place on the way where this holds",)
             return Choice(index, words, turns * Fraction(scale).limit_denominator(1000))
+        return None
+
+    def _begin(self, travel: Travel, place: Quantity, state: str) -> tuple[float, int] | None:
+        """Where a coordinate starts and which way it goes, +1 counterclockwise, where `place` is its angle at the end.
+
+        What is only just nudged on a circle goes its positive way.
+        """
+        speeds = (travel.before, self._push(travel.initial))
+        known = (self.number(self.with_answers(value)) for value in speeds if value is not None)
+        pace = next((value for value in known if value), 0.0)
+        circle = self.history.instant(place.when).orbit(travel.body)
+        if travel.kind == "line" and circle is not None and circle.owner == place.owner:
+            start = self._entry(travel.body, circle, state)
+            return None if start is None else (start, circle.way if pace >= 0 else -circle.way)
+        if travel.kind == "turn" and travel.body == place.owner and travel.start is not None and pace:
+            start = self.number(self.with_answers(travel.start))
+            return None if start is None else (start * travel.sense, travel.sense if pace > 0 else -travel.sense)
         return None
 
     def _way_to(self, place: float, start: float, way: int) -> tuple[float, int]:

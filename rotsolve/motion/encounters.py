@@ -94,7 +94,7 @@ def suddenly(event: Event, ref: PointRef, instant: Instant) -> str:
     contact = gripping(event, instant.arrangement)
     surface = contact.surface(instant.arrangement, instant.state) if contact is not None else None
     if surface is not None:
-        return "corner" if surface.word == "corner" else "point of contact"
+        return surface.held_at
     return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")
 
 

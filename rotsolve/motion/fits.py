@@ -28,27 +28,26 @@ def check_surfaces(problem: Problem) -> None:
 
 
 def check_holding(problem: Problem) -> None:
-    """A fault for an event that grips what is no contact, or fixes a point of a body that is held already."""
-    contacts = {item.name for item in problem.connections if isinstance(item, Touch)}
-    round_ones = [item for item in problem.surfaces if isinstance(item, Curved) and item.height() is None]
+    """A fault for an event that grips what is no contact with a flat surface or corner, or fixes what is held already."""
     held = {ref.owner: item.name for item in problem.connections for ref in item.fixed_points()}
     for event in problem.events:
-        if isinstance(event, Grips) and event.grips not in contacts:
-            help = f"contacts: {', '.join(sorted(contacts))}" if contacts else "the scene has no contact"
-            raise Unsolvable(f"`{event.name}` can only grip a contact, and `{event.grips}` is none", help=help)
-        item = next(
-            (item for item in problem.connections if isinstance(event, Grips) and item.name == event.grips), None
-        )
-        if isinstance(item, Touch) and any(
-            surface.name == ref.owner for ref in item.places() for surface in round_ones
-        ):
-            help = "solved are flat surfaces and corners"
-            raise Unsolvable(
-                f"`{event.name}` on a curved surface is not solved yet", span=item.pair()[1].span, help=help
-            )
-        if isinstance(event, Fixes) and event.fixes is not None and event.fixes.owner in held:
+        if isinstance(event, Grips):
+            check_grip(event, problem)
+        elif isinstance(event, Fixes) and event.fixes is not None and event.fixes.owner in held:
             message = f"`{event.fixes.owner}` is held by `{held[event.fixes.owner]}` already"
             raise Unsolvable(message, span=event.fixes.span, help="fix a point of a body that moves freely")
+
+
+def check_grip(event: Grips, problem: Problem) -> None:
+    contacts = {item.name: item for item in problem.connections if isinstance(item, Touch)}
+    item = contacts.get(event.grips or "")
+    if item is None:
+        help = f"contacts: {', '.join(sorted(contacts))}" if contacts else "the scene has no contact"
+        raise Unsolvable(f"`{event.name}` can only grip a contact, and `{event.grips}` is none", help=help)
+    bent = {surface.name for surface in problem.surfaces if isinstance(surface, Curved) and surface.height() is None}
+    if bent & {ref.owner for ref in item.places()}:
+        message = f"`{event.name}` on a curved surface is not solved yet"
+        raise Unsolvable(message, span=item.pair()[1].span, help="solved are flat surfaces and corners")
 
 
 def check_joined(item: Touch, places: list[Surface]) -> None:
@@ -56,10 +55,9 @@ def check_joined(item: Touch, places: list[Surface]) -> None:
     unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
     curved = all(isinstance(place, Curved) for place in places)
     if len(places) > 1 and not (curved and len(places) == 2 and unknown == [True, False]):
+        message = f"these surfaces of `{item.name}` together are not solved yet"
         help = "solved is a track of `profile unknown` that leads into a `hollow` or `dome`"
-        raise Unsolvable(
-            f"these surfaces of `{item.name}` together are not solved yet", span=item.pair()[1].span, help=help
-        )
+        raise Unsolvable(message, span=item.pair()[1].span, help=help)
 
 
 def check_curved(item: Touch, surface: Curved, problem: Problem) -> None:
@@ -72,14 +70,15 @@ def check_curved(item: Touch, surface: Curved, problem: Problem) -> None:
         help = "write `friction: none`, or `any` where it is rough enough"
         raise Unsolvable("a coefficient of friction on a curved surface is not solved yet", span=ref.span, help=help)
     rim = rim_radius(body, ref.point)
-    particle = rim is None and shape_of(body).word == "particle" and surface.word != "corner"
-    if not (rim is not None or particle) or body.parts or body.holes:
-        help = "solved are uniform round bodies" + ("" if surface.word == "corner" else ", and particles")
+    edge = surface.height() is not None
+    fits = rim is not None or (shape_of(body).word == "particle" and not edge)
+    if not fits or body.parts or body.holes:
+        help = "solved are uniform round bodies" + ("" if edge else ", and particles")
         raise Unsolvable(f"`{body.name}` on `{surface.name}` is not solved yet", span=ref.span, help=help)
     for other in held_besides(body.name, item, problem):
         message = f"`{other}` on a body that is on `{surface.name}` is not solved yet"
         raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
-    for room, words in too_large(surface, rim or ZERO):
+    for room, words in too_large(surface, rim or ZERO, on_flat(body.name, problem)):
         if negative(room, problem):
             message = f"`{body.name}` {words} `{surface.name}`"
             raise Unsolvable(message, span=ref.span, help="check the radii and heights")
@@ -87,26 +86,30 @@ def check_curved(item: Touch, surface: Curved, problem: Problem) -> None:
 
 def held_besides(name: str, contact: Touch, problem: Problem) -> Iterator[str]:
     """Strings, springs and the like on a body on a curved surface, and bodies that join it there; not while it is on the floor."""
-    surfaces = {surface.name: surface for surface in problem.surfaces}
-    touches = [item for item in problem.connections if isinstance(item, Touch) and item.pair()[0].owner == name]
-    flat = any(not isinstance(surfaces.get(ref.owner), Curved) for item in touches for ref in item.places())
     gripped = any(isinstance(event, Grips) and event.grips == contact.name for event in problem.events)
-    if flat and not gripped:
+    if on_flat(name, problem) and not gripped:
         return
     for item in problem.connections:
-        if item not in touches and any(ref.owner == name for ref in item.touches()):
+        if not isinstance(item, Touch) and any(ref.owner == name for ref in item.touches()):
             yield item.name
     for event in problem.events:
         if isinstance(event, Joins) and any(ref.owner == name for ref in event.joins):
             yield event.name
 
 
-def too_large(surface: Curved, rim: Formula) -> Iterator[tuple[Formula, str]]:
-    """Lengths that must be positive, and what is the matter where one is not."""
+def on_flat(name: str, problem: Problem) -> bool:
+    """Whether a body touches a floor, slope or wall too."""
+    curved = {surface.name for surface in problem.surfaces if isinstance(surface, Curved)}
+    touches = (item for item in problem.connections if isinstance(item, Touch) and item.pair()[0].owner == name)
+    return any(ref.owner not in curved for item in touches for ref in item.places())
+
+
+def too_large(surface: Curved, rim: Formula, flat: bool) -> Iterator[tuple[Formula, str]]:
+    """Lengths that must be positive, and what is the matter where one is not; a corner is as high as it may be above no floor."""
     circle = surface.circle(rim)
     if circle is not None and not surface.outside:
         yield circle, "does not fit into"
-    if surface.met(rim) is not None:
+    if flat and surface.height() is not None:
         yield rim - (surface.height() or ZERO), "is too small to climb"
 
 

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection
 from dataclasses import dataclass, field
 
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Sum, Symbol, negate
-from rotsolve.core.heading import heading
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, negate
 from rotsolve.core.writing import flat, positive_first
 from rotsolve.solver.step import Ref
 
@@ -61,20 +60,6 @@ def moved_alone(item: Item, name: str) -> Formula | None:
 def put_square(value: Formula, square: Formula, into: Formula) -> Formula:
     """A formula with a square replaced."""
     return value.transform(lambda node: into if node == square else node)
-
-
-def quarters_turned(value: Formula) -> Formula:
-    """A formula with quarter turns taken out of its sines and cosines: sin(φ + π/2) is cos φ."""
-
-    def change(node: Formula) -> Formula:
-        if not isinstance(node, Call) or node.function not in ("sin", "cos"):
-            return node
-        turn = heading(node.arguments[0])
-        if not turn.degrees or turn.degrees % 90 or not turn.terms:
-            return node
-        return turn.sin() if node.function == "sin" else turn.cos()
-
-    return value.transform(change)
 
 
 def only_squared(item: Item, name: str) -> bool:

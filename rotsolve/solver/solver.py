@@ -18,19 +18,9 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
-from rotsolve.solver.item import (
-    Item,
-    inner,
-    isolated,
-    kind_of,
-    monomial,
-    moved_alone,
-    only_squared,
-    put_square,
-    quarters_turned,
-)
+from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
-from rotsolve.solver.textbook import Textbook
+from rotsolve.solver.textbook import Textbook, quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ENTANGLED = "no unknown can be told from the others"

@@ -302,6 +302,39 @@ def test_rod_slides_down_on_ice() -> None:
     assert answer("rod-slips-on-ice", "v") == pytest.approx(-half * rate, rel=1e-9)
 
 
+def test_ladder_leaves_the_wall_where_its_push_ends() -> None:
+    length = 4.0
+
+    def force(angle: float, rate: float) -> float:
+        """Of the angle to the floor, while both ends touch: the centre goes on a circle of half the length."""
+        return -1.5 * G / length * math.cos(angle)
+
+    def push(angle: float, rate: float) -> float:
+        """Acceleration of the centre away from the wall."""
+        return -(math.sin(angle) * force(angle, rate) + math.cos(angle) * rate**2)
+
+    angle, rate = until((math.radians(60), 0.0), force, push)
+    assert answer("ladder-leaves-wall", "phi") == pytest.approx(-math.degrees(angle), rel=1e-9)
+    assert answer("ladder-leaves-wall", "omega") == pytest.approx(-rate, rel=1e-9)
+
+
+def test_rod_tips_over_about_its_foot() -> None:
+    mass, length, beta, start = 2.0, 1.2, math.radians(30), 1e-6
+
+    def force(angle: float, rate: float) -> float:
+        """Of the angle from the vertical, about the foot."""
+        return 1.5 * G / length * math.sin(angle)
+
+    creeping = math.sqrt(1.5 * G / length) * start  # as it leaves the upright place
+    _, rate = until((start, creeping), force, lambda angle, rate: angle - beta)
+    turn, half = force(beta, rate), length / 2
+    up = -half * (math.sin(beta) * turn + math.cos(beta) * rate**2)
+    ahead = half * (math.cos(beta) * turn - math.sin(beta) * rate**2)
+    assert answer("rod-tips-on-floor", "omega") == pytest.approx(rate, rel=1e-8)
+    assert answer("rod-tips-on-floor", "N") == pytest.approx(mass * (G + up), rel=1e-8)
+    assert answer("rod-tips-on-floor", "f") == pytest.approx(-mass * ahead, rel=1e-8)  # positive to the left
+
+
 def test_blow_on_the_end_of_a_rod() -> None:
     mass, length, blow = 2.0, 1.2, 3.0
     places = [x - length / 2 for x in spread(length)]  # two equal masses on a light rod behave like the rod

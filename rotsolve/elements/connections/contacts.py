@@ -175,7 +175,7 @@ class Touch(Connection):
         size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))
         text = ("friction ", size, f", {back}")
         yield Force(self.name, "friction", name, size, unit(forward.turned(180)), arm, text, works=False, internal=True)
-        rolling = motion.turns
+        rolling = motion.turns and instant.is_round(name)
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield slip_rule(self.name, label, name, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
