@@ -75,9 +75,8 @@ class Statements:
                 old, new = last.angle(body.name), fresh.angle(body.name)
                 if new is not None:
                     same = old is not None and fresh.offset(body.name) == last.offset(body.name)
-                    turned = last.orientation(body.name) + fresh.offset(
-                        body.name
-                    )  # a new hinge counts from its own side
+                    # a new hinge counts the angle from its own side
+                    turned = last.orientation(body.name) + fresh.offset(body.name)
                     self._set(new, old if same and old is not None else turned.formula())
                 if body.name not in touched and "all" not in touched:
                     for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
@@ -154,11 +153,11 @@ class Statements:
         if after is not None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
         item = next((item for item in self.arrangement.connections(state.name) if item.name == contact), None)
-        if not isinstance(item, Touch):
-            raise NotYet(f"`{contact}` does not act at `{state.name}`")
+        surface = item.surface(self.arrangement, state.name) if isinstance(item, Touch) else None
+        if surface is None or item is None:
+            raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
-        surface = item.surface(self.arrangement, state.name)
-        label = f"{spoken(item.pair()[0].owner)} leaves the {spoken(surface.name) if surface else ''}"
+        label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
         self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
 
     def _letter(self, state: str, path: Path) -> Formula:

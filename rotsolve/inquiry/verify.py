@@ -190,12 +190,15 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
             key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
             if key in told or not concerns(need, inquiry):
                 continue
-            gap = aside.settled(need.left - need.right) or inquiry.apart().settled(need.left - need.right)
+            judge, gap = aside, aside.settled(need.left - need.right)
+            if gap is None:
+                judge = inquiry.apart()
+                gap = judge.settled(need.left - need.right)
             sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
-            words = said(need, inquiry, composer, aside, touching=sign == 0) if sign >= 0 else ()
+            words = said(need, inquiry, composer, judge, touching=sign == 0) if sign >= 0 else ()
             if sign >= 0 and words not in spoken_of and len(spoken_of) < 3:
                 spoken_of.append(words)
                 yield Check(words)

@@ -98,7 +98,7 @@ def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
         first, last = passage.start.body(body.name), passage.end.body(body.name)
         if first is None or last is None or body.motion.kind != "plane":
             continue
-        for axis, words in ((RIGHT, "horizontal"), (UP, "vertical")):
+        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
             if all(force.vector.along(axis) == ZERO for force in body.forces):
                 before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
                 label = f"no {words} force: momentum is conserved, {spoken(body.name)}"

@@ -23,10 +23,14 @@ def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
 
 
 def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
-    """Σ τ = 0 of a body in equilibrium about each point where a support or contact acts: its force then has no arm."""
+    """Σ τ = 0 of a free body in equilibrium about each point where a contact acts: its force then has no arm."""
     for body in facts.bodies:
         rates = [size for size, _ in body.centre_acceleration.parts]
-        if not body.motion.turns or any(rate != ZERO for rate in (*rates, body.motion.spin_rate)):
+        if (
+            body.motion.kind == "axis"
+            or not body.motion.turns
+            or any(rate != ZERO for rate in (*rates, body.motion.spin_rate))
+        ):
             continue
         points = dict.fromkeys((force.arm, force.owner) for force in body.forces if force.internal)
         if len({arm for arm, _ in points}) < 2:

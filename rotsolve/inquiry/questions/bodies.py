@@ -65,19 +65,9 @@ class OfBodies(Moment):
             case "angular_velocity" | "angular_acceleration":
                 return self._rate(path.quantity, name)
             case "velocity" | "acceleration":
-                if component in ("x", "y"):
-                    motion = instant.motion(name)
-                    vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
-                    return vector.along(RIGHT if component == "x" else UP)
-                if component in ("tangential", "normal"):
-                    return self._part(name, path.quantity, component)
-                line = instant.line(host)
-                return instant.travel(path.quantity, host, line[1] if line else "")
+                return self._travel(path, host)
             case "height":
-                above = height(host, instant)
-                if above is None:
-                    raise NotYet(f"how high `{name}` is, the scene does not tell")
-                return above
+                return self._height(name, host)
             case "speed":
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
@@ -101,13 +91,27 @@ class OfBodies(Moment):
                 return centre.along(UP if component == "y" else RIGHT)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
 
-    def _part(self, name: str, word: str, component: str) -> Formula:
-        """Part of a body's velocity or acceleration along its line, or towards the centre of its circle."""
-        motion = self.instant.motion(name)
-        vector = motion.velocity if word == "velocity" else motion.acceleration
-        if component == "tangential" and motion.heading is not None:
-            return vector.along(motion.heading)
-        return vector.along(motion.bend.outward.turned(180)) if motion.bend is not None else ZERO
+    def _travel(self, path: Path, host: str) -> Formula:
+        """Velocity or acceleration along a body's line, a component of it, or its part towards the centre of a circle."""
+        motion, orbit = self.instant.motion(path.owner), self.instant.orbit(host)
+        vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component == "normal" and path.quantity == "acceleration" and orbit is not None:
+            if motion.bend is None:
+                raise NotYet(f"how `{path.owner}` bends off its way, the scene does not tell")
+            return vector.along(motion.bend.outward.turned(180))
+        if path.component == "normal":
+            return ZERO
+        line = self.instant.line(host)
+        return self.instant.travel(path.quantity, host, line[1] if line else "")
+
+    def _height(self, name: str, host: str) -> Formula:
+        """Height above the level that the scene counts from."""
+        above = height(host, self.instant)
+        if above is None:
+            raise NotYet(f"how high `{name}` is, the scene does not tell")
+        return above
 
     def _rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body that turns."""
