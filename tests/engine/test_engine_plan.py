@@ -93,7 +93,7 @@ def test_random_triangular_pools_need_just_what_is_reached(seed: int) -> None:
 
 def solver(equations: list[Equation], choose: object = None) -> Solver:
     def first(name: str, roots: object) -> Choice:
-        return 0, ()
+        return Choice(0)
 
     return Solver(equations, (), frozenset({"k", "m", "g", "R"}), {}, choose or first)  # type: ignore[arg-type]
 
