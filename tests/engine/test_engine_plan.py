@@ -120,7 +120,7 @@ def test_a_square_is_solved_by_the_choice_of_root() -> None:
 
     def second(name: str, roots: list[Formula]) -> Choice:
         asked_of.append((name, len(roots)))
-        return 1, ("it falls",)
+        return Choice(1, ("it falls",))
 
     work = solver(equations, second)
     found = work.solve(plan)
