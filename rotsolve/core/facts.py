@@ -21,11 +21,20 @@ def square(value: Formula) -> Formula:
 
 
 @dataclass(frozen=True, slots=True)
+class Bend:
+    """The circle on which a body's centre travels: its radius, and the direction from its centre to the body's."""
+
+    radius: Formula
+    outward: Heading
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """How a body can move, about its reference point (the fixed pivot, else the centre of mass).
 
     kind: 'axis' turns about a fixed point; 'line' travels along `heading` (and turns if `turns`); 'plane' moves freely;
-    'still' does not move. `velocity`, `acceleration` are those of the reference; `spin`, `spin_rate` are ccw ω and α.
+    where the line is a circle, `bend` is that circle and `heading` its tangent; 'still' does not move. `velocity`,
+    `acceleration` are those of the reference; `spin`, `spin_rate` are ccw ω and α.
     `sense` is +1 where the declared positive turn is counterclockwise. `orientation` turns the body's own axes into space.
     """
 
@@ -39,6 +48,7 @@ class Motion:
     heading: Heading | None = None
     orientation: Heading = field(default_factory=Heading)
     reference: Vector = NOWHERE
+    bend: Bend | None = None
 
     def velocity_of(self, arm: Vector) -> Vector:
         """v_P = v + ω × r, r from the reference."""

@@ -71,6 +71,12 @@ class Heading:
         flipped = terms[0][1] < 0
         if flipped:  # the sign of the leading angle is pulled out: cos(−x) = cos x, sin(−x) = −sin x
             terms, rest = tuple((angle, -factor) for angle, factor in terms), -rest
+        only = terms[0] if len(terms) == 1 and not rest else None
+        if only is not None and only[1] == 1 and isinstance(only[0], Call) and only[0].function == "asin":
+            sine = only[0].arguments[0]  # sin(arcsin x) = x
+            value = sine if quarter % 2 else sqrt(ONE - sine**2)
+            minus = quarter % 4 in (1, 2)
+            return negate(value) if minus != (flipped and quarter % 2 == 1) else value
         argument = Heading(rest, terms).formula()
         function = "cos" if quarter % 2 == 0 else "sin"
         # cos(x + 90°) = −sin x, cos(x + 180°) = −cos x, cos(x + 270°) = sin x

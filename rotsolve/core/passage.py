@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.facts import BodyFacts, Facts, Force
 from rotsolve.core.heading import Vector
 
@@ -30,7 +30,8 @@ class Travel:
     end: Formula | None = None
     coordinate: Formula | None = None  # the coordinate at any moment between
     initial: Formula | None = None  # the acceleration at the start of the phase
-    sense: int = 1  # +1 where the positive turn is counterclockwise, as the coordinate counts it
+    sense: int = 1  # +1 where the positive way is counterclockwise, as the coordinate counts it
+    arm: Formula = ONE  # way per unit of the coordinate: the radius of a circle, where that is an angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,6 +79,9 @@ class Meeting:
     place: Vector | None
     blows: tuple[Force, ...]  # impulses on it, as forces with impulse for size, arms from its reference
     twists: tuple[Formula, ...] = ()  # angular impulses of couples on it, counterclockwise
+    held: Formula | None = (
+        None  # moment of inertia about the common point, where the event holds the body there from then on
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -74,7 +74,12 @@ class Inquiry:
         self.planner = Planner(self.pool)
         self.refs: dict[int, Ref] = {}
         self.signs = Signs(
-            self.history, self.givens, self.values, lambda value: self.solver.with_answers(value), self.aside
+            self.history,
+            self.givens,
+            self.values,
+            lambda value: self.solver.with_answers(value),
+            self.aside,
+            self.definition,
         )
         self.running = {"time"} | {
             travel.coordinate.name
@@ -134,9 +139,14 @@ class Inquiry:
             answered = Answered(asked, found, used, (first, len(self.solver.steps)), aside)
         self.known.add(asked.letter)
         self.answered.append(answered)
-        if asked.letter in self.defined and has_calls(asked.formula):
-            self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
+        meant = self.defined.get(asked.letter)
+        if meant is not None and (has_calls(asked.formula) or self._turned_round(meant, first)):
+            self.retired.add(meant)  # a size does not lead back to what it is the size of
         return answered
+
+    def _turned_round(self, definition: int, first: int) -> bool:
+        """Whether a step since the `first` one solved a definition for what it is made of, so that it need not be done again."""
+        return any(step.target == ("law", definition) and step.sources == () for step in self.solver.steps[first:])
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""
@@ -266,6 +276,17 @@ class Inquiry:
             return Inquiry(self.history, (NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
+
+    def apart(self) -> Inquiry:
+        """An inquiry by all laws that knows the answers of this one and leaves no trace in it."""
+        other = Inquiry(self.history, families_for(None))
+        other.solver.solved.update(self.solver.solved)
+        other.known |= {name for name, found in self.solver.solved.items() if found.formula is not None}
+        return other
+
+    def definition(self, letter: str) -> Formula | None:
+        """What an asked letter was defined to stand for."""
+        return self.planner.pool[self.defined[letter]].right if letter in self.defined else None
 
     def settled(self, value: Formula) -> Formula | None:
         """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""

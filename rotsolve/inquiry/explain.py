@@ -172,10 +172,17 @@ def without_angle(history: History) -> tuple[str, str] | None:
         if line.path and line.path.quantity == "angle"
     }
     first, after = timeline.states[0], timeline.after(timeline.states[0].name)
+    said |= {(first.name, owner) for owner in on_unknown_profile(history.arrangement, first.name)}
     for _, owner in sorted(said):
         if (first.name, owner) not in said and first.name and (after is None or after.event is None):
             return owner, first.name
     return None
+
+
+def on_unknown_profile(arrangement: Arrangement, state: str) -> set[str]:
+    """Contacts whose body is on a track of which only heights are known, where no angle is to be told."""
+    orbits = (arrangement.orbit(body.name, state) for body in arrangement.present(state))
+    return {orbit.owner for orbit in orbits if orbit is not None and orbit.radius is None}
 
 
 def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:

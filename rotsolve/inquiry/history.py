@@ -131,6 +131,7 @@ class History:
         yield from turning.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
         yield from turning.law_of_rotation(facts, section)
+        yield from turning.balance_of_torques(facts, section)
         yield from inside.of_pieces(facts, section)
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
@@ -146,6 +147,7 @@ class History:
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
+        yield from momentum.kept_over(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
         if self.varies(interval):
             yield from turning.moments_of_inertia(passage.midst, section)

@@ -8,6 +8,10 @@ from dataclasses import dataclass, field, replace
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.events import Grips
+from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
@@ -63,18 +67,32 @@ class Statements:
             for item in self.arrangement.connections(state.name):
                 for word in item.kept:
                     self._set(fresh.ask(word, item.name), last.ask(word, item.name))
+            self._same_places(before, last, fresh)
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
-                if old is not None and new is not None:
-                    self._set(new, old)
+                if new is not None:
+                    same = old is not None and fresh.offset(body.name) == last.offset(body.name)
+                    # a new hinge counts the angle from its own side
+                    turned = last.orientation(body.name) + fresh.offset(body.name)
+                    self._set(new, old if same and old is not None else turned.formula())
                 if body.name not in touched and "all" not in touched:
                     for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
                         self._set(other, one)
 
+    def _same_places(self, event: Interval, last: Instant, fresh: Instant) -> None:
+        """An event moves nothing: a body stays where it touches a curved surface, also one that it only meets in the event."""
+        met = {event.event.grips} if isinstance(event.event, Grips) else set()
+        acting = {item.name for item in self.arrangement.connections(event.start)} | met
+        for item in self.arrangement.connections(event.end):
+            if isinstance(item, Touch) and item.name in acting:
+                surface = item.surface(self.arrangement, event.end)
+                if isinstance(surface, Curved):
+                    self._set(item.angle(fresh), item.angle(last))
+
     def _touched(self, interval: Interval) -> frozenset[str]:
         """Bodies whose velocities an event changes."""
         found: frozenset[str] = frozenset()
-        for ref in participants(interval.event):  # type: ignore[arg-type]
+        for ref in participants(interval, self.arrangement):
             for state in (interval.start, interval.end):
                 found |= self.arrangement.component(ref.owner, state)
         return found
@@ -84,7 +102,7 @@ class Statements:
 
     def _rates(self, instant: Instant, name: str) -> list[Formula]:
         """The velocity letters of a body at an instant."""
-        motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
+        motion, line = instant.motion(name), instant.line(name)
         rates: list[Formula] = []
         if motion.kind == "line":
             rates.append(instant.travel("velocity", name, line[1] if line else ""))
@@ -112,7 +130,7 @@ class Statements:
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
-            raise NotYet("`leaves` is not solved yet")
+            self._leaves(state, condition, condition.path.owner)
         elif condition.path is not None and condition.word in ("largest", "smallest"):
             rate = RATE_OF.get(condition.path.quantity)
             if rate is None:
@@ -125,6 +143,19 @@ class Statements:
             elif letter != condition.value:
                 label = "stated" if letter.symbols() else "given"
                 self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
+
+    def _leaves(self, state: State, condition: Condition, contact: str) -> None:
+        """A contact is lost where the surface no longer pushes: N = 0."""
+        after = self.arrangement.timeline.after(state.name)
+        if after is not None:
+            raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
+        item = next((item for item in self.arrangement.connections(state.name) if item.name == contact), None)
+        surface = item.surface(self.arrangement, state.name) if isinstance(item, Touch) else None
+        if surface is None or item is None:
+            raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
+        normal = self._letter(state.name, Path(contact, "normal_force"))
+        label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
+        self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""

@@ -184,20 +184,25 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
+    spoken_of: list[Words] = []
     for state in inquiry.history.arrangement.timeline.states:
         for need in inquiry.history.facts(state.name).requirements:
             key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
             if key in told or not concerns(need, inquiry):
                 continue
-            gap = aside.settled(need.left - need.right)
+            judge, gap = aside, aside.settled(need.left - need.right)
+            if gap is None:
+                judge = inquiry.apart()
+                gap = judge.settled(need.left - need.right)
             sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
-            if sign >= 0:
-                if len(told) <= 3:
-                    yield Check(said(need, inquiry, composer, aside, touching=sign == 0))
-            else:
+            words = said(need, inquiry, composer, judge, touching=sign == 0) if sign >= 0 else ()
+            if sign >= 0 and words not in spoken_of and len(spoken_of) < 3:
+                spoken_of.append(words)
+                yield Check(words)
+            elif sign < 0:
                 yield Check(objection(need, state.name, inquiry, composer), False)
 
 

@@ -12,8 +12,10 @@ from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import INSIDE
 from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection, Weld
-from rotsolve.elements.events import Cuts, Joins, Removes
+from rotsolve.elements.connections import Connection, Hinge, Weld
+from rotsolve.elements.connections.connection import Orbit
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.timeline import Timeline, timeline
@@ -55,8 +57,8 @@ class Arrangement:
 
     @cached_property
     def _gone(self) -> dict[str, frozenset[str]]:
-        """Names of what has been cut or removed by each state."""
-        gone: frozenset[str] = frozenset()
+        """Names of what does not act at each state: cut, removed, or a contact that an event has yet to begin."""
+        gone = frozenset(item.name for item in self.gripped)
         result = {self.timeline.states[0].name: gone}
         for interval in self.timeline.intervals:
             event = interval.event
@@ -64,14 +66,36 @@ class Arrangement:
                 gone |= frozenset(event.cuts)
             elif isinstance(event, Removes):
                 gone |= frozenset(event.removes)
+            elif isinstance(event, Grips):
+                gone = (gone | self._left_by(event.grips)) - {event.grips}
+            elif isinstance(event, Fixes) and event.fixes is not None:
+                gone |= self._surfaces_of(event.fixes.owner)
             result[interval.end] = gone
         return result
 
+    @cached_property
+    def gripped(self) -> tuple[Connection, ...]:
+        """The contacts that events begin."""
+        names = {event.grips for event in self.problem.events if isinstance(event, Grips)}
+        return tuple(item for item in self.problem.connections if item.name in names)
+
+    def _left_by(self, contact: str | None) -> frozenset[str]:
+        """The surfaces that a body leaves for a contact: a ball that hits a corner turns about it and leaves the floor."""
+        taken = (item.pair()[0].owner for item in self.gripped if isinstance(item, Touch) and item.name == contact)
+        return frozenset[str]().union(*(self._surfaces_of(owner) for owner in taken))
+
+    def _surfaces_of(self, name: str) -> frozenset[str]:
+        """The contacts of a body with surfaces."""
+        touches = (item for item in self.problem.connections if isinstance(item, Touch))
+        return frozenset(item.name for item in touches if item.pair()[0].owner == name)
+
     def connections(self, state: str) -> tuple[Connection, ...]:
-        """Connections that act at a state."""
+        """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""
         after = self.timeline.after(state)
         absent = self._gone[state] | frozenset(after.without if after and after.event is None else ())
-        return tuple(item for item in self.problem.connections if item.name not in absent)
+        events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
+        held = [Hinge(item.name, hinge=(item.fixes,)) for item in events if isinstance(item, Fixes) and item.fixes]
+        return (*(item for item in self.problem.connections if item.name not in absent), *held)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -142,10 +166,19 @@ class Arrangement:
             track = item.track(body, self, state)
             if track is not None:
                 return track
+        if self.orbit(name, state) is not None:
+            return None
         if body.moves:
             return WORDS[body.moves], body.moves
         hangs = any(item.hangs(body) for item in self.connections(state))
         return (UP, "up") if hangs and self.problem.gravity is not None and self.problem.plane == "vertical" else None
+
+    def orbit(self, name: str, state: str) -> Orbit | None:
+        """The circle on which a body's centre travels: on a curved surface, where no flat one and no pivot holds it."""
+        body, items = self.bodies[name], self.connections(state)
+        if self.pivot(name, state) is not None or any(item.track(body, self, state) is not None for item in items):
+            return None
+        return next((orbit for item in items if (orbit := item.orbit(body, self, state)) is not None), None)
 
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
@@ -200,6 +233,12 @@ class Arrangement:
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
+
+    def says(self, state: str, owner: str, *words: str) -> bool:
+        """Whether a state speaks of a quantity of an element, or says a word about it."""
+        lines = self.timeline.state(state).conditions
+        said = ({line.path.quantity, line.word} for line in lines if line.path is not None and line.path.owner == owner)
+        return any(found & set(words) for found in said)
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

@@ -14,6 +14,7 @@ from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.motion.fits import check_holding, check_surfaces
 from rotsolve.motion.instant import locate
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
@@ -40,6 +41,8 @@ def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
     check_points(problem)
     check_ropes(problem)
+    check_surfaces(problem)
+    check_holding(problem)
     letters = _Letters(problem)
     wheels = {
         ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()

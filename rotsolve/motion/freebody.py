@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, total
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Potential, Requirement, Rule
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Motion, Potential, Requirement, Rule
 from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
@@ -72,7 +72,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         inertia,
         motion,
         own.cm.rotated(motion.orientation),
-        axes_of(motion.heading),
+        axes_of(motion),
         positive_sense(body, instant),
         forces,
         couples,
@@ -80,10 +80,16 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
     )
 
 
-def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
-    """Directions along which Newton's second law is written: along and across a line of travel, else right and up."""
+def axes_of(motion: Motion) -> tuple[Heading, ...]:
+    """Directions along which Newton's second law is written: along and across a line of travel, else right and up.
+
+    On a circle the second one points to its centre.
+    """
+    direction = motion.heading
     if direction is None:
         return (RIGHT, UP)
+    if motion.bend is not None:
+        return (direction, motion.bend.outward.turned(180))
     across = direction.turned(90)
     return (direction, across if across.degrees % 360 <= 180 else direction.turned(-90))
 
@@ -91,7 +97,7 @@ def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
 def positive_sense(body: Body, instant: Instant) -> str:
     """The positive sense in words: "down", "clockwise", "down the slope, clockwise"."""
     motion = instant.motion(body.name)
-    line = instant.arrangement.line(body.name, instant.state) if motion.kind == "line" else None
+    line = instant.line(body.name) if motion.kind == "line" else None
     travel = line[1] if line else "right, up" if motion.kind == "plane" else ""
     return ", ".join(part for part in (travel, instant.turn_words(body.name)[0] if motion.turns else "") if part)
 
@@ -108,8 +114,17 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
         name = f"{kind.letter}_total" if members else kind.letter
-        letter = instant.registry.ask(Quantity("inertia", joined, "", "", name, kind.dimension))
+        about = point_of_time(body.name, instant)
+        letter = instant.registry.ask(Quantity("inertia", joined, "", about, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
+
+
+def point_of_time(name: str, instant: Instant) -> str:
+    """The point about which a body turns at this state, where it turns about another one, or freely, at other states."""
+    arrangement = instant.arrangement
+    pivots = {arrangement.pivot(name, state.name) for state in arrangement.timeline.states}
+    pivot = arrangement.pivot(name, instant.state)
+    return pivot.point or "center" if pivot is not None and len(pivots) > 1 else ""
 
 
 def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:

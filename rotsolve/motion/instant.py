@@ -8,16 +8,18 @@ from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import opposite
-from rotsolve.core.facts import Motion, signed
+from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
+from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
 from rotsolve.scene.model import Body, PointRef
 
 TURNS = ("counterclockwise", "clockwise")
+ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
 
 
 @dataclass(frozen=True)
@@ -45,9 +47,12 @@ def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
 
 
 def locate(body: Body, ref: PointRef | None) -> Vector:
-    """Place of a point in a body's own axes; directions in space (rim, top) are not placed here."""
+    """Place of a point in a body's own axes; of a rim, the place that it has while the body stands as drawn."""
     if ref is None or ref.point in (None, "center"):
         return NOWHERE
+    radius = rim_radius(body, ref.point)
+    if ref.point in ON_RIM and radius is not None:
+        return vector(radius, ON_RIM[ref.point])
     if ref.point == "cm":
         return centre_of_mass(pieces(body))
     for name, at in body.points:
@@ -124,7 +129,7 @@ class Instant:
         turns = self.body(name).turns
         if turns:
             return 1 if turns == "counterclockwise" else -1
-        for item in self.arrangement.connections(self.state):
+        for item in (*self.arrangement.connections(self.state), *self.arrangement.gripped):
             natural = item.natural_turn(self.body(name), self.arrangement, self.state)
             if natural:
                 return natural
@@ -152,11 +157,16 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
-        if not rod and not self._speaks_of_angle(name):
+        if not rod and (not self._speaks_of_angle(name) or self._stands(name)):
             return None
         if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
             return None
         return self.ask("angle", name, words=TURNS)
+
+    def _stands(self, name: str) -> bool:
+        """Whether a body slides along as it is drawn, with nothing said of its angle."""
+        flat = self.arrangement.line(name, self.state) is not None
+        return flat and not self.can_turn(name, flat) and not self.arrangement.says(self.state, name, "angle")
 
     def _speaks_of_angle(self, name: str) -> bool:
         return any(
@@ -171,10 +181,9 @@ class Instant:
             base = self.point(member.at)
             own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
             return base + own.rotated(self.orientation(host)) if own.parts else base
-        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}
-        radius = rim_radius(self.body(host), ref.point)
-        if ref.point in fixed and radius is not None:
-            return self._from_reference(host, NOWHERE) + vector(radius, fixed[ref.point])
+        radius, pivot = rim_radius(self.body(host), ref.point), self.arrangement.pivot(host, self.state)
+        if ref.point in ON_RIM and radius is not None and (pivot is None or pivot.point != ref.point):
+            return self._from_reference(host, NOWHERE) + vector(radius, ON_RIM[ref.point])
         return self._from_reference(host, locate(self.body(host), ref))
 
     def _from_reference(self, name: str, place_in_body: Vector) -> Vector:
@@ -195,7 +204,7 @@ class Instant:
             return Motion(
                 "axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name)
             )
-        line = arrangement.line(name, self.state)
+        line, orbit = self.line(name), self.orbit(name)
         turns = self.can_turn(name, line is not None)
         spin, rate = (
             (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
@@ -206,10 +215,33 @@ class Instant:
             direction, words = line
             velocity = vector(self.travel("velocity", name, words), direction)
             acceleration = vector(self.travel("acceleration", name, words), direction)
-            return Motion("line", velocity, acceleration, spin, rate, sense, turns, direction, self.orientation(name))
+            bend = self.bend(orbit) if orbit is not None else None
+            if bend is not None:  # v²/r towards the centre
+                square = self.travel("velocity", name, words) ** 2
+                acceleration = acceleration + vector(square / bend.radius, bend.outward.turned(180))
+            own = self.orientation(name)
+            return Motion("line", velocity, acceleration, spin, rate, sense, turns, direction, own, bend=bend)
         velocity = cartesian(*(self.component("velocity", name, axis) for axis in "xy"))
         acceleration = cartesian(*(self.component("acceleration", name, axis) for axis in "xy"))
         return Motion("plane", velocity, acceleration, spin, rate, sense, turns, None, self.orientation(name))
+
+    def line(self, name: str) -> tuple[Heading, str] | None:
+        """Direction of travel of a body that moves along a line or circle, and the words for its positive sense."""
+        orbit = self.orbit(name)
+        if orbit is None:
+            return self.arrangement.line(name, self.state)
+        return heading(self.place_on(orbit)).turned(90 * orbit.way), orbit.words
+
+    def orbit(self, name: str) -> Orbit | None:
+        return self.arrangement.orbit(name, self.state)
+
+    def place_on(self, orbit: Orbit) -> Formula:
+        """The angle that tells where on its circle a body is."""
+        return self.ask("angle", orbit.owner, words=TURNS)
+
+    def bend(self, orbit: Orbit) -> Bend | None:
+        """The circle of a body's centre at this moment; None on a track of which only heights are known."""
+        return Bend(orbit.radius, heading(self.place_on(orbit))) if orbit.radius is not None else None
 
     def travel(self, word: str, name: str, words: str) -> Formula:
         """Velocity or acceleration along a body's line, counted along its positive sense."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
 from rotsolve.core.directions import opposite
 from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.core.heading import UP, Vector
+from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.passage import Passage, Travel, Work
 from rotsolve.elements.connections import Contact, Hinge
+from rotsolve.elements.connections.connection import Orbit
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
@@ -46,7 +49,7 @@ def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[froze
 
 def displacement(name: str, interval: Interval, instant: Instant) -> Formula:
     """Displacement of a body along its line in a phase, counted along its positive sense."""
-    line = instant.arrangement.line(name, instant.state)
+    line = instant.line(name)
     words = (line[1], opposite(line[1])) if line else ("", "")
     return instant.ask("displacement", name, when=interval.name, words=words)
 
@@ -67,7 +70,7 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
 
 def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
     """The way of a body along its line."""
-    words = first.arrangement.line(name, interval.start)
+    words = first.line(name)
     label = words[1] if words else ""
     before, after = (moment.travel("velocity", name, label) for moment in (first, last))
     moving = middle.travel("velocity", name, label)
@@ -75,7 +78,14 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     acceleration = source.travel("acceleration", name, label)
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
-    return Travel(name, "line", before, after, acceleration, change, pace, moving, initial=initial)
+    travel = Travel(name, "line", before, after, acceleration, change, pace, moving, initial=initial)
+    orbits = [moment.orbit(name) for moment in (first, last, middle)]
+    circle = orbits[0]
+    if circle is None or circle.radius is None or any(orbit != circle for orbit in orbits):
+        return travel
+    start, end, midway = (moment.place_on(circle) for moment in (first, last, middle))
+    start, end = (signed(angle, circle.way) for angle in (start, end))
+    return replace(travel, start=start, end=end, coordinate=midway, sense=circle.way, arm=circle.radius)
 
 
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
@@ -97,8 +107,8 @@ def height_pair(name: str, interval: Interval, first: Instant, last: Instant) ->
     """Heights of a body's reference point at both ends of a phase, from a level that stays; None where geometry does not tell."""
     if not first.arrangement.heavy:
         return (ZERO, ZERO)
-    line = first.arrangement.line(name, interval.start)
-    if first.motion(name).kind == "line" and line is not None:
+    line = first.line(name)
+    if first.orbit(name) is None and first.motion(name).kind == "line" and line is not None:
         rise = line[0].sin()
         return (ZERO, displacement(name, interval, first) * rise if rise != ZERO else ZERO)
     before, after = height(name, first), height(name, last)
@@ -110,6 +120,9 @@ def height(name: str, instant: Instant) -> Formula | None:
     arrangement = instant.arrangement
     if arrangement.pivot(name, instant.state) is not None:
         return ZERO
+    orbit = instant.orbit(name)
+    if orbit is not None:
+        return height_on(orbit, name, instant)
     for item in arrangement.connections(instant.state):
         if isinstance(item, Contact):
             ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)
@@ -120,6 +133,14 @@ def height(name: str, instant: Instant) -> Formula | None:
             base = height_of_point(carrier, instant)
             return None if base is None else base - instant.point(own).along(UP)
     return None
+
+
+def height_on(orbit: Orbit, name: str, instant: Instant) -> Formula:
+    """Height of a body's centre on its circle, ρ sin φ above that of the circle; a letter of its own on a track of unknown profile."""
+    if orbit.radius is None:
+        return instant.ask("height", name)
+    rise = heading(instant.place_on(orbit)).sin()
+    return simplify(orbit.level + orbit.radius * rise, order=instant.arrangement.order)
 
 
 def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:
@@ -168,7 +189,9 @@ def work_of_force(
     """F · displacement along a line plus r × F times the angle turned."""
     name, motion = body.name, body.motion
     amount: Formula = ZERO
-    if motion.kind == "line" and motion.heading is not None:
+    if motion.bend is not None:
+        amount = work_round(vector.along(motion.heading or RIGHT), name, interval, first, last, middle)
+    elif motion.kind == "line" and motion.heading is not None:
         along = vector.along(motion.heading)
         speed = motion.velocity.along(motion.heading)
         amount = work_over(along, displacement(name, interval, first), speed, middle, interval, first, last)
@@ -177,6 +200,18 @@ def work_of_force(
         turned = signed(rotation(name, interval, first), first.sense(name))
         amount = amount + work_over(torque, turned, motion.spin, middle, interval, first, last)
     return amount
+
+
+def work_round(
+    along: Formula, name: str, interval: Interval, first: Instant, last: Instant, middle: Instant
+) -> Formula:
+    """∫ F ρ dφ of the force along a circle; F s where that does not change on the way."""
+    circle = middle.orbit(name)
+    midway = middle.place_on(circle) if circle is not None else ZERO
+    if circle is None or circle.radius is None or not along.symbols() & midway.symbols():
+        return along * displacement(name, interval, first)
+    ends = (moment.place_on(circle) for moment in (first, last))
+    return Integral(signed(along * circle.radius, circle.way), next(iter(midway.symbols())), *ends)
 
 
 def work_over(

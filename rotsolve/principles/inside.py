@@ -10,7 +10,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import Cut, Facts, Inertia, signed
 from rotsolve.core.writing import law, spoken
 from rotsolve.principles.newton import along
-from rotsolve.principles.rotation import rotation_of
+from rotsolve.principles.rotation import rotation_of, torque_about
 
 COST = 4  # above the laws for the whole rod, so that what is found at a cut stands where its diagram is
 
@@ -46,7 +46,7 @@ def about_cut(cut: Cut, section: str) -> Iterator[Equation]:
     """Στ = 0 of a rod in equilibrium, about the cut, where compression and shear have no arm."""
     body, sense = cut.body, cut.body.motion.sense
     away = [force for force in body.forces if force.arm != cut.at]
-    torques: list[Formula] = [signed((force.arm - cut.at).cross(force.vector), sense) for force in away]
+    torques: list[Formula] = [signed(torque_about(cut.at, force), sense) for force in away]
     torques += [signed(couple.torque, sense) for couple in body.couples]
     label = f"balance of torques about the cut, {spoken(body.name)}"
     yield Equation(*law(torques, ZERO), label, section, NEWTON, 3, bodies=(body.name,))

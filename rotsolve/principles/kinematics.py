@@ -25,8 +25,9 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
         else:
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None:
-            change = travel.end - travel.start
-            yield equation(travel.change, change, "angle turned", travel, section, cost=1)
+            change = travel.arm * (travel.end - travel.start)
+            words = "angle turned" if travel.kind == "turn" else "way along the circle"
+            yield equation(travel.change, change, words, travel, section, cost=1)
     if passage.times[0] != passage.times[1]:
         yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, KINEMATICS, 1)
 
@@ -74,5 +75,5 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
         return
     gained = HALF * square(travel.after) - HALF * square(travel.before)
     start, end = (signed(angle, travel.sense) for angle in (travel.start, travel.end))
-    integral = Integral(signed(travel.acceleration, travel.sense), travel.coordinate.name, start, end)
+    integral = Integral(signed(travel.acceleration * travel.arm, travel.sense), travel.coordinate.name, start, end)
     yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)

@@ -10,7 +10,7 @@ from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage
-from rotsolve.core.writing import flat, law, moved, positive_first, spoken
+from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.motion.rigid import tidy
 from rotsolve.principles.rotation import about, response, torques
 
@@ -93,6 +93,19 @@ def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
         yield Equation(left, right, label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
 
 
+def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
+    """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
+    for body in passage.midst.bodies:
+        first, last = passage.start.body(body.name), passage.end.body(body.name)
+        if first is None or last is None or body.motion.kind != "plane":
+            continue
+        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
+            if all(force.vector.along(axis) == ZERO for force in body.forces):
+                before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
+                label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
+                yield Equation(before, after, label, section, ANGULAR_MOMENTUM, 3, bodies=(body.name,))
+
+
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:
     """All that an event keeps or changes: groups as wholes first, then each body with the blows on it."""
     for group in encounter.groups:
@@ -110,8 +123,9 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
     names = tuple(sorted(group))
     pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
     outside = [blow for meeting in members for blow in meeting.blows if not blow.internal]
-    if all(meeting.place is not None for meeting in members):
-        sense = next((item.body.motion.sense for item in members if item.body.motion.turns), 1)
+    alone = pivot is None and len(members) == 1  # its own angular momentum is that about its centre of mass
+    if all(meeting.place is not None for meeting in members) and not alone:
+        sense = next((item.body.motion.sense for item in members if item.body.motion.turns or item.held), 1)
         before = [term for item in members for term in spin_terms(item, sense, after=False)]
         after = [term for item in members for term in spin_terms(item, sense, after=True)]
         torque = [
@@ -151,10 +165,12 @@ def linear(members: list[Meeting], outside: list[Force], section: str, names: tu
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
     """r × m v + I ω of one body about the common point, along a sense; a body on the axis has I about it."""
+    if after and item.held is not None:
+        return [item.held * signed(item.spin_after, sense)]
     velocity, spin = (item.after, item.spin_after) if after else (item.before, item.spin_before)
     terms = [item.inertia * signed(spin, sense)]
     if item.body.motion.kind != "axis" and item.place is not None:
-        terms.append(signed(item.place.cross(velocity.scaled(item.body.mass)), sense))
+        terms.append(signed(multiplied_out(item.place.cross(velocity.scaled(item.body.mass))), sense))
     return [term for term in terms if term != ZERO]
 
 
@@ -181,5 +197,6 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
         pushes += [signed(twist, sense) for twist in item.twists]
         before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
         if flat(pushes) or flat([before, after]):
-            label = f"angular impulse = change of angular momentum, {spoken(body.name)}"
+            about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"
+            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about_centre}"
             yield Equation(*moved([*pushes, before], [after]), label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))

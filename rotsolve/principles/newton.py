@@ -52,6 +52,8 @@ def axis_words(body: BodyFacts, axis: Heading) -> str:
     """Which component is meant, where the law has more than one."""
     if body.along:
         return f", {body.along[body.axes.index(axis)]}"
+    if body.motion.bend is not None:
+        return ", along the circle" if axis == body.motion.heading else ", towards the centre"
     if body.motion.kind == "line":
         path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
         if axis == body.motion.heading:

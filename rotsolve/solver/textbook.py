@@ -9,7 +9,22 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Call, Formula, Integral
+from rotsolve.core.heading import heading
 from rotsolve.solver.step import Found
+
+
+def quarters_turned(value: Formula) -> Formula:
+    """A formula with quarter turns taken out of its sines and cosines: sin(φ + π/2) is cos φ."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Call) or node.function not in ("sin", "cos"):
+            return node
+        turn = heading(node.arguments[0])
+        if not turn.degrees or turn.degrees % 90 or not turn.terms:
+            return node
+        return turn.sin() if node.function == "sin" else turn.cos()
+
+    return value.transform(change)
 
 
 class Textbook:

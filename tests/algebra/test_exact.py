@@ -117,6 +117,7 @@ def show(f: Formula) -> str:
         ("atan2(1,1)", "pi/4"),
         ("atan2(-1,-1)", "-3 pi/4"),
         ("sin(asin(x))", "x"),
+        ("sin(-asin(x*sin(y)))", "-x sin(y)"),
         ("cos(acos(x))", "x"),
         ("tan(atan(x))", "x"),
         ("log(exp(x))", "x"),

@@ -158,10 +158,20 @@ def growth(stored: Formula, facts: Facts) -> Formula:
         if kind in STRETCHES:
             result = result + differentiate(stored, name) * stretch[owner]
         elif kind in PLACES:
-            assert body is not None, name
+            if body is None:  # a place on a curved surface
+                result = result + differentiate(stored, name) * turning(facts)
+                continue
             pace = body.motion.spin if kind == "angle" else body.motion.velocity.along(body.motion.heading or UP)
             result = result + differentiate(stored, name) * pace
     return result
+
+
+def turning(facts: Facts) -> Formula:
+    """Rate, counterclockwise, of the angle of the one body that is on a curved surface."""
+    (body,) = (body for body in facts.bodies if body.motion.bend is not None)
+    bend = body.motion.bend
+    assert bend is not None
+    return body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
 
 
 def known_dimensions(history: History) -> dict[str, Dimension]:

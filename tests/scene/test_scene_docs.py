@@ -18,7 +18,6 @@ LATER = """title: Words that come later
 up: z
 assume: [fast spin]
 given: {m: 2 kg, a: 1 m, w: 3 rad/s, rho: 3 kg/m^3}
-surfaces: {bowl: {hollow: a}, hill: {dome: a}, edge: {corner: [0, a]}, track: profile unknown}
 bodies:
   top: {shape: cone, mass: m, radius: a/2, length: a, axis: z}
   box: {shape: cuboid, mass: m, sides: [a, a, 2*a], thickness: a}
@@ -31,8 +30,7 @@ connections:
   slide: {rides: [box, beam]}
   pin: {hinge: egg.center, along: [0, 0, 1]}
 actions: {brake: {press: 3 N, on: top, friction: 0.3}}
-states: {now: {top.spin: w, steady: true, top.angle from up: 30 deg}, then: {}}
-events: {stop: {fixes: beam.end, from: now, to: then}, hold: {grips: slide, from: now, to: then}}
+states: {now: {top.spin: w, steady: true, top.angle from up: 30 deg}}
 find: {P: top.precession, T: period of small swings, x: angle of beam from box}
 """
 
@@ -52,7 +50,7 @@ def test_words_that_come_later_are_refused_by_name() -> None:
     others = [fault for fault in caught.value.faults if fault.kind != "not yet"]
     assert [fault.message for fault in others] == []
     named = {fault.message.split("`")[1] for fault in caught.value.faults}
-    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "rides", "press", "fixes", "grips", "steady"} <= named
+    assert {"up: z", "cone", "cuboid", "ball", "clamp", "rides", "press", "steady"} <= named
     assert {"spin", "precession", "period of", "angle of", "inertia tensor", "assume"} <= named
 
 

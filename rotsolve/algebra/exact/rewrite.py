@@ -157,7 +157,8 @@ class Rewriter:
         vector, turns, quarters = angles.split_pi(angles.linear(argument, self.order))
         if not vector:
             return angles.turn(self._constant(turns), quarters)
-        if any(term in self.shares or _is_inverse(term) for term in vector) and not _holds(argument, TRIG):
+        whole = len(vector) == 1 and all(abs(value) == 1 for value in vector.values())  # sin(arcsin(k sin x)) = k sin x
+        if any(term in self.shares or _is_inverse(term) for term in vector) and (whole or not _holds(argument, TRIG)):
             shares = {term: lcm(self.shares.get(term, 1), value.denominator) for term, value in vector.items()}
             if all(abs(value * shares[term]) <= MULTIPLE_LIMIT for term, value in vector.items()):
                 pair: SinCos = self._constant(turns)

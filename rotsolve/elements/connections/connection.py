@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule
 from rotsolve.core.heading import Heading
 from rotsolve.scene.model import Body, PointRef
@@ -15,6 +16,21 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 Fact = Force | Couple | Rule | Requirement | Potential
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
+
+    `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
+    positive travel goes counterclockwise.
+    """
+
+    owner: str
+    radius: Formula | None
+    level: Formula
+    way: int
+    words: str
 
 
 @dataclass(frozen=True)
@@ -49,6 +65,10 @@ class Connection:
 
     def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
         """Line along which it makes a body travel, with the words for the positive sense."""
+        return None
+
+    def orbit(self, body: Body, arrangement: Arrangement, state: str) -> Orbit | None:
+        """Circle along which it makes a body's centre travel."""
         return None
 
     def hangs(self, body: Body) -> bool:

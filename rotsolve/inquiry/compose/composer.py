@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
@@ -115,7 +116,7 @@ class Composer:
         """Free-body diagrams in words of the bodies whose dynamics a section uses."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
-        facts = self._facts_of(draft.key)
+        facts = self._facts_of(draft)
         if facts is None:
             return ()
         needed = {name for equation in equations for name in equation.symbols()}
@@ -123,9 +124,15 @@ class Composer:
             self._force_line(body.name, facts, needed, draft.laws) for body in facts.diagrams if body.name in names
         )
 
-    def _facts_of(self, key: str) -> Facts | None:
-        """The facts that a section is about: of its state, or of its phase; none of an event."""
-        timeline = self.history.arrangement.timeline
+    def _facts_of(self, draft: Draft) -> Facts | None:
+        """The facts that a section is about: of its state, or of its phase; none of an event.
+
+        Where the section of a phase writes Newton's laws at one state alone, they are those of that state.
+        """
+        timeline, key = self.history.arrangement.timeline, draft.key
+        moments = {self.pool[index].section for index in draft.laws if self.pool[index].family == NEWTON}
+        if len(moments) == 1 and moments <= set(timeline.order):
+            key = moments.pop()
         interval = timeline.interval(key)
         if interval is not None:
             if interval.event is not None:
@@ -192,7 +199,7 @@ class Composer:
         """Letters of the forces that a free-body diagram names, supports left out."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
-        facts = self._facts_of(draft.key)
+        facts = self._facts_of(draft)
         for body in facts.diagrams if facts is not None else ():
             if body.name in names:
                 for item in body.acting:
@@ -269,7 +276,8 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            words = (owner, spoken(line.path.quantity), line.path.component, value)
+            parts.append(" ".join(word for word in words if word))
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 

@@ -33,7 +33,11 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
     order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+    return [
+        draft
+        for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, len(order)))
+        if draft.laws or draft.steps
+    ]
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:

@@ -15,7 +15,7 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.answering import Answered, Inquiry, families_for
+from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -93,7 +93,7 @@ class Results:
         for axis in (UP, RIGHT):
             component = self.inquiry.solver.with_answers(self._solved(vector.along(axis)))
             if any(SEPARATOR in name for name in component.symbols()):
-                component = Inquiry(self.inquiry.history, families_for(None)).settled(component) or component
+                component = self.inquiry.apart().settled(component) or component
             try:
                 sides.append(evaluate(component, self.inquiry.values, digits=3).sign or 0)
             except (Undefined, ValueError):

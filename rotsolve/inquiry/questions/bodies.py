@@ -13,6 +13,7 @@ from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
+from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
@@ -87,12 +88,9 @@ class OfBodies(Moment):
             case "angular_velocity" | "angular_acceleration":
                 return self._rate(path.quantity, name)
             case "velocity" | "acceleration":
-                if component in ("x", "y"):
-                    motion = instant.motion(name)
-                    vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
-                    return vector.along(RIGHT if component == "x" else UP)
-                line = instant.arrangement.line(host, instant.state)
-                return instant.travel(path.quantity, host, line[1] if line else "")
+                return self._travel(path, host)
+            case "height":
+                return self._height(name, host)
             case "speed":
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
@@ -115,6 +113,28 @@ class OfBodies(Moment):
                 centre = instant.frame(name).cm + instant.frame(name).reference
                 return centre.along(UP if component == "y" else RIGHT)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+
+    def _travel(self, path: Path, host: str) -> Formula:
+        """Velocity or acceleration along a body's line, a component of it, or its part towards the centre of a circle."""
+        motion, orbit = self.instant.motion(path.owner), self.instant.orbit(host)
+        vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component == "normal" and path.quantity == "acceleration" and orbit is not None:
+            if motion.bend is None:
+                raise NotYet(f"how `{path.owner}` bends off its way, the scene does not tell")
+            return vector.along(motion.bend.outward.turned(180))
+        if path.component == "normal":
+            return ZERO
+        line = self.instant.line(host)
+        return self.instant.travel(path.quantity, host, line[1] if line else "")
+
+    def _height(self, name: str, host: str) -> Formula:
+        """Height above the level that the scene counts from."""
+        above = height(host, self.instant)
+        if above is None:
+            raise NotYet(f"how high `{name}` is, the scene does not tell")
+        return above
 
     def _rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body that turns."""

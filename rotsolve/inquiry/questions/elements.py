@@ -8,7 +8,9 @@ from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.strings import String
+from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
@@ -52,11 +54,21 @@ class OfElements(Moment):
                 stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
                 if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
                     return stored.elongation
+            case "angle" if (contact := self._contact(path.owner)) is not None:
+                return contact.angle(self.instant)
             case "angle" | "angular_velocity" | "angular_acceleration":
                 name = self._turned_by(path.owner)
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
         raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+
+    def _contact(self, owner: str) -> Touch | None:
+        """The contact of a body with a curved surface that a path names."""
+        state = self.instant.state
+        items = (item for item in self.instant.arrangement.connections(state) if item.name == owner)
+        item = next((item for item in items if isinstance(item, Touch)), None)
+        surface = item.surface(self.instant.arrangement, state) if item is not None else None
+        return item if isinstance(surface, Curved) else None
 
     def _absent(self, owner: str) -> bool:
         """Whether an action or connection has ended or been cut by this moment."""
