@@ -93,7 +93,11 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
 
 def check_law(inquiry: Inquiry, law: str) -> None:
     """A law asked for must have a part in the solution."""
-    used = {inquiry.planner.pool[index].family for answered in inquiry.answered for index in answered.used}
+    used = {
+        inquiry.planner.pool[index].family
+        for answered in (*inquiry.way, *inquiry.answered)
+        for index in answered.used
+    }
     problem = inquiry.history.arrangement.problem
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
@@ -209,7 +213,7 @@ def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
 
 def equations_text(inquiry: Inquiry, composer: Composer) -> str:
     """All equations written, one a line, those that the plan used marked."""
-    used = {index for answered in inquiry.answered for index in answered.used}
+    used = {index for answered in (*inquiry.way, *inquiry.answered) for index in answered.used}
     names = all_names(inquiry, composer)
     lines = []
     for index, equation in enumerate(inquiry.history.equations):

@@ -15,6 +15,7 @@ from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.signs import Signs, positive_letters
+from rotsolve.inquiry.swings.settling import settle
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
@@ -55,6 +56,7 @@ class Inquiry:
     spare: bool = False  # whether second-choice equations may be used from the start
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
+    way: list[Answered] = field(default_factory=list)  # what was settled on the way to an answer
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
@@ -81,6 +83,7 @@ class Inquiry:
             and GENERIC in travel.coordinate.name
         }
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
+        self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
         self.solver = Solver(
             self.planner.pool,
             self._order(),
@@ -113,9 +116,14 @@ class Inquiry:
         finally:
             if extra is not None:
                 self.retired.add(extra)
+            for swing in asked.swings:  # what depends on the displacement serves no other question
+                self.known -= {swing.coordinate.name, swing.acceleration.name}
+                self.solver.solved.pop(swing.acceleration.name, None)
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
+        for swing in asked.swings:
+            settle(swing, self, asked.letter)
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
                 Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
@@ -132,6 +140,21 @@ class Inquiry:
         if asked.letter in self.defined and has_calls(asked.formula):
             self.retired.add(self.defined[asked.letter])  # a size does not lead back to what it is the size of
         return answered
+
+    def step(self, letter: str) -> Found:
+        """Settle a letter on the way to an answer, with a derivation of its own."""
+        first = len(self.solver.steps)
+        asked = Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
+        found, used = self._settle(asked)
+        self.way.append(Answered(asked, found, used, (first, len(self.solver.steps))))
+        self.known.add(letter)
+        return found
+
+    def replaced(self, letter: str, equation: Equation) -> None:
+        """Put an approximation in the place of what was found for a letter."""
+        self.planner.extend(equation)
+        del self.solver.solved[letter]
+        self.known.discard(letter)
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""

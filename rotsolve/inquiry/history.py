@@ -15,6 +15,8 @@ from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
+from rotsolve.inquiry.swings.placing import Placing
+from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
@@ -23,7 +25,9 @@ from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.scene.model import Condition
+from rotsolve.scene.model import Condition, Term
+
+OSCILLATING = ("period", "frequency", "angular_frequency")
 
 
 @dataclass
@@ -79,6 +83,25 @@ class History:
         return result
 
     @cached_property
+    def swings(self) -> dict[str, Swing]:
+        """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
+        values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+        placing = Placing(self.arrangement, self.registry, self.modes, values)
+        found: dict[str, Swing] = {}
+        for find in self.arrangement.problem.finds:
+            for term in find.terms:
+                if term.path.quantity in OSCILLATING and question_of(term) not in found:
+                    try:
+                        found[question_of(term)] = placing.swing(term)
+                    except NotYet as error:
+                        raise NotYet(str(error), error.span or find.span, error.help) from None
+        return found
+
+    def swing(self, term: Term) -> Swing:
+        """The swing that a term speaks of."""
+        return self.swings[question_of(term)]
+
+    @cached_property
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
@@ -105,6 +128,8 @@ class History:
                 yield from momentum.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
+        for swing in self.swings.values():
+            yield from swing.equations()
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
@@ -178,6 +203,11 @@ class History:
                     yield Equation(
                         left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
                     )
+
+
+def question_of(term: Term) -> str:
+    """What tells the swings of one question from those of another: the body and the state."""
+    return SEPARATOR.join((term.path.owner, term.at or "", term.start or ""))
 
 
 __all__ = ["History", "NotYet"]

@@ -88,7 +88,7 @@ class Signs:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when)
-        if quantity.kind in ("time", "tension", "mass", "normal_force"):
+        if quantity.kind in ("time", "tension", "mass", "normal_force", "period", "frequency", "angular_frequency"):
             return 1, (Symbol(name), " > 0")
         return 0, ()
 

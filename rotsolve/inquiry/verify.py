@@ -18,6 +18,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
+from rotsolve.inquiry.questions import NotYet
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -85,8 +86,8 @@ def depends(answered: Answered, inquiry: Inquiry) -> bool:
 def families(answered: Answered, inquiry: Inquiry) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
     found: set[str] = set()
-    pending, seen = [answered], set()
-    by_letter = {item.asked.letter: item for item in inquiry.answered}
+    by_letter = {item.asked.letter: item for item in (*inquiry.answered, *inquiry.way)}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
     while pending:
         item = pending.pop()
         for index in item.used:
@@ -96,7 +97,7 @@ def families(answered: Answered, inquiry: Inquiry) -> set[str]:
             elif inquiry.refs.get(index, ("law", 0))[0] == "step":
                 found |= {
                     equation.family
-                    for other in inquiry.answered
+                    for other in (*inquiry.way, *inquiry.answered)
                     for k in other.used
                     if (equation := inquiry.planner.pool[k]).family
                 }
@@ -111,7 +112,7 @@ def again(other: Inquiry, answered: Answered) -> Formula | None:
     """The answer by another inquiry's laws, None where they do not give it."""
     try:
         return other.answer(answered.asked).found.formula
-    except NoAnswer:
+    except (NoAnswer, NotYet):
         return None
 
 
@@ -204,7 +205,10 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
 def concerns(need: Requirement, inquiry: Inquiry) -> bool:
     """Whether the body that the requirement is about takes part in the derivation."""
     used = {
-        name for answered in inquiry.answered for index in answered.used for name in inquiry.planner.pool[index].bodies
+        name
+        for answered in (*inquiry.way, *inquiry.answered)
+        for index in answered.used
+        for name in inquiry.planner.pool[index].bodies
     }
     item = next((item for item in inquiry.history.arrangement.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())

@@ -61,7 +61,8 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
 
 @dataclass(frozen=True)
 class Instant:
-    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`.
+    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
+    the equilibrium of its bodies or a moment of their swings about it.
 
     `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
     "slips back" against it. A `virtual`
@@ -74,12 +75,13 @@ class Instant:
     generic: bool = False
     modes: Mapping[str, str] = field(default_factory=dict)
     virtual: bool = False
+    mark: str = GENERIC
     _frames: dict[str, Frame] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
     def when(self) -> str:
-        return GENERIC + self.state if self.generic else self.state
+        return self.mark + self.state if self.generic else self.state
 
     @property
     def moving(self) -> str:
@@ -152,11 +154,18 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
+        if self.swings(name):
+            return self.ask("angle", name, words=TURNS)
         if not rod and not self._speaks_of_angle(name):
             return None
         if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
             return None
         return self.ask("angle", name, words=TURNS)
+
+    def swings(self, name: str) -> bool:
+        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+        hinged = self.generic and self.mark != GENERIC and self.arrangement.pivot(name, self.state) is not None
+        return hinged and self.arrangement.heavy and bool(self.frame(name).cm.parts)
 
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem

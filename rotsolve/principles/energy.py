@@ -91,18 +91,11 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     connections give no power, so their forces do not occur.
     """
     bodies = [body for body in facts.bodies if body.name in group]
-    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
     gains, supplies = (
         [term for body in bodies for term in gain(body)],
         [term for body in bodies for term in supply(body)],
     )
-    spoken_of = {
-        name
-        for term in (*gains, *supplies, *(rule.velocity[0] - rule.velocity[1] for rule in rules))
-        for name in term.symbols()
-    }
-    rates = sorted({name for body in bodies for name in rates_of(body)} & spoken_of)
-    allowed = one_motion(rates, rules)
+    rates, allowed = freedom(facts, group, [*gains, *supplies])
     if allowed is None:
         return
     gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
@@ -114,6 +107,18 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
         )
         label = "power and kinetic energy"
         yield Equation(positive_first([left]), right, label, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
+
+
+def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[list[str], dict[str, Formula] | None]:
+    """The velocity letters of a group that the rules or `terms` speak of, and all of them by one; None where it moves in several ways."""
+    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
+    spoken_of = {
+        name
+        for term in (*terms, *(rule.velocity[0] - rule.velocity[1] for rule in rules))
+        for name in term.symbols()
+    }
+    rates = sorted({name for body in facts.bodies if body.name in group for name in rates_of(body)} & spoken_of)
+    return rates, one_motion(rates, rules)
 
 
 def rates_of(body: BodyFacts) -> set[str]:

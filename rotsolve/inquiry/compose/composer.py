@@ -16,6 +16,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
+from rotsolve.motion.freebody import free_bodies
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solver import Ref, Step
 
@@ -72,7 +73,7 @@ class Composer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self.printed(equation.left), self.printed(equation.right)),
+            Equality(self.printed(equation.left), self.printed(equation.right), equation.relation),
             self.words(remark),
         )
 
@@ -125,6 +126,9 @@ class Composer:
     def _facts_of(self, key: str) -> Facts | None:
         """The facts that a section is about: of its state, or of its phase; none of an event."""
         timeline = self.history.arrangement.timeline
+        for swing in self.history.swings.values():
+            if key in (swing.section, swing.balanced):
+                return free_bodies(swing.near if key == swing.section else swing.rest)
         interval = timeline.interval(key)
         if interval is not None:
             if interval.event is not None:
@@ -227,7 +231,11 @@ class Composer:
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
-        return (("angles from the rightward horizontal, counterclockwise positive",),) if angles else ()
+        result: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+        for swing in self.history.swings.values():
+            what = "angle turned" if swing.turns else "displacement"
+            result.append((self.printed(swing.coordinate), f": {what} from the equilibrium"))
+        return tuple(dict.fromkeys(result))
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:

@@ -23,7 +23,7 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
     placed: set[int] = set()
-    for answered in inquiry.answered:
+    for answered in (*inquiry.way, *inquiry.answered):
         laws = [index for index in answered.used if is_law(index, inquiry)]
         key = home(answered, laws, inquiry)
         draft = drafts.setdefault(key, Draft(key))
@@ -42,9 +42,9 @@ def is_law(index: int, inquiry: Inquiry) -> bool:
 
 
 def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
-    """Laws first, then definitions and rules, as they were written."""
+    """Laws and what approximates them first, then definitions and rules, as they were written."""
     equation = inquiry.planner.pool[index]
-    return (0 if equation.family else 1, index)
+    return (0 if equation.family or equation.relation != "=" else 1, index)
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
@@ -62,6 +62,8 @@ def moments(history: History) -> list[str]:
     result = [timeline.states[0].name]
     for interval in timeline.intervals:
         result += [interval.name, interval.end]
+    for swing in history.swings.values():
+        result += [swing.balanced] * swing.found + [swing.section, swing.harmonic]
     return result
 
 
@@ -69,6 +71,9 @@ def title(key: str, history: History) -> str:
     """Heading of a section."""
     timeline = history.arrangement.timeline
     interval = timeline.interval(key)
+    swinging = next((swing.title(key) for swing in history.swings.values() if swing.title(key)), "")
+    if swinging:
+        return swinging
     if interval is None:
         return f"At {spoken(key)}" if key else ""
     if interval.event is not None:

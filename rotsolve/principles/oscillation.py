@@ -1,0 +1,55 @@
+"""Oscillation: simple harmonic motion, q̈ = −ω₀² q with T = 2π/ω₀, from an acceleration that drives back to the equilibrium."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Number, Symbol, call, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
+
+TWO = Number(Fraction(2))
+
+
+def harmonic(acceleration: Formula, coordinate: Formula, omega: Formula, section: str) -> Equation:
+    """q̈ = −ω₀² q."""
+    right = negate(omega**2 * coordinate)
+    return Equation(acceleration, right, "simple harmonic motion", section, "", 2)
+
+
+def periods(omega: Formula, period: Formula, frequency: Formula, section: str) -> Iterator[Equation]:
+    """T = 2π/ω₀ and f = ω₀/(2π)."""
+    yield Equation(period, TWO * PI / omega, "period", section, "", 1)
+    yield Equation(frequency, omega / (TWO * PI), "frequency", section, "", 1)
+
+
+def restoring(acceleration: Formula, coordinate: Symbol) -> Formula:
+    """Slope of the acceleration at the equilibrium: q̈ ≈ slope · q; negative where it drives back."""
+    return differentiate(acceleration, coordinate.name).substitute({coordinate.name: ZERO})
+
+
+def holds_at_any_size(acceleration: Formula, coordinate: Symbol) -> bool:
+    """Whether an acceleration is proportional to the displacement, however large that is."""
+    return coordinate.name not in differentiate(acceleration, coordinate.name).symbols()
+
+
+def linearised(acceleration: Symbol, exact: Formula, first_order: Formula, coordinate: Symbol, section: str) -> Equation:
+    """q̈ ≈ slope · q for small q, with the approximations that make it so."""
+    remark = approximations(exact, coordinate)
+    return Equation(acceleration, first_order, "small swings", section, "", 1, remark, relation="≈")
+
+
+def approximations(exact: Formula, coordinate: Symbol) -> Words:
+    """sin θ ≈ θ and cos θ ≈ 1, as far as they occur."""
+    used: list[str | Formula] = []
+    for function, value in (("sin", coordinate), ("cos", ONE)):
+        shape = call(function, coordinate)
+        if any(node == shape for node in exact.walk()):
+            used += [", ", shape, " ≈ ", value] if used else [shape, " ≈ ", value]
+    others = any(
+        isinstance(node, Call) and coordinate.name in node.symbols() and node.arguments != (coordinate,)
+        for node in exact.walk()
+    )
+    return ("to first order in ", coordinate) if others or not used else tuple(used)
