@@ -57,6 +57,8 @@ class Inquiry:
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
     way: list[Answered] = field(default_factory=list)  # what was settled on the way to an answer
+    swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
+    displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
@@ -110,20 +112,19 @@ class Inquiry:
 
     def answer(self, asked: Asked, limit: Equation | None = None) -> Answered:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
-        extra = self.planner.extend(limit) if limit is not None else None
+        passing = [self.planner.extend(limit)] if limit is not None else []
         try:
+            for swing, word in asked.swings:
+                passing += settle(swing, word, self, asked.letter)
             return self._answer(asked)
         finally:
-            if extra is not None:
-                self.retired.add(extra)
-            for swing in asked.swings:  # what depends on the displacement serves no other question
+            self.retired.update(passing)
+            for swing, _ in asked.swings:  # what depends on the displacement serves no other question
                 self.known -= {swing.coordinate.name, swing.acceleration.name}
                 self.solver.solved.pop(swing.acceleration.name, None)
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
-        for swing in asked.swings:
-            settle(swing, self, asked.letter)
         if not asked.direct and asked.letter not in self.defined:
             definition = Equation(
                 Symbol(asked.letter), asked.formula, asked.label or "definition", asked.section, "", 1, remark_of(asked)
@@ -149,12 +150,6 @@ class Inquiry:
         self.way.append(Answered(asked, found, used, (first, len(self.solver.steps))))
         self.known.add(letter)
         return found
-
-    def replaced(self, letter: str, equation: Equation) -> None:
-        """Put an approximation in the place of what was found for a letter."""
-        self.planner.extend(equation)
-        del self.solver.solved[letter]
-        self.known.discard(letter)
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""

@@ -40,7 +40,7 @@ class Asked:
     label: str = ""
     section: str = ""
     words: tuple[str, str] = ("", "")
-    swings: tuple[Swing, ...] = ()
+    swings: tuple[tuple[Swing, str], ...] = ()  # with what is asked of each: its period or frequency
 
     @property
     def direct(self) -> bool:
@@ -57,7 +57,8 @@ Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found befo
 
 def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({})) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
-    swings = tuple(history.swing(term) for term in find.terms if term.path.quantity in OSCILLATING)
+    terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
+    swings = tuple((history.swing(term), term.path.quantity) for term in terms)
     return replace(quantity_asked(find, history, earlier), swings=swings)
 
 
@@ -115,7 +116,7 @@ def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
     timeline = history.arrangement.timeline
     if term.path.quantity in OSCILLATING:
         swing = history.swing(term)
-        return Meaning(swing.letter(term.path.quantity), BY_WORD[term.path.quantity].dimension), swing.harmonic
+        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.during is not None:
         interval = timeline.interval(term.during)

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rotsolve.algebra.calculus import differentiate
-from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Number, Symbol, call, negate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Integral, Number, Symbol, call, negate, sqrt
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 
@@ -15,14 +16,32 @@ TWO = Number(Fraction(2))
 
 def harmonic(acceleration: Formula, coordinate: Formula, omega: Formula, section: str) -> Equation:
     """q̈ = −ω₀² q."""
-    right = negate(omega**2 * coordinate)
-    return Equation(acceleration, right, "simple harmonic motion", section, "", 2)
+    return Equation(acceleration, negate(omega**2 * coordinate), "simple harmonic motion", section, "", 2)
 
 
-def periods(omega: Formula, period: Formula, frequency: Formula, section: str) -> Iterator[Equation]:
+def pendulum(acceleration: Formula, angle: Formula, omega: Formula, section: str) -> Equation:
+    """α = −ω₀² sin θ: ω₀ is the angular frequency of small swings."""
+    right = negate(omega**2 * call("sin", angle))
+    return Equation(acceleration, right, "equation of motion of a pendulum", section, "", 2)
+
+
+def periods(omega: Formula, letters: Mapping[str, Formula], section: str, words: str) -> Iterator[Equation]:
     """T = 2π/ω₀ and f = ω₀/(2π)."""
-    yield Equation(period, TWO * PI / omega, "period", section, "", 1)
-    yield Equation(frequency, omega / (TWO * PI), "frequency", section, "", 1)
+    yield Equation(letters["period"], TWO * PI / omega, words, section, "", 1)
+    yield Equation(letters["frequency"], omega / (TWO * PI), "frequency", section, "", 1)
+
+
+def large(angle: Symbol, amplitude: Formula, omega: Formula, letters: Mapping[str, Formula], section: str) -> Iterator[Equation]:
+    """T = (4/ω₀) K(sin²(θ₀/2)): four times the quarter swing ∫ dθ/θ̇, with θ̇² = 2 ω₀² (cos θ − cos θ₀) by energy."""
+    period = letters["period"]
+    gap = TWO * (call("cos", angle) - call("cos", amplitude))
+    quarter = Integral(ONE / (omega * sqrt(gap)), angle.name, ZERO, amplitude)
+    remark: Words = (4 * quarter, ": four quarter swings with ω² = ", omega**2 * gap, " by energy; K is the complete elliptic integral")
+    half = amplitude / 2 if isinstance(amplitude, Symbol) else simplify(amplitude / 2)
+    exact = 4 / omega * call("ellipk", call("sin", half) ** 2)
+    yield Equation(period, exact, "period of large swings", section, "", 1, remark)
+    yield Equation(letters["frequency"], ONE / period, "frequency", section, "", 1)
+    yield Equation(letters["angular_frequency"], TWO * PI / period, "angular frequency", section, "", 1)
 
 
 def restoring(acceleration: Formula, coordinate: Symbol) -> Formula:

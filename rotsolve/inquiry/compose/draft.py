@@ -23,17 +23,24 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
     placed: set[int] = set()
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
+    homes: list[tuple[str, Answered]] = []
     for answered in (*inquiry.way, *inquiry.answered):
-        laws = [index for index in answered.used if is_law(index, inquiry)]
-        key = home(answered, laws, inquiry)
+        homes.append((home(answered, laws_of(answered, inquiry), inquiry), answered))
+    for key, answered in sorted(homes, key=lambda item: order.get(item[0], -1)):
+        laws = laws_of(answered, inquiry)
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
             index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
         )
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     return [draft for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, -1)) if draft.laws or draft.steps]
+
+
+def laws_of(answered: Answered, inquiry: Inquiry) -> list[int]:
+    """The equations behind an answer that are printed as laws."""
+    return [index for index in answered.used if is_law(index, inquiry)]
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:
@@ -48,12 +55,20 @@ def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
-    """The section of the weightiest law of a plan."""
+    """The section of the weightiest law of a plan; of what is made of earlier answers, that of the last of them."""
+    places = {key: place for place, key in enumerate(moments(inquiry.history))}
+    made_of = [
+        other
+        for other in inquiry.answered
+        if other is not answered and other.asked.letter in answered.asked.formula.symbols()
+    ]
+    if made_of and not answered.asked.find.terms:
+        homes = [home(other, laws_of(other, inquiry), inquiry) for other in made_of]
+        return max(homes, key=lambda key: places.get(key, -1))
     if not laws:
         return answered.asked.section
     pool = inquiry.planner.pool
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return max((pool[index].cost, order.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
+    return max((pool[index].cost, places.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
 
 
 def moments(history: History) -> list[str]:
@@ -64,16 +79,18 @@ def moments(history: History) -> list[str]:
         result += [interval.name, interval.end]
     for swing in history.swings.values():
         result += [swing.balanced] * swing.found + [swing.section, swing.harmonic]
-    return result
+    return list(dict.fromkeys(result))
 
 
 def title(key: str, history: History) -> str:
     """Heading of a section."""
     timeline = history.arrangement.timeline
     interval = timeline.interval(key)
-    swinging = next((swing.title(key) for swing in history.swings.values() if swing.title(key)), "")
-    if swinging:
-        return swinging
+    swings = history.swings.values()
+    for swing in swings:
+        if swing.title(key):
+            several = len({other.body for other in swings}) > 1
+            return swing.title(key) + (f", {spoken(swing.body)}" if several else "")
     if interval is None:
         return f"At {spoken(key)}" if key else ""
     if interval.event is not None:

@@ -55,7 +55,7 @@ class Placing:
         terms = [term for body in members for term in (*energy.gain(body), *energy.supply(body))]
         if energy.freedom(bodies, group, terms)[1] is None:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
-        return Swing(body, group, moments.rest, moments.still, moments.near, found)
+        return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
 
     def named(self, state: str) -> Moments:
         """The moments about an equilibrium that is a state of the scene."""

@@ -2,36 +2,68 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
+from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.inquiry.swings.swing import Swing
-from rotsolve.principles.oscillation import holds_at_any_size, linearised, restoring
+from rotsolve.principles.oscillation import harmonic, holds_at_any_size, large, linearised, pendulum, periods, restoring
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.answering import Inquiry
 
 
-def settle(swing: Swing, inquiry: Inquiry, asked: str) -> None:
-    """Everything that comes before the `asked` letter: the equilibrium, the acceleration near it, the angular frequency."""
-    omega = next(iter(swing.letter("angular_frequency").symbols()))
-    if omega in inquiry.solver.solved:
-        return
-    settle_equilibrium(swing, inquiry)
-    inquiry.known.add(swing.coordinate.name)
-    exact = inquiry.solver.with_answers(acceleration_of(swing, inquiry))
-    slope = inquiry.solver.simplify(restoring(exact, swing.coordinate))
-    check_stable(swing, exact, slope, inquiry)
+def settle(swing: Swing, word: str, inquiry: Inquiry, asked: str) -> list[int]:
+    """Everything that comes before the `asked` letter: the equilibrium, the acceleration near it, ω₀, the period (`word`).
+
+    Returns the pool indices of the equations that hold for this question alone.
+    """
+    passing: list[int] = []
+    if swing.harmonic not in inquiry.swung:
+        inquiry.swung.add(swing.harmonic)
+        exact = acceleration_of(swing, inquiry)
+        slope = inquiry.solver.simplify(restoring(exact, swing.coordinate))
+        check_stable(swing, exact, slope, inquiry)
+        motion = large_motion(swing, exact, slope, inquiry) if swing.start else small_motion(swing, exact, slope, inquiry)
+        passing = [inquiry.planner.extend(equation) for equation in motion]
+    for letter in (swing.omega, swing.letters[word]):
+        if isinstance(letter, Symbol) and letter.name != asked and letter.name not in inquiry.solver.solved:
+            inquiry.step(letter.name)
+    return passing
+
+
+def small_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry) -> Iterator[Equation]:
+    """Simple harmonic motion: of any size where the acceleration is proportional to the displacement, else of small swings."""
+    words = "period"
     if not holds_at_any_size(exact, swing.coordinate):
+        words = "period of small swings"
         first_order = inquiry.solver.simplify(slope * swing.coordinate)
-        approximate = linearised(swing.acceleration, exact, first_order, swing.coordinate, swing.harmonic)
-        inquiry.replaced(swing.acceleration.name, approximate)
-    if asked != omega:
-        inquiry.step(omega)
+        yield linearised(swing.acceleration, exact, first_order, swing.coordinate, swing.harmonic)
+        inquiry.solver.solved.pop(swing.acceleration.name, None)
+        inquiry.known.discard(swing.acceleration.name)
+    yield harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+    for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
+        inquiry.planner.extend(equation)
+
+
+def large_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry) -> Iterator[Equation]:
+    """Swings of any size: harmonic ones, and those of a pendulum under its weight."""
+    sine = call("sin", swing.coordinate)
+    if swing.exact and holds_at_any_size(exact, swing.coordinate):
+        yield harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+        equations = periods(swing.omega, swing.letters, swing.harmonic, "period, the same for swings of any size")
+    elif swing.exact and is_zero(exact - slope * sine, inquiry.solver.positive):
+        yield pendulum(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+        equations = large(swing.coordinate, swing.amplitude(), swing.omega, swing.letters, swing.harmonic)
+    else:
+        raise NotYet(f"large swings of `{swing.body}` are not solved yet", help="solved are those of a pendulum under its weight, and harmonic ones")
+    for equation in equations:
+        inquiry.planner.extend(equation)
 
 
 def settle_equilibrium(swing: Swing, inquiry: Inquiry) -> None:
@@ -46,11 +78,15 @@ def settle_equilibrium(swing: Swing, inquiry: Inquiry) -> None:
 
 
 def acceleration_of(swing: Swing, inquiry: Inquiry) -> Formula:
-    """The acceleration as a function of the displacement."""
-    found = inquiry.step(swing.acceleration.name).formula
-    if found is None:
-        raise NotYet(f"how `{swing.body}` swings has no closed form")
-    return found
+    """The acceleration as a function of the displacement; found once."""
+    if swing.acceleration.name not in inquiry.displaced:
+        settle_equilibrium(swing, inquiry)
+        inquiry.known.add(swing.coordinate.name)
+        found = inquiry.step(swing.acceleration.name).formula
+        if found is None:
+            raise NotYet(f"how `{swing.body}` swings has no closed form")
+        inquiry.displaced[swing.acceleration.name] = inquiry.solver.with_answers(found)
+    return inquiry.displaced[swing.acceleration.name]
 
 
 def check_stable(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry) -> None:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.directions import opposite
 from rotsolve.core.equation import Equation
@@ -14,9 +15,10 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
+from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints, energy, momentum, newton, oscillation
+from rotsolve.principles import constraints, energy, momentum, newton
 from rotsolve.principles import rotation as turning
 
 PLACES = ("elongation" + SEPARATOR, "angle" + SEPARATOR)
@@ -28,7 +30,7 @@ class Swing:
     """Bodies of `group` near their equilibrium: `rest` and `near` are the two moments, `still` the same with any small motion.
 
     The coordinate is the angle turned or the way gone by `body` from the equilibrium, along its positive sense. `found` says that
-    the equilibrium was worked out here and is no state of the scene.
+    the equilibrium was worked out here and is no state of the scene; `start` names the state at rest from which a large swing starts.
     """
 
     body: str
@@ -37,6 +39,7 @@ class Swing:
     still: Facts
     near: Instant
     found: bool
+    start: str = ""  # the state at which a large swing starts
 
     @property
     def section(self) -> str:
@@ -51,7 +54,7 @@ class Swing:
     @property
     def harmonic(self) -> str:
         """Key of the section of the period."""
-        return self.section + HARMONIC
+        return self.section + (f" from {self.start}" if self.start else HARMONIC)
 
     @cached_property
     def turns(self) -> bool:
@@ -76,13 +79,43 @@ class Swing:
         headings = {
             self.balanced if self.found else "": "In equilibrium",
             self.section: f"Displaced from {place}",
-            self.harmonic: f"Small swings about {place}",
+            self.harmonic: f"Swings from {spoken(self.start)}" if self.start else f"Small swings about {place}",
         }
         return headings.get(key, "") if key else ""
 
-    def letter(self, word: str) -> Formula:
-        """The period, frequency or angular frequency of the swings."""
-        return self.near.ask(word, self.body)
+    @property
+    def place(self) -> str:
+        """The state whose equilibrium it is; nothing for that of the scene as it is at first."""
+        first = self.near.arrangement.timeline.states[0].name
+        return "" if self.found and self.near.state == first else self.near.state
+
+    @property
+    def omega(self) -> Symbol:
+        """ω₀ of the small swings."""
+        return symbol_of(self.near.ask("angular_frequency", self.body, when=self.place))
+
+    @property
+    def letters(self) -> dict[str, Formula]:
+        """The period, frequency and angular frequency, of small swings or of the large one from its start."""
+        words = ("period", "frequency", "angular_frequency")
+        return {word: self.near.ask(word, self.body, when=self.start or self.place) for word in words}
+
+    @property
+    def exact(self) -> bool:
+        """Whether the laws near the equilibrium hold at any distance from it: no rule and no spring changes its direction."""
+        facts = self.within(free_bodies(moving(self.near)))
+        rates = [stored.rate for stored in facts.potentials if self.group & set(stored.bodies)]
+        return all(rule.linear for rule in facts.rules) and not any(self.coordinate.name in rate.symbols() for rate in rates)
+
+    def amplitude(self) -> Formula:
+        """The angle from the equilibrium at which a large swing starts, at rest."""
+        start = Instant(self.near.arrangement, self.near.registry, self.start, False, self.near.modes)
+        angle, rest = start.angle(self.body), self.rest.angle(self.body)
+        if angle is None or rest is None or any(SEPARATOR in name for name in angle.symbols()):
+            raise NotYet(f"how far `{self.body}` swings is not told", help=f"say `{self.body}.angle` at `{self.start}`")
+        if any(rate != ZERO for rate in rates("velocity", start, self.body)):
+            raise NotYet(f"`{self.body}` is not at rest at `{self.start}`", help="a swing is asked from where it is let go")
+        return simplify(angle - rest)
 
     @cached_property
     def unsettled(self) -> tuple[str, ...]:
@@ -93,7 +126,7 @@ class Swing:
     def balance(self) -> Iterator[Equation]:
         """Σ F = 0 and Σ τ = 0 at an equilibrium that is no state of the scene."""
         if self.found:
-            facts = free_bodies(self.rest)
+            facts = self.within(free_bodies(self.rest))
             yield from newton.second_law(facts, self.balanced)
             yield from turning.law_of_rotation(facts, self.balanced)
             yield from momentum.rate_of_angular_momentum(facts, self.group, self.balanced)
@@ -102,20 +135,23 @@ class Swing:
     def equations(self) -> Iterator[Equation]:
         """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
         yield from self.balance()
-        facts, section = free_bodies(self.near), self.section
+        facts, section = self.within(free_bodies(self.near)), self.section
         yield from turning.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
         yield from turning.law_of_rotation(facts, section)
         yield from constraints.for_accelerations(facts, section)
-        for rule in self.still.rules:
-            changes = displacements(self.rest, self.near)
+        changes = displacements(self.rest, self.near)
+        for rule in self.within(self.still).rules:
             left, right = (side.substitute(changes) for side in rule.velocity)
             yield constraints.written(rule, (left, right), section)
         yield from momentum.rate_of_angular_momentum(facts, self.group, section)
         yield from energy.power(free_bodies(moving(self.near)), self.group, section)
-        omega = self.letter("angular_frequency")
-        yield oscillation.harmonic(self.acceleration, self.coordinate, omega, self.harmonic)
-        yield from oscillation.periods(omega, self.letter("period"), self.letter("frequency"), self.harmonic)
+
+
+    def within(self, facts: Facts) -> Facts:
+        """The facts of the bodies that swing together."""
+        bodies = tuple(body for body in facts.bodies if body.name in self.group)
+        return replace(facts, bodies=bodies, rules=tuple(rule for rule in facts.rules if self.group & set(rule.bodies)))
 
 
 def in_degrees(angle: Formula) -> str:

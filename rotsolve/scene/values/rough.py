@@ -11,6 +11,17 @@ CALLS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "
 CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": math.fabs}
 
 
+def elliptic(m: float) -> float:
+    """K(m) = π/(2 M(1, √(1 − m))) by the arithmetic-geometric mean M."""
+    one, other = 1.0, math.sqrt(1 - m)
+    while abs(one - other) > 1e-15 * one:
+        one, other = (one + other) / 2, math.sqrt(one * other)
+    return math.pi / (2 * one)
+
+
+CALLS["ellipk"] = elliptic
+
+
 def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:
     """The value of a formula as a float; None where a letter has no value or the float range is left."""
     try:
