@@ -94,9 +94,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4) 
 def check_law(inquiry: Inquiry, law: str) -> None:
     """A law asked for must have a part in the solution."""
     used = {
-        inquiry.planner.pool[index].family
-        for answered in (*inquiry.way, *inquiry.answered)
-        for index in answered.used
+        inquiry.planner.pool[index].family for answered in (*inquiry.way, *inquiry.answered) for index in answered.used
     }
     problem = inquiry.history.arrangement.problem
     if used - {""} and law not in used:

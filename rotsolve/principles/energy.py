@@ -113,9 +113,7 @@ def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[
     """The velocity letters of a group that the rules or `terms` speak of, and all of them by one; None where it moves in several ways."""
     rules = [rule for rule in facts.rules if group & set(rule.bodies)]
     spoken_of = {
-        name
-        for term in (*terms, *(rule.velocity[0] - rule.velocity[1] for rule in rules))
-        for name in term.symbols()
+        name for term in (*terms, *(rule.velocity[0] - rule.velocity[1] for rule in rules)) for name in term.symbols()
     }
     rates = sorted({name for body in facts.bodies if body.name in group for name in rates_of(body)} & spoken_of)
     return rates, one_motion(rates, rules)

@@ -31,12 +31,19 @@ def periods(omega: Formula, letters: Mapping[str, Formula], section: str, words:
     yield Equation(letters["frequency"], omega / (TWO * PI), "frequency", section, "", 1)
 
 
-def large(angle: Symbol, amplitude: Formula, omega: Formula, letters: Mapping[str, Formula], section: str) -> Iterator[Equation]:
+def large(
+    angle: Symbol, amplitude: Formula, omega: Formula, letters: Mapping[str, Formula], section: str
+) -> Iterator[Equation]:
     """T = (4/ω₀) K(sin²(θ₀/2)): four times the quarter swing ∫ dθ/θ̇, with θ̇² = 2 ω₀² (cos θ − cos θ₀) by energy."""
     period = letters["period"]
     gap = TWO * (call("cos", angle) - call("cos", amplitude))
     quarter = Integral(ONE / (omega * sqrt(gap)), angle.name, ZERO, amplitude)
-    remark: Words = (4 * quarter, ": four quarter swings with ω² = ", omega**2 * gap, " by energy; K is the complete elliptic integral")
+    remark: Words = (
+        4 * quarter,
+        ": four quarter swings with ω² = ",
+        omega**2 * gap,
+        " by energy; K is the complete elliptic integral",
+    )
     half = amplitude / 2 if isinstance(amplitude, Symbol) else simplify(amplitude / 2)
     exact = 4 / omega * call("ellipk", call("sin", half) ** 2)
     yield Equation(period, exact, "period of large swings", section, "", 1, remark)
@@ -54,7 +61,9 @@ def holds_at_any_size(acceleration: Formula, coordinate: Symbol) -> bool:
     return coordinate.name not in differentiate(acceleration, coordinate.name).symbols()
 
 
-def linearised(acceleration: Symbol, exact: Formula, first_order: Formula, coordinate: Symbol, section: str) -> Equation:
+def linearised(
+    acceleration: Symbol, exact: Formula, first_order: Formula, coordinate: Symbol, section: str
+) -> Equation:
     """q̈ ≈ slope · q for small q, with the approximations that make it so."""
     remark = approximations(exact, coordinate)
     return Equation(acceleration, first_order, "small swings", section, "", 1, remark, relation="≈")

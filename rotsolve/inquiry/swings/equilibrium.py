@@ -73,4 +73,3 @@ def sign(value: Formula, values: Mapping[str, Formula]) -> int | None:
         except (Undefined, ValueError):
             return None
     return found.pop() if len(found) == 1 else None
-

@@ -164,4 +164,3 @@ class Placing:
 
 def angle_key(instant: Instant, name: str) -> str:
     return SEPARATOR.join(("angle", name, "", instant.when))
-

@@ -29,7 +29,9 @@ def settle(swing: Swing, word: str, inquiry: Inquiry, asked: str) -> list[int]:
         exact = acceleration_of(swing, inquiry)
         slope = inquiry.solver.simplify(restoring(exact, swing.coordinate))
         check_stable(swing, exact, slope, inquiry)
-        motion = large_motion(swing, exact, slope, inquiry) if swing.start else small_motion(swing, exact, slope, inquiry)
+        motion = (
+            large_motion(swing, exact, slope, inquiry) if swing.start else small_motion(swing, exact, slope, inquiry)
+        )
         passing = [inquiry.planner.extend(equation) for equation in motion]
     for letter in (swing.omega, swing.letters[word]):
         if isinstance(letter, Symbol) and letter.name != asked and letter.name not in inquiry.solver.solved:
@@ -61,7 +63,10 @@ def large_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
         yield pendulum(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
         equations = large(swing.coordinate, swing.amplitude(), swing.omega, swing.letters, swing.harmonic)
     else:
-        raise NotYet(f"large swings of `{swing.body}` are not solved yet", help="solved are those of a pendulum under its weight, and harmonic ones")
+        raise NotYet(
+            f"large swings of `{swing.body}` are not solved yet",
+            help="solved are those of a pendulum under its weight, and harmonic ones",
+        )
     for equation in equations:
         inquiry.planner.extend(equation)
 

@@ -105,7 +105,9 @@ class Swing:
         """Whether the laws near the equilibrium hold at any distance from it: no rule and no spring changes its direction."""
         facts = self.within(free_bodies(moving(self.near)))
         rates = [stored.rate for stored in facts.potentials if self.group & set(stored.bodies)]
-        return all(rule.linear for rule in facts.rules) and not any(self.coordinate.name in rate.symbols() for rate in rates)
+        return all(rule.linear for rule in facts.rules) and not any(
+            self.coordinate.name in rate.symbols() for rate in rates
+        )
 
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""
@@ -114,7 +116,9 @@ class Swing:
         if angle is None or rest is None or any(SEPARATOR in name for name in angle.symbols()):
             raise NotYet(f"how far `{self.body}` swings is not told", help=f"say `{self.body}.angle` at `{self.start}`")
         if any(rate != ZERO for rate in rates("velocity", start, self.body)):
-            raise NotYet(f"`{self.body}` is not at rest at `{self.start}`", help="a swing is asked from where it is let go")
+            raise NotYet(
+                f"`{self.body}` is not at rest at `{self.start}`", help="a swing is asked from where it is let go"
+            )
         return simplify(angle - rest)
 
     @cached_property
@@ -146,7 +150,6 @@ class Swing:
             yield constraints.written(rule, (left, right), section)
         yield from momentum.rate_of_angular_momentum(facts, self.group, section)
         yield from energy.power(free_bodies(moving(self.near)), self.group, section)
-
 
     def within(self, facts: Facts) -> Facts:
         """The facts of the bodies that swing together."""

@@ -34,7 +34,13 @@ def read_swings(scope: Scope, node: Text, words: list[Piece], modifier: str, cla
         found[rest[0].text], rest = name, rest[2:]
     if rest and not (clauses.outer and rest[0].text == "in" and clauses.read(rest)):
         place = node.part(rest[0].start, rest[-1].end)
-        scope.fault(place, f"{quoted(node.value[rest[0].start : rest[-1].end])} can't follow here", FORM, "find")
+        what = quoted(node.value[rest[0].start : rest[-1].end])
+        scope.fault(
+            place,
+            f"{what} can't follow here",
+            "to reckon with it put it in brackets: `(period of small swings)/2`",
+            "find",
+        )
         return None
     if (kind == SMALL and found["from"]) or (kind == LARGE and (found["about"] or not found["from"])):
         scope.fault(span, "small swings are `about` a state, other ones `from` one", FORM, "find")
