@@ -27,9 +27,10 @@ from rotsolve.inquiry.explain import (
 )
 from rotsolve.inquiry.finds import Unclear, asked
 from rotsolve.inquiry.friction import decide
-from rotsolve.inquiry.history import History
+from rotsolve.inquiry.history import History, term_of
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.sticking import limiting
+from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
@@ -157,14 +158,18 @@ def by_law(inquiry: Inquiry, find: Find) -> None:
 
 
 def extreme(inquiry: Inquiry, find: Find) -> None:
-    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
+    """`largest F where touch sticks`, `smallest k where upright is stable`: the value at which that is only just so."""
     condition = find.where
     assert condition is not None
     history = inquiry.history
-    if condition.path is None or condition.word not in ("sticks", "rolls"):
-        raise NotYet("this `where` is not solved yet", help="solved is `where CONTACT sticks`")
+    if condition.path is None or condition.word not in ("sticks", "rolls", "stable"):
+        raise NotYet("this `where` is not solved yet", help="solved are `where CONTACT sticks` and `where STATE is stable`")
+    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
     bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
     question = asked(bare, history, inquiry.letters())
+    if condition.word == "stable":
+        inquiry.answer(question, verge(history.swing(term_of(condition)), question.letter, modifier, inquiry))
+        return
     state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(history, condition.path.owner, state):
@@ -180,7 +185,6 @@ def extreme(inquiry: Inquiry, find: Find) -> None:
             candidates.append((0.0 if number is None else number, equation))
     if not candidates:
         raise NotYet(f"`{condition.path.owner}` does not come to the point of slipping")
-    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
     pick = max if modifier == "largest" else min
     inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])
 

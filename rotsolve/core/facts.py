@@ -130,6 +130,29 @@ class Potential:
 
 
 @dataclass(frozen=True, slots=True)
+class Turntable:
+    """A body is carried round an upright axis at `rate`; its reference point is at `distance` to the right of the axis."""
+
+    owner: str
+    body: str
+    rate: Formula
+    distance: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """What a turntable does to a body: every piece at x from the axis has the acceleration rate² x towards it.
+
+    `acceleration` is that of the centre of mass; `moment` is what the pieces' m a add up to about the reference, counterclockwise:
+    rate² ∫ x y dm, y up from the reference.
+    """
+
+    rate: Formula
+    acceleration: Vector
+    moment: Formula
+
+
+@dataclass(frozen=True, slots=True)
 class Inertia:
     """Moment of inertia about the body's reference: the letter that the laws use, and the formula that defines it."""
 
@@ -153,6 +176,7 @@ class BodyFacts:
     forces: tuple[Force, ...]
     couples: tuple[Couple, ...]
     round: bool = False
+    sweep: Sweep | None = None
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:
@@ -165,7 +189,8 @@ class BodyFacts:
 
     @property
     def centre_acceleration(self) -> Vector:
-        return self.motion.acceleration_of(self.cm)
+        own = self.motion.acceleration_of(self.cm)
+        return own if self.sweep is None else own + self.sweep.acceleration
 
 
 @dataclass(frozen=True, slots=True)

@@ -25,7 +25,7 @@ from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.scene.model import Condition, Term
+from rotsolve.scene.model import Condition, Path, Term
 
 OSCILLATING = ("period", "frequency", "angular_frequency")
 
@@ -89,7 +89,7 @@ class History:
         placing = Placing(self.arrangement, self.registry, self.modes, values)
         found: dict[str, Swing] = {}
         for find in self.arrangement.problem.finds:
-            for term in find.terms:
+            for term in (*find.terms, *(term_of(line) for line in (find.where,) if line is not None and line.word == "stable")):
                 if term.path.quantity in OSCILLATING and question_of(term) not in found:
                     try:
                         found[question_of(term)] = placing.swing(term)
@@ -203,6 +203,11 @@ class History:
                     yield Equation(
                         left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
                     )
+
+
+def term_of(condition: Condition) -> Term:
+    """The small swings that `STATE is stable` speaks of."""
+    return Term(condition.path or Path("", "period"), at=condition.owner)
 
 
 def question_of(term: Term) -> str:

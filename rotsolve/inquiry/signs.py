@@ -13,6 +13,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.swings.steady import STABLE, stable_roots
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
 
@@ -40,6 +41,10 @@ class Signs:
             real = moved  # the root 0 is the start itself
         if len(real) == 1:
             return real[0][0], ()
+        stable = stable_roots(name, [roots[index] for index, _ in real], self.history, self.values)
+        if stable:
+            real = [real[place] for place in stable]
+            return min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], STABLE
         sign, words = self.expected(name)
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]

@@ -43,7 +43,8 @@ class Statements:
             self._carry_over(state)
             for condition in state.conditions:
                 self._fix(state, condition)
-            if state.balance:
+            if state.balance or state.steady:
+                self._check_steady(state)
                 self._rest(state.name, "all")
                 self._balance(state.name)
         self._driven()
@@ -150,6 +151,14 @@ class Statements:
             if owner in ("all", body.name):
                 for rate in self._rates(instant, body.name):
                     self._set(rate, ZERO)
+
+    def _check_steady(self, state: State) -> None:
+        """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
+        carried = any(item.word == "shaft" for item in self.arrangement.connections(state.name))
+        if state.balance and carried:
+            raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
+        if state.steady and not carried:
+            raise NotYet("`steady: true` is solved on a turning `shaft` only", state.span, "write `balance: true`")
 
     def _balance(self, state: str) -> None:
         """In equilibrium nothing accelerates."""

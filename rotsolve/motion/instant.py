@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
@@ -37,7 +37,7 @@ def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
             base = locate(arrangement.bodies[name], member.at)
             offset = locate(arrangement.bodies[member.name], member.own)
             own = frame(arrangement, member.name, state).pieces
-            items.extend(Piece(item.name, item.mass, item.moment, tidy(base + item.at - offset)) for item in own)
+            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
     reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre

@@ -84,3 +84,58 @@ def test_large_swings_take_as_long_as_the_full_motion(problem: str, name: str) -
 def test_ratio_of_large_to_small_swings_by_the_arithmetic_geometric_mean(degrees: int) -> None:
     ratio = 1 / mpmath.agm(1, mpmath.cos(mpmath.radians(degrees) / 2))
     assert answer(f"swing-from-{degrees}-degrees", "n") == pytest.approx(float(ratio), rel=1e-12)
+
+
+def test_conical_pendulum_by_the_forces_in_the_turning_frame() -> None:
+    """String, weight and centrifugal force hold the bob: F sin θ = m ω² L sin θ and F cos θ = m g, solved by halving."""
+    mass, length, angle = 0.5, 1.2, math.radians(40)
+    rate = bisect(lambda w: mass * w**2 * length * math.sin(angle) / math.tan(angle) - mass * G, 0.1, 50)
+    assert rate == pytest.approx(answer("conical-pendulum", "omega"), rel=1e-10)
+    assert math.hypot(mass * G, mass * rate**2 * length * math.sin(angle)) == pytest.approx(
+        answer("conical-pendulum", "F"), rel=1e-10
+    )
+
+
+def test_swing_ride_by_the_forces_in_the_turning_frame() -> None:
+    mass, reach = 60, 3 + 4 * math.sin(math.radians(30))
+    rate = bisect(lambda w: w**2 * reach - G * math.tan(math.radians(30)), 0.1, 50)
+    assert rate == pytest.approx(answer("swing-ride", "omega"), rel=1e-10)
+    assert math.hypot(mass * G, mass * rate**2 * reach) == pytest.approx(answer("swing-ride", "F"), rel=1e-10)
+
+
+def shaft_torque(angle: float, rate: float) -> float:
+    """Torque about the hinge per mass of the rod of 1.2 m, outwards: centrifugal force and weight summed over its pieces."""
+    length = 1.2
+    outwards = mpmath.quad(lambda s: rate**2 * s * mpmath.sin(angle) * s * mpmath.cos(angle), [0, length]) / length
+    return float(outwards - G * length / 2 * mpmath.sin(angle))
+
+
+def test_rod_on_a_turning_shaft_by_the_pieces_of_the_rod() -> None:
+    angle = bisect(lambda theta: -shaft_torque(theta, 6), 0.1, math.pi / 2)
+    assert math.degrees(angle) == pytest.approx(answer("rod-on-turning-shaft", "theta"), rel=1e-10)
+    assert 2 * 36 * 0.6 * math.sin(angle) == pytest.approx(-answer("rod-on-turning-shaft", "Fx"), rel=1e-10)
+
+
+def test_rod_hangs_straight_down_until_a_small_angle_grows() -> None:
+    limit = bisect(lambda rate: shaft_torque(1e-6, rate), 0.1, 50)
+    assert limit == pytest.approx(answer("rod-on-shaft-stands-out", "omega"), rel=1e-9)
+    per_angle = shaft_torque(1e-6, 2) / 1e-6 / (1.2**2 / 3)
+    assert math.sqrt(-per_angle) == pytest.approx(answer("rod-on-slow-shaft-swings", "omega0"), rel=1e-9)
+
+
+def test_upright_rod_stays_up_while_its_energy_is_least_there() -> None:
+    """U = M g (L/2) cos φ + κ φ²/2 curves upwards at φ = 0 from the limit on."""
+    stiffness, small = answer("upright-rod-on-torsion-spring", "kappa"), 1e-3
+
+    def rise(kappa: float) -> float:
+        return 1.5 * G * 0.4 * (math.cos(small) - 1) + kappa * small**2 / 2
+
+    assert rise(stiffness * 1.001) > 0 > rise(stiffness * 0.999)
+
+
+def bisect(gap: Acceleration, low: float, high: float) -> float:
+    """The place between where a growing function passes zero."""
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap(middle) > 0 else (middle, high)
+    return (low + high) / 2

@@ -52,7 +52,7 @@ def test_words_that_come_later_are_refused_by_name() -> None:
     others = [fault for fault in caught.value.faults if fault.kind != "not yet"]
     assert [fault.message for fault in others] == []
     named = {fault.message.split("`")[1] for fault in caught.value.faults}
-    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "rides", "press", "fixes", "grips", "steady"} <= named
+    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "rides", "press", "fixes", "grips"} <= named
     assert {"spin", "precession", "bending_moment", "angle of", "inertia tensor", "assume"} <= named
 
 

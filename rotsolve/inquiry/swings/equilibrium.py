@@ -10,7 +10,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify, solve_linear
 from rotsolve.algebra.exact.roots import solve_trig
-from rotsolve.algebra.formula import Call, Formula, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.facts import Facts
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.questions import NotYet
@@ -28,10 +28,10 @@ def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formu
     rates, allowed = energy.freedom(still, group, supplies)
     if rates and allowed is None:
         raise NotYet(f"{', '.join(f'`{name}`' for name in sorted(group))} {SEVERAL_WAYS}")
-    equation = next(energy.power(still, group, ""), None)
-    if equation is None:
+    balance = energy.drive(still, group)
+    if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
-    drive = equation.left
+    drive = balance[0] - balance[1]
     letters = [name for name in sorted(drive.symbols()) if name.split(SEPARATOR)[0] in PLACES]
     if not any(inside_function(drive, name) for name in letters):
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None

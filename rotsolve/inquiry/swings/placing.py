@@ -96,7 +96,7 @@ class Placing:
     def state_of(self, term: Term) -> tuple[str, bool]:
         """The state about which it swings, and whether its equilibrium has to be found: a state in balance is one."""
         states = self.arrangement.timeline.states
-        balanced = [state.name for state in states if state.balance]
+        balanced = [state.name for state in states if state.balance or state.steady]
         if term.at is not None:
             if term.at not in balanced:
                 raise NotYet(f"`{term.at}` is not said to be an equilibrium", help="add `balance: true` to the state")

@@ -5,14 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.inquiry.swings.swing import Swing
-from rotsolve.principles.oscillation import harmonic, holds_at_any_size, large, linearised, pendulum, periods, restoring
+from rotsolve.principles.oscillation import approximations, harmonic, holds_at_any_size, large, linearised, pendulum, periods, restoring
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.answering import Inquiry
@@ -108,3 +110,22 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
         raise NotYet(f"nothing drives `{name}` back to {state}: there are no small swings")
     if way == 1:
         raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
+
+
+def verge(swing: Swing, unknown: str, modifier: str, inquiry: Inquiry) -> Equation:
+    """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
+    inquiry.known.add(unknown)
+    slope = inquiry.solver.simplify(restoring(acceleration_of(swing, inquiry), swing.coordinate))
+    inquiry.known -= {unknown, swing.coordinate.name, swing.acceleration.name}
+    exact = inquiry.displaced.pop(swing.acceleration.name)
+    inquiry.solver.solved.pop(swing.acceleration.name)
+    if unknown not in slope.symbols():
+        raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
+    growing = sign(differentiate(slope, unknown), inquiry.values)
+    if growing is not None and growing != (1 if modifier == "largest" else -1):
+        side = "smallest" if modifier == "largest" else "largest"
+        raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
+    first_order = inquiry.solver.simplify(slope * swing.coordinate)
+    approximate = approximations(exact, swing.coordinate)
+    remark: Words = (swing.acceleration, " ≈ ", first_order, ": ", *approximate)
+    return Equation(slope, ZERO, "limit of stability, nothing drives it back", swing.harmonic, "", 2, remark)

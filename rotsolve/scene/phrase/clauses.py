@@ -137,7 +137,7 @@ class Clauses:
 
 
 def condition_phrase(scope: Scope, part: Text) -> Condition | None:
-    """`base sticks`, `Q is smallest`, `rod.angle = 30 deg`."""
+    """`base sticks`, `upright is stable`, `Q is smallest`, `rod.angle = 30 deg`."""
     text = part.value
     words = text.split()
     if len(words) in (2, 3) and scope.kinds.get(words[0]) == "connection" and (len(words) == 2 or words[1] == "is"):
@@ -147,6 +147,8 @@ def condition_phrase(scope: Scope, part: Text) -> Condition | None:
             return Condition(Path(words[0], "", span=part.span), word=words[-1], owner=words[0], span=part.span)
         scope.fault(part, f"`{words[0]}` can't be {quoted(words[-1])}", hint(words[-1], allowed, "it can be"), "choice")
         return None
+    if len(words) == 3 and words[1:] == ["is", "stable"] and scope.kinds.get(words[0]) == "state":
+        return Condition(Path("", "period"), word="stable", owner=words[0], span=part.span)
     if len(words) == 3 and words[1] == "is" and words[2] in EXTREMES:
         path = read_path(scope, part, text.index(words[0]), text.index(words[0]) + len(words[0]))
         return None if path is None else Condition(path, word=words[2], span=part.span)
@@ -162,6 +164,6 @@ def condition_phrase(scope: Scope, part: Text) -> Condition | None:
         found = value(scope, written, Want(name, dimension_word(path.quantity), "x", path.owner))
         return None if found is None else Condition(path, found, span=part.span)
     scope.fault(
-        part, f"{quoted(text)} is no condition", "write `contact sticks`, `path is smallest` or `path = value`", "find"
+        part, f"{quoted(text)} is no condition", "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`", "find"
     )
     return None

@@ -42,8 +42,6 @@ def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
 
 def flag(scope: Scope, key: Text, node: Node) -> bool:
     if isinstance(node, Text) and node.value.strip() == "true":
-        if key.value == "steady":
-            scope.later(key, "steady")
         return True
     scope.fault(node, f"`{key.value}` can only be `true`", "leave the line out otherwise", "choice")
     return False
