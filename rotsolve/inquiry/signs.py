@@ -13,7 +13,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.swings.steady import STABLE, stable_roots
+from rotsolve.inquiry.swings.steady import OUTWARDS, STABLE, on_shaft, stable_roots
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
 
@@ -33,6 +33,9 @@ class Signs:
 
     def choose(self, name: str, roots: Sequence[Formula]) -> Choice | None:
         """The root that is meant, with the reason."""
+        outwards = [index for index, root in enumerate(roots) if root.symbols() - set(self.values)]
+        if outwards and len(roots) > 1 and on_shaft(name, self.history):
+            return outwards[0], OUTWARDS
         real = [(index, number) for index, root in enumerate(roots) if (number := self.number(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None

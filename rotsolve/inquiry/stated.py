@@ -40,6 +40,7 @@ class Statements:
     def take(self) -> list[tuple[Equation, Condition]]:
         """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
         for state in self.arrangement.timeline.states:
+            self._check_shafts(state)
             self._carry_over(state)
             for condition in state.conditions:
                 self._fix(state, condition)
@@ -151,6 +152,14 @@ class Statements:
             if owner in ("all", body.name):
                 for rate in self._rates(instant, body.name):
                     self._set(rate, ZERO)
+
+    def _check_shafts(self, state: State) -> None:
+        """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
+        for item in self.arrangement.connections(state.name):
+            if item.word == "shaft":
+                name = item.touches()[0].owner
+                if len(self.arrangement.component(name, state.name)) > 1:
+                    raise NotYet(f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span)
 
     def _check_steady(self, state: State) -> None:
         """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""

@@ -40,6 +40,8 @@ def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formu
         raise NotYet("where these bodies are in equilibrium is not told", help=STATE_IT)
     slope = differentiate(drive, letters[0]) * turning_rate(letters[0], still, group)
     roots = [candidate.formula for candidate in solve_trig(drive, letters[0])]
+    if not roots:
+        raise NotYet("the equilibrium has no closed form", help=STATE_IT)
     stable = [root for root in roots if sign(slope.substitute({letters[0]: root}), values) == -1]
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)

@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.directions import opposite
 from rotsolve.core.equation import Equation
@@ -119,7 +119,10 @@ class Swing:
             raise NotYet(
                 f"`{self.body}` is not at rest at `{self.start}`", help="a swing is asked from where it is let go"
             )
-        return simplify(angle - rest)
+        amplitude = simplify(angle - rest)
+        if is_zero(call("cos", amplitude) + 1):
+            raise NotYet(f"`{self.body}` is let go straight above its equilibrium, and stays there")
+        return amplitude
 
     @cached_property
     def unsettled(self) -> tuple[str, ...]:
