@@ -163,7 +163,9 @@ def extreme(inquiry: Inquiry, find: Find) -> None:
     assert condition is not None
     history = inquiry.history
     if condition.path is None or condition.word not in ("sticks", "rolls", "stable"):
-        raise NotYet("this `where` is not solved yet", help="solved are `where CONTACT sticks` and `where STATE is stable`")
+        raise NotYet(
+            "this `where` is not solved yet", help="solved are `where CONTACT sticks` and `where STATE is stable`"
+        )
     modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
     bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
     question = asked(bare, history, inquiry.letters())

@@ -160,4 +160,5 @@ QUANTITIES = (
     kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )
+OSCILLATING = ("period", "frequency", "angular_frequency")  # what is asked of swings
 BY_WORD = {entry.word: entry for entry in QUANTITIES}

@@ -9,9 +9,9 @@ from types import MappingProxyType
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import Vector
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.history import OSCILLATING, History
+from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.inquiry.transfers import impulse, potential_change, work

@@ -10,7 +10,9 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
+from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
@@ -25,9 +27,7 @@ from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.scene.model import Condition, Path, Term
-
-OSCILLATING = ("period", "frequency", "angular_frequency")
+from rotsolve.scene.model import Condition, Path, State, Term
 
 
 @dataclass
@@ -88,14 +88,35 @@ class History:
         values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
         placing = Placing(self.arrangement, self.registry, self.modes, values)
         found: dict[str, Swing] = {}
-        for find in self.arrangement.problem.finds:
-            for term in (*find.terms, *(term_of(line) for line in (find.where,) if line is not None and line.word == "stable")):
-                if term.path.quantity in OSCILLATING and question_of(term) not in found:
-                    try:
-                        found[question_of(term)] = placing.swing(term)
-                    except NotYet as error:
-                        raise NotYet(str(error), error.span or find.span, error.help) from None
+        for term, span in (*self._swings_asked(), *self._swings_observed()):
+            if question_of(term) not in found:
+                try:
+                    found[question_of(term)] = placing.swing(term)
+                except NotYet as error:
+                    raise NotYet(str(error), error.span or span, error.help) from None
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                letter = found[question_of(term)].letters[term.path.quantity]
+                if isinstance(letter, Symbol) and line.value is not None:
+                    self.registry.known[letter.name] = line.value
         return found
+
+    def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
+        for find in self.arrangement.problem.finds:
+            where = find.where if find.where is not None and find.where.word == "stable" else None
+            for term in (*find.terms, *([term_of(where)] if where is not None else [])):
+                if term.path.quantity in OSCILLATING:
+                    yield term, find.span
+
+    def _swings_observed(self) -> Iterator[tuple[Term, Span | None]]:
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                yield term, line.span
+
+    @property
+    def observed(self) -> list[Swing]:
+        """The swings of which a state tells the period."""
+        return [self.swing(term) for state in self.arrangement.timeline.states for _, term in observed(state)]
 
     def swing(self, term: Term) -> Swing:
         """The swing that a term speaks of."""
@@ -203,6 +224,13 @@ class History:
                     yield Equation(
                         left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
                     )
+
+
+def observed(state: State) -> Iterator[tuple[Condition, Term]]:
+    """The lines of a state that tell the period or frequency of small swings about it, or about the equilibrium that is found."""
+    for line in state.conditions:
+        if line.path is not None and line.path.quantity in OSCILLATING:
+            yield line, Term(line.path, at=state.name if state.balance or state.steady else None)
 
 
 def term_of(condition: Condition) -> Term:

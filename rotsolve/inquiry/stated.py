@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
@@ -114,6 +115,8 @@ class Statements:
         """Take rest, a quantity with a value, or a word."""
         if condition.rest:
             self._rest(state.name, condition.owner or "all")
+        elif condition.path is not None and condition.path.quantity in OSCILLATING:
+            return  # taken where the swings are placed
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
@@ -159,7 +162,9 @@ class Statements:
             if item.word == "shaft":
                 name = item.touches()[0].owner
                 if len(self.arrangement.component(name, state.name)) > 1:
-                    raise NotYet(f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span)
+                    raise NotYet(
+                        f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span
+                    )
 
     def _check_steady(self, state: State) -> None:
         """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""

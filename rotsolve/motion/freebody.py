@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, total
 from dataclasses import replace
 
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
     BodyFacts,
     Couple,
@@ -59,7 +59,10 @@ def sweep(table: Turntable, instant: Instant) -> Sweep:
     reach = table.distance + own.cm.rotated(orientation).along(RIGHT)
     product = product_about(own.pieces, own.reference, orientation, table.distance)
     if product is None:
-        raise Unsolvable(f"how the mass of `{table.body}` is spread along and across it is not told", span=instant.body(table.body).span)
+        raise Unsolvable(
+            f"how the mass of `{table.body}` is spread along and across it is not told",
+            span=instant.body(table.body).span,
+        )
     moment = simplify(square(table.rate) * product, order=instant.arrangement.order)
     return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
 

@@ -26,7 +26,9 @@ class Piece:
     mass: Formula
     moment: Formula
     at: Vector
-    slender: Formula | None = None  # ∫ (x² − y²) dm about its centre of mass, x along `axis`; None where that is not told
+    slender: Formula | None = (
+        None  # ∫ (x² − y²) dm about its centre of mass, x along `axis`; None where that is not told
+    )
     axis: Heading = RIGHT
 
 

@@ -67,6 +67,15 @@ def test_small_swings_take_as_long_as_the_full_motion(problem: str, name: str) -
     assert period(SMALL[problem, name], TINY, 1e-3) == pytest.approx(answer(problem, name), rel=1e-7)
 
 
+def test_measured_swings_take_the_time_that_was_measured() -> None:
+    kappa, inertia = (answer("torsion-wire-measures-inertia", name) for name in ("kappa", "I"))
+    assert period(lambda q: -kappa * q / (0.5 * 1.2 * 0.08**2), TINY, 1e-3) == pytest.approx(2.4, rel=1e-9)
+    assert period(lambda q: -kappa * q / inertia, TINY, 1e-3) == pytest.approx(3.1, rel=1e-9)
+    g = answer("rod-measures-gravity", "g")
+    fall = period(lambda q: -g * 0.3 * math.sin(q) / (1 / 12 + 0.3**2), TINY, 1e-3)
+    assert fall == pytest.approx(1.525, rel=1e-7)
+
+
 LARGE: dict[tuple[str, str], tuple[Acceleration, float]] = {
     ("swing-from-60-degrees", "T"): (lambda q: -1.5 * G / 1.2 * math.sin(q), math.radians(60)),
     ("swing-from-170-degrees", "T"): (lambda q: -G / 0.75 * math.sin(q), math.radians(170)),

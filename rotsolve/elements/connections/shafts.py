@@ -22,9 +22,7 @@ class Shaft(Connection):
     word = "shaft"
     about = "hinges a point of a body to an upright shaft that turns steadily; the picture is the upright plane that turns with it"
     quantities = ("force", "angle")
-    shaft: tuple[PointRef, ...] = key(
-        "points", "the point held", count=(1, 1), required=True, example="rod.start"
-    )
+    shaft: tuple[PointRef, ...] = key("points", "the point held", count=(1, 1), required=True, example="rod.start")
     turning: Formula | None = key(
         "quantity",
         "angular velocity of the shaft",
@@ -35,7 +33,12 @@ class Shaft(Connection):
         default=None,
     )
     distance: Formula | None = key(
-        "quantity", "how far to the right of the axis the hinge is", dimension="length", letter="b", limits="nonnegative", default=None
+        "quantity",
+        "how far to the right of the axis the hinge is",
+        dimension="length",
+        letter="b",
+        limits="nonnegative",
+        default=None,
     )
 
     def fixed_points(self) -> tuple[PointRef, ...]:

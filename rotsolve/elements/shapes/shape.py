@@ -32,7 +32,7 @@ class Shape:
         return ZERO
 
     def slender(self, mass: Formula) -> Formula | None:
-        """∫ (x² − y²) dm about the centre of mass, x and y along the shape's axes of symmetry; 0 for round ones, None where it is not told."""
+        """∫ (x² − y²) dm about the centre of mass, x and y along the axes of symmetry; 0 for round shapes, None where it is not told."""
         return ZERO if "rim" in self.points else None
 
     def centroid(self) -> Place:

@@ -11,6 +11,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
@@ -276,7 +277,12 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            what = (
+                f"{line.path.quantity} of small swings"
+                if line.path.quantity in OSCILLATING
+                else spoken(line.path.quantity)
+            )
+            parts.append(f"{owner} {what} {value}".strip())
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 

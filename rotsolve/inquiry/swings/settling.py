@@ -7,14 +7,23 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.inquiry.swings.swing import Swing
-from rotsolve.principles.oscillation import approximations, harmonic, holds_at_any_size, large, linearised, pendulum, periods, restoring
+from rotsolve.principles.oscillation import (
+    approximations,
+    harmonic,
+    holds_at_any_size,
+    large,
+    linearised,
+    pendulum,
+    periods,
+    restoring,
+)
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.answering import Inquiry
@@ -112,20 +121,42 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
         raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
 
 
+def slope_in(unknowns: frozenset[str], swing: Swing, inquiry: Inquiry) -> tuple[Formula, Words]:
+    """The slope of the acceleration at the equilibrium while some letters are still unknown, and how it is told."""
+    inquiry.known |= unknowns
+    exact = acceleration_of(swing, inquiry)
+    inquiry.known -= {*unknowns, swing.coordinate.name, swing.acceleration.name}
+    inquiry.solver.solved.pop(swing.acceleration.name, None)
+    slope = inquiry.solver.simplify(restoring(exact, swing.coordinate))
+    first_order = inquiry.solver.simplify(slope * swing.coordinate)
+    if holds_at_any_size(exact, swing.coordinate):
+        return slope, (swing.acceleration, " = ", first_order)
+    return slope, (swing.acceleration, " ≈ ", first_order, ", as ", *approximations(exact, swing.coordinate))
+
+
+def observe(swing: Swing, inquiry: Inquiry) -> None:
+    """Swings of which a state tells the period: what it says of the letters that are asked for."""
+    if swing.harmonic in inquiry.swung:
+        return
+    inquiry.swung.add(swing.harmonic)
+    unknowns = frozenset(given.name for given in inquiry.givens.values() if given.asked)
+    slope, told = slope_in(unknowns, swing, inquiry)
+    way: Words = (swing.acceleration, " = ", negate(swing.omega**2 * swing.coordinate), " and ", *told)
+    inquiry.planner.extend(
+        Equation(swing.omega**2, negate(slope), "simple harmonic motion", swing.harmonic, "", 2, way)
+    )
+    for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):
+        inquiry.planner.extend(equation)
+
+
 def verge(swing: Swing, unknown: str, modifier: str, inquiry: Inquiry) -> Equation:
     """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
-    inquiry.known.add(unknown)
-    slope = inquiry.solver.simplify(restoring(acceleration_of(swing, inquiry), swing.coordinate))
-    inquiry.known -= {unknown, swing.coordinate.name, swing.acceleration.name}
-    exact = inquiry.displaced.pop(swing.acceleration.name)
-    inquiry.solver.solved.pop(swing.acceleration.name)
+    slope, told = slope_in(frozenset((unknown,)), swing, inquiry)
+    inquiry.displaced.pop(swing.acceleration.name)
     if unknown not in slope.symbols():
         raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
     growing = sign(differentiate(slope, unknown), inquiry.values)
     if growing is not None and growing != (1 if modifier == "largest" else -1):
         side = "smallest" if modifier == "largest" else "largest"
         raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
-    first_order = inquiry.solver.simplify(slope * swing.coordinate)
-    approximate = approximations(exact, swing.coordinate)
-    remark: Words = (swing.acceleration, " ≈ ", first_order, ": ", *approximate)
-    return Equation(slope, ZERO, "limit of stability, nothing drives it back", swing.harmonic, "", 2, remark)
+    return Equation(slope, ZERO, "limit of stability, nothing drives it back", swing.harmonic, "", 2, told)

@@ -164,6 +164,9 @@ def condition_phrase(scope: Scope, part: Text) -> Condition | None:
         found = value(scope, written, Want(name, dimension_word(path.quantity), "x", path.owner))
         return None if found is None else Condition(path, found, span=part.span)
     scope.fault(
-        part, f"{quoted(text)} is no condition", "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`", "find"
+        part,
+        f"{quoted(text)} is no condition",
+        "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`",
+        "find",
     )
     return None

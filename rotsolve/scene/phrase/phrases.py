@@ -18,7 +18,7 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
 from rotsolve.scene.phrase.paths import read_path
-from rotsolve.scene.phrase.swings import SWINGS, read_swings
+from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.expressions import expression
@@ -128,9 +128,13 @@ class Reader:
 
     def swings(self, modifier: str, words: list[Piece], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
+        found = read_swings(self.scope, self.node, words, modifier)
+        if found is None:
+            return None
+        term, rest = found
         clauses = Clauses(self.scope, self.node, outer)
-        term = read_swings(self.scope, self.node, words, modifier, clauses)
-        if term is None:
+        if rest and not (outer and rest[0].text == "in" and clauses.read(rest)):
+            trailing(self.scope, self.node, rest)
             return None
         self.phrase.unit = clauses.unit or self.phrase.unit
         self.phrase.terms.append(term)
