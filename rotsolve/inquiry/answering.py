@@ -15,7 +15,7 @@ from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.signs import Signs, positive_letters
-from rotsolve.inquiry.swings.settling import observe, settle
+from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
@@ -114,16 +114,11 @@ class Inquiry:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
         passing = [self.planner.extend(limit)] if limit is not None else []
         try:
-            for swing in self.history.observed:
-                observe(swing, self)
-            for swing, word in asked.swings:
-                passing += settle(swing, word, self, asked.letter)
+            passing += settled(asked, self)
             return self._answer(asked)
         finally:
             self.retired.update(passing)
-            for swing, _ in asked.swings:  # what depends on the displacement serves no other question
-                self.known -= {swing.coordinate.name, swing.acceleration.name}
-                self.solver.solved.pop(swing.acceleration.name, None)
+            release(asked, self)
 
     def _answer(self, asked: Asked) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""

@@ -19,6 +19,7 @@ from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.freebody import free_bodies
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -185,9 +186,9 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
-    for state in inquiry.history.arrangement.timeline.states:
-        for need in inquiry.history.facts(state.name).requirements:
-            key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
+    for place, needs in needed(inquiry):
+        for need in needs:
+            key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
             if key in told or not concerns(need, inquiry):
                 continue
             gap = aside.settled(need.left - need.right)
@@ -199,7 +200,17 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
                 if len(told) <= 3:
                     yield Check(said(need, inquiry, composer, aside, touching=sign == 0))
             else:
-                yield Check(objection(need, state.name, inquiry, composer), False)
+                yield Check(objection(need, place, inquiry, composer), False)
+
+
+def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
+    history = inquiry.history
+    for state in history.arrangement.timeline.states:
+        yield state.name, history.facts(state.name).requirements
+    for swing in history.swings.values():
+        if swing.found:
+            yield swing.near.state, free_bodies(swing.rest).requirements
 
 
 def concerns(need: Requirement, inquiry: Inquiry) -> bool:

@@ -91,7 +91,8 @@ class Placing:
         return self.moment(rest.state, NEAR)
 
     def moment(self, state: str, mark: str) -> Instant:
-        return Instant(self.arrangement, self.registry, state, True, self.modes, mark=mark)
+        """A moment of swings or of their equilibrium: contacts stick, since nothing moves far."""
+        return Instant(self.arrangement, self.registry, state, True, {}, mark=mark)
 
     def state_of(self, term: Term) -> tuple[str, bool]:
         """The state about which it swings, and whether its equilibrium has to be found: a state in balance is one."""

@@ -27,6 +27,21 @@ from rotsolve.principles.oscillation import (
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.answering import Inquiry
+    from rotsolve.inquiry.finds import Asked
+
+
+def settled(asked: Asked, inquiry: Inquiry) -> list[int]:
+    """All that is to be told of swings before a question; pool indices of the equations that hold for it alone."""
+    for swing in inquiry.history.observed:
+        observe(swing, inquiry)
+    return [index for swing, word in asked.swings for index in settle(swing, word, inquiry, asked.letter)]
+
+
+def release(asked: Asked, inquiry: Inquiry) -> None:
+    """Forget what depends on the displacement: it serves no other question."""
+    for swing, _ in asked.swings:
+        inquiry.known -= {swing.coordinate.name, swing.acceleration.name}
+        inquiry.solver.solved.pop(swing.acceleration.name, None)
 
 
 def settle(swing: Swing, word: str, inquiry: Inquiry, asked: str) -> list[int]:
