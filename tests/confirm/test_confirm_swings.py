@@ -34,8 +34,8 @@ def step(place: float, rate: float, time: float, acceleration: Acceleration) -> 
     return place + time / 6 * (k1 + 2 * k2 + 2 * k3 + k4), rate + time / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
 
 
-def period(acceleration: Acceleration, amplitude: float, time: float) -> float:
-    """Four times the time from rest at the amplitude to the equilibrium; the last step is halved down to the crossing."""
+def quarter(acceleration: Acceleration, amplitude: float, time: float) -> float:
+    """The time from rest at the amplitude to the equilibrium; the last step is halved down to the crossing."""
     place, rate, passed = amplitude, 0.0, 0.0
     while time > 1e-13:
         further = step(place, rate, time, acceleration)
@@ -43,7 +43,12 @@ def period(acceleration: Acceleration, amplitude: float, time: float) -> float:
             (place, rate), passed = further, passed + time
         else:
             time /= 2
-    return 4 * passed
+    return passed
+
+
+def period(acceleration: Acceleration, amplitude: float, time: float) -> float:
+    """Twice the quarter swings from either side."""
+    return 2 * (quarter(acceleration, amplitude, time) + quarter(lambda q: -acceleration(-q), amplitude, time))
 
 
 TINY = 1e-4
@@ -55,6 +60,11 @@ SMALL: dict[tuple[str, str], Acceleration] = {
     ("clock-pendulum-nut", "T"): lambda q: -G * (0.3 * 0.4 + 1.2 * 0.8 + 0.15 * 0.3) * math.sin(q) / ROD_WITH_NUT,
     ("spring-pulley-swings", "T"): lambda q: (1.5 * G - 60 * (1.5 * G / 60 + q)) / (2 + 1.5 + 0.5),
     ("rolling-on-a-spring", "T"): lambda q: -200 * q / (3 + 1.5),
+    ("slanting-boom-on-a-spring", "T"): lambda q: (
+        (400 * (6 * G / 800 - 2 * (math.sin(math.pi / 6 + q) - 0.5)) * 2 - 6 * G)
+        * math.cos(math.pi / 6 + q)
+        / (6 * 2**2 / 3)
+    ),
     # an upright spring keeps upright where it is long: its foot moves along with the rod
     ("rod-held-level-swings", "T"): lambda q: (
         (-2 * G * 0.6 - 300 * (-2 * G * 0.6 / (300 * 0.9) + 0.9 * math.sin(q)) * 0.9) * math.cos(q) / (2 * 1.2**2 / 3)

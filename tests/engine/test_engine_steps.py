@@ -19,7 +19,7 @@ Nearby = Callable[[Problem, random.Random], dict[str, float]]
 Sides = tuple[Formula, Formula]
 MOMENT = 0.7  # of the running time, where an equality holds at any
 POINTS = 3
-DISPLACED = 1e-5  # from an equilibrium: small swings hold to first order
+DISPLACED = 1e-8  # from an equilibrium: small swings hold to first order
 
 
 class Place:

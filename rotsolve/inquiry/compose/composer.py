@@ -236,6 +236,7 @@ class Composer:
         for swing in self.history.swings.values():
             what = "angle turned" if swing.turns else "displacement"
             result.append((self.printed(swing.coordinate), f": {what} from the equilibrium"))
+            result += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
         return tuple(dict.fromkeys(result))
 
 

@@ -19,8 +19,10 @@ def on_shaft(name: str, history: History) -> list[tuple[BodyFacts, Formula, Fact
     """Bodies that stand steadily on a turning shaft at an angle that depends on a letter, with that angle and the facts there."""
     found = []
     for state in history.arrangement.timeline.states:
+        if not state.steady:
+            continue
         facts = history.facts(state.name, virtual=True)
-        for body in facts.bodies if state.steady else ():
+        for body in facts.bodies:
             angle = history.instant(state.name).angle(body.name)
             if body.sweep is not None and angle is not None and name in angle.symbols():
                 found.append((body, angle, facts))

@@ -109,6 +109,17 @@ class Swing:
             self.coordinate.name in rate.symbols() for rate in rates
         )
 
+    @cached_property
+    def long(self) -> tuple[str, ...]:
+        """Springs whose ends also move across them, which the laws leave out: they have to be long."""
+        pulls = ((body, force) for body in self.within(self.still).bodies for force in body.forces)
+        moving_across = (
+            force.owner
+            for body, force in pulls
+            if force.role == "spring" and not is_zero(body.motion.velocity_of(force.arm).cross(force.direction))
+        )
+        return tuple(dict.fromkeys(moving_across))
+
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""
         start = Instant(self.near.arrangement, self.near.registry, self.start, False, self.near.modes)
