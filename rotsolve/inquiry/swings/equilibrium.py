@@ -19,7 +19,7 @@ from rotsolve.principles import energy
 PLACES = ("elongation", "angle")  # what balance decides
 SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
 STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
-FILLINGS = ((1, 1), (2, 3), (3, 2), (1, 7), (7, 1))  # values of letters without a number, every other one alike
+EXTREMES = (Fraction(1), Fraction(1000), Fraction(1, 1000))  # values of letters without a number, each in turn
 
 
 def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formula]) -> tuple[str, Formula] | None:
@@ -68,8 +68,8 @@ def sign(value: Formula, values: Mapping[str, Formula]) -> int | None:
         return 0
     open_ = sorted(value.symbols() - set(values))
     found = set()
-    for filling in FILLINGS if open_ else FILLINGS[:1]:
-        filled = {name: Number(Fraction(filling[k % 2])) for k, name in enumerate(open_)}
+    for letter, size in [("", EXTREMES[0]), *((name, size) for name in open_ for size in EXTREMES[1:])]:
+        filled = {name: Number(size if name == letter else EXTREMES[0]) for name in open_}
         try:
             found.add(evaluate(value, {**values, **filled}, digits=5).sign)
         except (Undefined, ValueError):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus import differentiate
@@ -74,7 +75,9 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
         yield linearised(swing.acceleration, exact, first_order, swing.coordinate, swing.harmonic)
         inquiry.solver.solved.pop(swing.acceleration.name, None)
         inquiry.known.discard(swing.acceleration.name)
-    yield harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+    motion = harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+    undecided = sign(slope, inquiry.values) is None
+    yield replace(motion, remark=("stable while ", swing.omega**2, " > 0")) if undecided else motion
     for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
         inquiry.planner.extend(equation)
 
