@@ -195,7 +195,8 @@ def plan_text(inquiry: Inquiry, composer: Composer) -> str:
     names = all_names(inquiry, composer)
     lines = []
     for answered in inquiry.answered:
-        lines.append(f"{answered.asked.find.name}: {plural(len(answered.used), 'equation')}")
+        name = names.get(answered.asked.letter, answered.asked.find.name)
+        lines.append(f"{name}: {plural(len(answered.used), 'equation')}")
         for index in answered.used:
             equation = inquiry.planner.pool[index]
             lines.append(f"  {equation.label or 'found before'}: {in_text(equation, names)}")

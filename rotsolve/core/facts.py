@@ -144,6 +144,29 @@ class Potential:
 
 
 @dataclass(frozen=True, slots=True)
+class Turntable:
+    """A body is carried round an upright axis at `rate`; its reference point is at `distance` to the right of the axis."""
+
+    owner: str
+    body: str
+    rate: Formula
+    distance: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """What a turntable does to a body: every piece at x from the axis has the acceleration rate² x towards it.
+
+    `acceleration` is that of the centre of mass; `moment` is what the pieces' m a add up to about the reference, counterclockwise:
+    rate² ∫ x y dm, y up from the reference.
+    """
+
+    rate: Formula
+    acceleration: Vector
+    moment: Formula
+
+
+@dataclass(frozen=True, slots=True)
 class Inertia:
     """Moment of inertia about the body's reference, of a cut-off piece also its mass: the letter, and the formula that defines it."""
 
@@ -168,6 +191,7 @@ class BodyFacts:
     couples: tuple[Couple, ...]
     round: bool = False
     along: tuple[str, ...] = ()  # what the axes are called, where that is not plain
+    sweep: Sweep | None = None
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:
@@ -180,7 +204,8 @@ class BodyFacts:
 
     @property
     def centre_acceleration(self) -> Vector:
-        return self.motion.acceleration_of(self.cm)
+        own = self.motion.acceleration_of(self.cm)
+        return own if self.sweep is None else own + self.sweep.acceleration
 
 
 @dataclass(frozen=True, slots=True)

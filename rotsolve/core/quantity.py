@@ -141,6 +141,15 @@ QUANTITIES = (
     kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring"),
     kind("turns", "number", "n", (BODY,), "number of turns since the state before"),
     kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`"),
+    kind("period", "time", "T", (), "`period of small swings`: time of one swing to and fro"),
+    kind("frequency", "frequency", "f", (), "`frequency of small swings`: swings in a unit of time"),
+    kind(
+        "angular_frequency",
+        "angular velocity",
+        "omega0",
+        (),
+        "`angular_frequency of small swings`: 2π times the frequency",
+    ),
     kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
     kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
     kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
@@ -152,4 +161,5 @@ QUANTITIES = (
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )
 INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
+OSCILLATING = ("period", "frequency", "angular_frequency")  # what is asked of swings
 BY_WORD = {entry.word: entry for entry in QUANTITIES}

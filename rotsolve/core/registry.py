@@ -12,7 +12,9 @@ from rotsolve.algebra.units.dimension import Dimension
 SEPARATOR = "|"
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
-SPOKEN = {VIRTUAL: "any_", GENERIC: "from_"}  # the marks in a printed letter
+REST = "="  # marks the equilibrium about which a state's bodies swing
+NEAR = "≈"  # marks a moment of their swings
+SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 
 
 @dataclass(frozen=True, slots=True)

@@ -15,6 +15,7 @@ from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.signs import Signs, positive_letters
+from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
@@ -56,6 +57,8 @@ class Inquiry:
     spare: bool = False  # whether second-choice equations may be used from the start
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
+    swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
+    displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     order: list[int] = field(default_factory=list)  # places of the answers in the order in which the scene asks
@@ -90,6 +93,7 @@ class Inquiry:
             and GENERIC in travel.coordinate.name
         }
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
+        self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
         self.solver = Solver(
             self.planner.pool,
             self._order(),
@@ -117,12 +121,13 @@ class Inquiry:
 
     def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
-        extra = self.planner.extend(limit) if limit is not None else None
+        passing = [self.planner.extend(limit)] if limit is not None else []
         try:
+            passing += settled(asked, self)
             return self._answer(asked, aside)
         finally:
-            if extra is not None:
-                self.retired.add(extra)
+            self.retired.update(passing)
+            release(asked, self)
 
     def _answer(self, asked: Asked, aside: bool) -> Answered:
         """Settle one question; what is not a letter of the laws is first given one by a definition."""
@@ -147,6 +152,15 @@ class Inquiry:
     def _turned_round(self, definition: int, first: int) -> bool:
         """Whether a step since the `first` one solved a definition for what it is made of, so that it need not be done again."""
         return any(step.target == ("law", definition) and step.sources == () for step in self.solver.steps[first:])
+
+    def step(self, letter: str) -> Found:
+        """Settle a letter on the way to an answer, with a derivation of its own."""
+        first = len(self.solver.steps)
+        asked = Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
+        found, used = self._settle(asked)
+        self.answered.append(Answered(asked, found, used, (first, len(self.solver.steps)), aside=True))
+        self.known.add(letter)
+        return found
 
     def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """In closed form by some plan, else numerically."""

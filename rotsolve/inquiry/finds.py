@@ -9,10 +9,11 @@ from types import MappingProxyType
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import Vector
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
+from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.inquiry.transfers import impulse, potential_change, work
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.scene.model import Find, Path, Term
@@ -39,6 +40,7 @@ class Asked:
     label: str = ""
     section: str = ""
     words: tuple[str, str] = ("", "")
+    swings: tuple[tuple[Swing, str], ...] = ()  # with what is asked of each: its period or frequency
 
     @property
     def direct(self) -> bool:
@@ -55,6 +57,13 @@ Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found befo
 
 def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({})) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
+    terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
+    swings = tuple((history.swing(term), term.path.quantity) for term in terms)
+    return replace(quantity_asked(find, history, earlier), swings=swings)
+
+
+def quantity_asked(find: Find, history: History, earlier: Earlier) -> Asked:
+    """The formula of a `find` line, and the letter that stands for it."""
     meanings = [meaning_of(term, history) for term in find.terms]
     values = {f"#{index}": meaning.formula for index, (meaning, _) in enumerate(meanings)}
     values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
@@ -105,6 +114,9 @@ def dimension_of_find(
 def meaning_of(term: Term, history: History) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     timeline = history.arrangement.timeline
+    if term.path.quantity in OSCILLATING:
+        swing = history.swing(term)
+        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.during is not None:
         interval = timeline.interval(term.during)

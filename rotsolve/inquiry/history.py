@@ -10,11 +10,15 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
+from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
+from rotsolve.inquiry.swings.placing import Placing
+from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
@@ -23,7 +27,7 @@ from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, energy, inside, kinematics, momentum, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.scene.model import Condition
+from rotsolve.scene.model import Condition, Path, State, Term
 
 
 @dataclass
@@ -79,6 +83,46 @@ class History:
         return result
 
     @cached_property
+    def swings(self) -> dict[str, Swing]:
+        """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
+        values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+        placing = Placing(self.arrangement, self.registry, self.modes, values)
+        found: dict[str, Swing] = {}
+        for term, span in (*self._swings_asked(), *self._swings_observed()):
+            if question_of(term) not in found:
+                try:
+                    found[question_of(term)] = placing.swing(term)
+                except NotYet as error:
+                    raise NotYet(str(error), error.span or span, error.help) from None
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                letter = found[question_of(term)].letters[term.path.quantity]
+                if isinstance(letter, Symbol) and line.value is not None:
+                    self.registry.known[letter.name] = line.value
+        return found
+
+    def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
+        for find in self.arrangement.problem.finds:
+            where = find.where if find.where is not None and find.where.word == "stable" else None
+            for term in (*find.terms, *([term_of(where)] if where is not None else [])):
+                if term.path.quantity in OSCILLATING:
+                    yield term, find.span
+
+    def _swings_observed(self) -> Iterator[tuple[Term, Span | None]]:
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                yield term, line.span
+
+    @property
+    def observed(self) -> list[Swing]:
+        """The swings of which a state tells the period."""
+        return [self.swing(term) for state in self.arrangement.timeline.states for _, term in observed(state)]
+
+    def swing(self, term: Term) -> Swing:
+        """The swing that a term speaks of."""
+        return self.swings[question_of(term)]
+
+    @cached_property
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
@@ -105,6 +149,8 @@ class History:
                 yield from momentum.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
+        for swing in self.swings.values():
+            yield from swing.equations()
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
@@ -179,6 +225,23 @@ class History:
                 left = last.elongation - first.elongation
                 if left != grown:
                     yield Equation(left, grown, midst.label, name, "", 2, bodies=midst.bodies)
+
+
+def observed(state: State) -> Iterator[tuple[Condition, Term]]:
+    """The lines of a state that tell the period or frequency of small swings about it, or about the equilibrium that is found."""
+    for line in state.conditions:
+        if line.path is not None and line.path.quantity in OSCILLATING:
+            yield line, Term(line.path, at=state.name if state.balance or state.steady else None)
+
+
+def term_of(condition: Condition) -> Term:
+    """The small swings that `STATE is stable` speaks of."""
+    return Term(condition.path or Path("", "period"), at=condition.owner)
+
+
+def question_of(term: Term) -> str:
+    """What tells the swings of one question from those of another: the body and the state."""
+    return SEPARATOR.join((term.path.owner, term.at or "", term.start or ""))
 
 
 __all__ = ["History", "NotYet"]

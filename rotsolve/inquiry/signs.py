@@ -17,6 +17,7 @@ from rotsolve.core.registry import SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.swings.steady import OUTWARDS, STABLE, on_shaft, stable_roots
 from rotsolve.principles.energy import one_motion
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
@@ -41,6 +42,9 @@ class Signs:
 
     def choose(self, name: str, roots: Sequence[Formula]) -> Choice | None:
         """The root that is meant, with the reason."""
+        outwards = [index for index, root in enumerate(roots) if root.symbols() - set(self.values)]
+        if outwards and len(roots) > 1 and on_shaft(name, self.history):
+            return Choice(outwards[0], OUTWARDS)
         real = [(index, number) for index, root in enumerate(roots) if (number := self.number(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
@@ -49,6 +53,10 @@ class Signs:
             real = moved  # the root 0 is the start itself
         if len(real) == 1:
             return Choice(real[0][0])
+        stable = stable_roots(name, [roots[index] for index, _ in real], self.history, self.values)
+        if stable:
+            real = [real[place] for place in stable]
+            return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], STABLE)
         reached = self._first_reached(name, real)
         if reached is not None:
             return reached
@@ -177,7 +185,7 @@ class Signs:
             return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when)
-        if quantity.kind in ("time", "tension", "mass", "normal_force"):
+        if quantity.kind in ("time", "tension", "mass", "normal_force", "period", "frequency", "angular_frequency"):
             return 1, (Symbol(name), " > 0")
         return 0, ()
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
@@ -44,10 +45,12 @@ class Statements:
     def take(self) -> list[tuple[Equation, Condition]]:
         """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
         for state in self.arrangement.timeline.states:
+            self._check_shafts(state)
             self._carry_over(state)
             for condition in state.conditions:
                 self._fix(state, condition)
-            if state.balance:
+            if state.balance or state.steady:
+                self._check_steady(state)
                 self._rest(state.name, "all")
                 self._balance(state.name)
         self._driven()
@@ -127,6 +130,8 @@ class Statements:
         """Take rest, a quantity with a value, or a word."""
         if condition.rest:
             self._rest(state.name, condition.owner or "all")
+        elif condition.path is not None and condition.path.quantity in OSCILLATING:
+            return  # taken where the swings are placed
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
@@ -178,6 +183,24 @@ class Statements:
             if owner in ("all", body.name):
                 for rate in self._rates(instant, body.name):
                     self._set(rate, ZERO)
+
+    def _check_shafts(self, state: State) -> None:
+        """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
+        for item in self.arrangement.connections(state.name):
+            if item.word == "shaft":
+                name = item.touches()[0].owner
+                if len(self.arrangement.component(name, state.name)) > 1:
+                    raise NotYet(
+                        f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span
+                    )
+
+    def _check_steady(self, state: State) -> None:
+        """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
+        carried = any(item.word == "shaft" for item in self.arrangement.connections(state.name))
+        if state.balance and carried:
+            raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
+        if state.steady and not carried:
+            raise NotYet("`steady: true` is solved on a turning `shaft` only", state.span, "write `balance: true`")
 
     def _balance(self, state: str) -> None:
         """In equilibrium nothing accelerates."""

@@ -18,6 +18,8 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.freebody import free_bodies
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -46,7 +48,7 @@ def alone(inquiry: Inquiry) -> Iterator[Check]:
 def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [
-        answered for answered in inquiry.answered if answered.found.formula is not None and depends(answered, inquiry)
+        answered for answered in inquiry.in_order() if answered.found.formula is not None and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
         other = Inquiry(inquiry.history, families_for(law), spare=True)
@@ -85,8 +87,8 @@ def depends(answered: Answered, inquiry: Inquiry) -> bool:
 def families(answered: Answered, inquiry: Inquiry) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
     found: set[str] = set()
-    pending, seen = [answered], set()
     by_letter = {item.asked.letter: item for item in inquiry.answered}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
     while pending:
         item = pending.pop()
         for index in item.used:
@@ -111,7 +113,7 @@ def again(other: Inquiry, answered: Answered) -> Formula | None:
     """The answer by another inquiry's laws, None where they do not give it."""
     try:
         return other.answer(answered.asked).found.formula
-    except NoAnswer:
+    except (NoAnswer, NotYet):
         return None
 
 
@@ -155,7 +157,7 @@ def dimensions(inquiry: Inquiry) -> Iterator[Check]:
 def limits(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
     best: tuple[int, Words] | None = None
-    for answered in inquiry.answered[:2]:
+    for answered in inquiry.in_order()[:2]:
         formula = answered.found.formula
         if formula is None or formula.symbols() == frozenset():
             continue
@@ -185,9 +187,9 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
     spoken_of: list[Words] = []
-    for state in inquiry.history.arrangement.timeline.states:
-        for need in inquiry.history.facts(state.name).requirements:
-            key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
+    for place, needs in needed(inquiry):
+        for need in needs:
+            key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
             if key in told or not concerns(need, inquiry):
                 continue
             judge, gap = aside, aside.settled(need.left - need.right)
@@ -203,7 +205,17 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
                 spoken_of.append(words)
                 yield Check(words)
             elif sign < 0:
-                yield Check(objection(need, state.name, inquiry, composer), False)
+                yield Check(objection(need, place, inquiry, composer), False)
+
+
+def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
+    history = inquiry.history
+    for state in history.arrangement.timeline.states:
+        yield state.name, history.facts(state.name).requirements
+    for swing in history.swings.values():
+        if swing.found:
+            yield swing.near.state, free_bodies(swing.rest).requirements
 
 
 def concerns(need: Requirement, inquiry: Inquiry) -> bool:

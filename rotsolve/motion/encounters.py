@@ -110,8 +110,8 @@ def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, 
     host = last.host(body.name)
     motion = last.motion(host)
     own = PointRef(body.name, "cm")
-    carried = tidy(body.cm - first.point(own))  # what was joined to it before moves its centre of mass
-    centre = motion.velocity_of(last.point(own) + carried)
+    shift = tidy(last.point(own) - first.point(own))  # of its place from the reference, which may be another afterwards
+    centre = motion.velocity_of(body.cm + shift)
     inertia: Formula = body.inertia.letter if body.inertia is not None else own_inertia(body, first)
     return Meeting(body, inertia, body.centre_velocity, centre, body.motion.spin, motion.spin, place, blows)
 

@@ -2,15 +2,32 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia, Motion, Potential, Requirement, Rule
-from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
+from rotsolve.core.facts import (
+    BodyFacts,
+    Couple,
+    Facts,
+    Force,
+    Inertia,
+    Motion,
+    Potential,
+    Requirement,
+    Rule,
+    Sweep,
+    Turntable,
+    square,
+)
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
 from rotsolve.elements.rims import shape_of
 from rotsolve.motion.cuts import cuts_at
 from rotsolve.motion.instant import Frame, Instant
-from rotsolve.motion.rigid import mass_of, moment_about
+from rotsolve.motion.rigid import mass_of, moment_about, product_about
 from rotsolve.scene.model import Body, PointRef
 
 
@@ -25,7 +42,9 @@ def free_bodies(instant: Instant) -> Facts:
     for body in arrangement.present(instant.state):
         own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
         own_couples = tuple(couple for couple in couples if couple.body == body.name)
-        bodies.append(free_body(body, instant, own_forces, own_couples))
+        tables = [fact for fact in stated if isinstance(fact, Turntable) and fact.body == body.name]
+        facts = free_body(body, instant, own_forces, own_couples)
+        bodies.append(replace(facts, sweep=sweep(tables[0], instant)) if tables else facts)
     moment = instant.generic or instant.virtual
     return Facts(
         instant.state,
@@ -36,6 +55,20 @@ def free_bodies(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Potential)),
         () if moment else cuts_at(instant, tuple(bodies)),
     )
+
+
+def sweep(table: Turntable, instant: Instant) -> Sweep:
+    """The accelerations of a body's pieces on a turntable, towards its axis."""
+    own, orientation = instant.frame(table.body), instant.orientation(table.body)
+    reach = table.distance + own.cm.rotated(orientation).along(RIGHT)
+    product = product_about(own.pieces, own.reference, orientation, table.distance)
+    if product is None:
+        raise Unsolvable(
+            f"how the mass of `{table.body}` is spread along and across it is not told",
+            span=instant.body(table.body).span,
+        )
+    moment = simplify(square(table.rate) * product, order=instant.arrangement.order)
+    return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
 
 
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:

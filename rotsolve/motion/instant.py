@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
@@ -39,7 +39,7 @@ def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
             base = locate(arrangement.bodies[name], member.at)
             offset = locate(arrangement.bodies[member.name], member.own)
             own = frame(arrangement, member.name, state).pieces
-            items.extend(Piece(item.name, item.mass, item.moment, tidy(base + item.at - offset)) for item in own)
+            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
     reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
@@ -66,7 +66,8 @@ def locate(body: Body, ref: PointRef | None) -> Vector:
 
 @dataclass(frozen=True)
 class Instant:
-    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`.
+    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
+    the equilibrium of its bodies or a moment of their swings about it.
 
     `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
     "slips back" against it. A `virtual`
@@ -79,12 +80,13 @@ class Instant:
     generic: bool = False
     modes: Mapping[str, str] = field(default_factory=dict)
     virtual: bool = False
+    mark: str = GENERIC
     _frames: dict[str, Frame] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
     def when(self) -> str:
-        return GENERIC + self.state if self.generic else self.state
+        return self.mark + self.state if self.generic else self.state
 
     @property
     def moving(self) -> str:
@@ -157,6 +159,8 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
+        if self.swings(name):
+            return self.ask("angle", name, words=TURNS)
         if not rod and (not self._speaks_of_angle(name) or self._stands(name)):
             return None
         if rod and not self._speaks_of_angle(name) and not self.arrangement.heavy:
@@ -165,8 +169,13 @@ class Instant:
 
     def _stands(self, name: str) -> bool:
         """Whether a body slides along as it is drawn, with nothing said of its angle."""
-        flat = self.arrangement.line(name, self.state) is not None
+        flat = self.line(name) is not None
         return flat and not self.can_turn(name, flat) and not self.arrangement.says(self.state, name, "angle")
+
+    def swings(self, name: str) -> bool:
+        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+        hinged = self.generic and self.mark != GENERIC and self.arrangement.pivot(name, self.state) is not None
+        return hinged and self.arrangement.heavy and bool(self.frame(name).cm.parts)
 
     def _speaks_of_angle(self, name: str) -> bool:
         return any(

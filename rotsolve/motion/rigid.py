@@ -5,7 +5,7 @@ I_P = Σ (I_own + m d²), the parallel-axes theorem over all pieces. Places are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
@@ -26,6 +26,10 @@ class Piece:
     mass: Formula
     moment: Formula
     at: Vector
+    slender: Formula | None = (
+        None  # ∫ (x² − y²) dm about its centre of mass, x along `axis`; None where that is not told
+    )
+    axis: Heading = RIGHT
 
 
 def mass_of(body: Body) -> Formula:
@@ -58,7 +62,9 @@ def _own_piece(body: Body) -> Piece | None:
         if body.gyration is not None
         else shape.moment(mass)
     )
-    return Piece(body.name, mass, moment, place(shape.centroid()))
+    told = body.inertia is None and body.gyration is None and body.shape is not None
+    alike = moment == ZERO or told
+    return Piece(body.name, mass, moment, place(shape.centroid()), shape.slender(mass) if alike else None)
 
 
 def _filled(hole: Part, body: Body) -> Part:
@@ -75,7 +81,15 @@ def _placed(part: Part, sign: Formula) -> tuple[Piece, ...]:
     """The pieces of a part, turned and moved to its place."""
     direction, origin = part_frame(part)
     return tuple(
-        Piece(part.body.name, sign * piece.mass, sign * piece.moment, piece.at.rotated(direction) + origin)
+        replace(
+            piece,
+            name=part.body.name,
+            mass=sign * piece.mass,
+            moment=sign * piece.moment,
+            at=piece.at.rotated(direction) + origin,
+            slender=None if piece.slender is None else sign * piece.slender,
+            axis=piece.axis + direction,
+        )
         for piece in pieces(part.body)
     )
 
@@ -171,3 +185,15 @@ def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...]
             shifted = shifted or piece.moment != ZERO
     whole = total(terms)
     return simplify(whole, order=order), (("parallel axes: ", whole) if shifted else ())
+
+
+def product_about(items: tuple[Piece, ...], point: Vector, orientation: Heading, offset: Formula) -> Formula | None:
+    """∫ (offset + x) y dm, x to the right and y up from a point, of a body turned by `orientation`; None where a shape does not tell."""
+    terms: list[Formula] = []
+    for piece in items:
+        if piece.slender is None:
+            return None
+        arm, axis = (piece.at - point).rotated(orientation), piece.axis + orientation
+        terms.append(piece.mass * (offset + arm.along(RIGHT)) * arm.along(UP))
+        terms.append(piece.slender * axis.cos() * axis.sin())
+    return simplify(total(terms))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import NEWTON, Equation
-from rotsolve.core.facts import BodyFacts, Facts, Force, signed
+from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
 from rotsolve.core.heading import Vector
-from rotsolve.core.writing import flat, is_negative, law, multiplied_out, spoken
+from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
 from rotsolve.motion.rigid import tidy
 
 
@@ -24,7 +25,7 @@ def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
     left, right = law(torques(body), response(body))
     if (left, right) != (ZERO, ZERO):
         label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
-        yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
+        yield Equation(left, right, label, section, NEWTON, 3, carried(body), bodies=(body.name,))
 
 
 def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
@@ -54,7 +55,7 @@ def torque_about(point: Vector, force: Force) -> Formula:
     lever = arm.cross(force.direction)
     if all(is_negative(term) for term in flat([lever])):
         return negate(force.size * multiplied_out(negate(lever), lengths))
-    return force.size * multiplied_out(lever, lengths)
+    return force.size * multiplied_out(positive_first([lever]), lengths)
 
 
 def torques(body: BodyFacts) -> list[Formula]:
@@ -65,10 +66,25 @@ def torques(body: BodyFacts) -> list[Formula]:
 
 
 def response(body: BodyFacts) -> Formula:
-    """I α along the declared turn."""
+    """I α along the declared turn; of a body that is carried round an upright axis also Ω² ∫ x y dm."""
+    swept = ZERO if body.sweep is None else signed(body.sweep.moment, body.motion.sense)
     if body.inertia is None or body.inertia.letter == ZERO:
-        return ZERO
-    return body.inertia.letter * signed(body.motion.spin_rate, body.motion.sense)
+        return swept
+    return add(body.inertia.letter * signed(body.motion.spin_rate, body.motion.sense), swept)
+
+
+def carried(body: BodyFacts) -> Words:
+    """Why Ω² ∫ x y dm stands in the law of a body on a turning shaft."""
+    if body.sweep is None:
+        return ()
+    square_of_rate = square(body.sweep.rate)
+    return (
+        "every piece at x from the axis has the acceleration ",
+        square_of_rate,
+        " x towards it, together ",
+        square_of_rate,
+        " ∫ x y dm about the hinge",
+    )
 
 
 def about(body: BodyFacts) -> str:

@@ -142,7 +142,8 @@ class Phase:
 class Term:
     """One operand of a `find`: a path with its modifier and its own time.
 
-    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of', 'which of'.
+    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'which of'; of the periods and frequencies
+    of swings 'small swings' (`at` an equilibrium) or 'swings' (from `start`).
     A `time from A to B` has path.quantity 'time'. `at` names one state, `during` a phase or event, `start`/`end` two states.
     """
 

@@ -14,7 +14,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import PI, ZERO, Formula, Integral, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
@@ -226,9 +226,7 @@ class Solver(Textbook):
         )
         if picked is None:
             raise Contradiction(item.index)
-        value = candidates[picked.root]
-        if picked.turns:
-            value = self.simplify(value + Number(2 * picked.turns) * PI)
+        value = self.simplify(picked.of(candidates)) if picked.turns else candidates[picked.root]
         final = self.simplify(self.with_answers(value))
         value = moved_alone(item, asked) or value
         if final != value:

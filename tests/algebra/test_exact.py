@@ -298,6 +298,7 @@ def test_polynomial_roots(text: str, shown: list[str]) -> None:
         "cos(2*x)-1/2",
         "2*cos(x)-2*sin(x)**2+1",
         "sin(2*x+1)-1/2",
+        "g*sin(x)-k*a*sin(x)*cos(x)",
     ],
 )
 def test_trig_roots(text: str) -> None:

@@ -143,6 +143,9 @@ class Rewriter:
             return self._exp(first)
         if function == "log":
             return self._log(first)
+        if function == "ellipk":
+            shown = self.tidy(first)
+            return divide(PI, Number(Fraction(2))) if shown == ZERO else Call(function, (shown,))
         return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
 
     def tidy(self, node: Formula) -> Formula:

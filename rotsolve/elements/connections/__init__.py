@@ -4,6 +4,7 @@ from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.shafts import Shaft
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Weld
@@ -11,6 +12,7 @@ from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rid
 CONNECTIONS: tuple[type[Connection], ...] = (
     Hinge,
     Axle,
+    Shaft,
     Ball,
     Clamp,
     Weld,

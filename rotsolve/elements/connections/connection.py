@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule
+from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule, Turntable
 from rotsolve.core.heading import Heading
 from rotsolve.scene.model import Body, PointRef
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
-Fact = Force | Couple | Rule | Requirement | Potential
+Fact = Force | Couple | Rule | Requirement | Potential | Turntable
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,11 @@ class Rectangle(Shape):
         width, height = self.sides
         return Number(Fraction(1, 12)) * mass * (width**2 + height**2)
 
+    def slender(self, mass: Formula) -> Formula | None:
+        """M (a² − b²)/12."""
+        width, height = self.sides
+        return Number(Fraction(1, 12)) * mass * (width**2 - height**2)
+
     def measure(self) -> Formula:
         return self.sides[0] * self.sides[1]
 

@@ -32,6 +32,10 @@ class Shape:
         """Moment of inertia about the centre of mass, axis square to the plane."""
         return ZERO
 
+    def slender(self, mass: Formula) -> Formula | None:
+        """∫ (x² − y²) dm about the centre of mass, x and y along the axes of symmetry; 0 for round shapes, None where it is not told."""
+        return ZERO if "rim" in self.points else None
+
     def centroid(self) -> Place:
         """Centre of mass in the body's axes."""
         return (ZERO, ZERO)

@@ -15,6 +15,9 @@ class Particle(Shape):
     word = "particle"
     about = "all mass in one point"
 
+    def slender(self, mass: Formula) -> Formula | None:
+        return ZERO
+
 
 @dataclass(frozen=True)
 class Rod(Shape):
@@ -26,6 +29,10 @@ class Rod(Shape):
     def moment(self, mass: Formula) -> Formula:
         """M L²/12."""
         return Number(Fraction(1, 12)) * mass * self.extent() ** 2
+
+    def slender(self, mass: Formula) -> Formula | None:
+        """M L²/12: all of it lies along x."""
+        return self.moment(mass)
 
     def measure(self) -> Formula:
         return self.extent()

@@ -12,11 +12,13 @@ from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, Law
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Answered, Inquiry
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
+from rotsolve.motion.freebody import free_bodies
 from rotsolve.scene.model import Condition, Problem
 from rotsolve.solver import Ref, Step
 
@@ -74,7 +76,7 @@ class Composer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self.printed(equation.left), self.printed(equation.right)),
+            Equality(self.printed(equation.left), self.printed(equation.right), equation.relation),
             self.words(remark),
         )
 
@@ -125,11 +127,14 @@ class Composer:
         )
 
     def _facts_of(self, draft: Draft) -> Facts | None:
-        """The facts that a section is about: of its state, or of its phase; none of an event.
+        """The facts that a section is about: of its state, of its phase, or of swings; none of an event.
 
         Where the section of a phase writes Newton's laws at one state alone, they are those of that state.
         """
         timeline, key = self.history.arrangement.timeline, draft.key
+        for swing in self.history.swings.values():
+            if key in (swing.section, swing.balanced):
+                return free_bodies(swing.near if key == swing.section else swing.rest)
         moments = {self.pool[index].section for index in draft.laws if self.pool[index].family == NEWTON}
         if len(moments) == 1 and moments <= set(timeline.order):
             key = moments.pop()
@@ -171,7 +176,10 @@ class Composer:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
         for answered in self.inquiry.answered:
-            chosen.setdefault(answered.asked.letter, answered.asked.find.name)
+            if (
+                SEPARATOR not in answered.asked.find.name
+            ):  # what is settled on the way may keep the letter of its quantity
+                chosen.setdefault(answered.asked.letter, answered.asked.find.name)
         used: dict[str, None] = {}
         for name in self._occurring():
             used[name] = None
@@ -235,7 +243,12 @@ class Composer:
 
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
-        return (("angles from the rightward horizontal, counterclockwise positive",),) if angles else ()
+        result: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+        for swing in self.history.swings.values():
+            what = "angle turned" if swing.turns else "displacement"
+            result.append((self.printed(swing.coordinate), f": {what} from the equilibrium"))
+            result += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
+        return tuple(dict.fromkeys(result))
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
@@ -276,7 +289,9 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            words = (owner, spoken(line.path.quantity), line.path.component, value)
+            quantity = spoken(line.path.quantity)
+            what = f"{quantity} of small swings" if line.path.quantity in OSCILLATING else quantity
+            words = (owner, what, line.path.component, value)
             parts.append(" ".join(word for word in words if word))
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 

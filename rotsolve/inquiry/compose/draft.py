@@ -23,21 +23,28 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
     placed: set[int] = set()
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
+    homes: list[tuple[str, Answered]] = []
     for answered in inquiry.answered:
-        laws = [index for index in answered.used if is_law(index, inquiry)]
-        key = home(answered, laws, inquiry)
+        homes.append((home(answered, laws_of(answered, inquiry), inquiry), answered))
+    for key, answered in sorted(homes, key=lambda item: order.get(item[0], len(order))):
+        laws = laws_of(answered, inquiry)
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
             index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
         )
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     return [
         draft
         for draft in sorted(drafts.values(), key=lambda d: order.get(d.key, len(order)))
         if draft.laws or draft.steps
     ]
+
+
+def laws_of(answered: Answered, inquiry: Inquiry) -> list[int]:
+    """The equations behind an answer that are printed as laws."""
+    return [index for index in answered.used if is_law(index, inquiry)]
 
 
 def is_law(index: int, inquiry: Inquiry) -> bool:
@@ -46,18 +53,26 @@ def is_law(index: int, inquiry: Inquiry) -> bool:
 
 
 def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
-    """Laws first, then definitions and rules, as they were written."""
+    """Laws and what approximates them first, then definitions and rules, as they were written."""
     equation = inquiry.planner.pool[index]
-    return (0 if equation.family else 1, index)
+    return (0 if equation.family or equation.relation != "=" else 1, index)
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
-    """The section of the weightiest law of a plan."""
+    """The section of the weightiest law of a plan; of what is made of earlier answers, that of the last of them."""
+    places = {key: place for place, key in enumerate(moments(inquiry.history))}
+    made_of = [
+        other
+        for other in inquiry.answered
+        if other is not answered and other.asked.letter in answered.asked.formula.symbols()
+    ]
+    if made_of and not answered.asked.find.terms:
+        homes = [home(other, laws_of(other, inquiry), inquiry) for other in made_of]
+        return max(homes, key=lambda key: places.get(key, -1))
     if not laws:
         return answered.asked.section
     pool = inquiry.planner.pool
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return max((pool[index].cost, order.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
+    return max((pool[index].cost, places.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
 
 
 def moments(history: History) -> list[str]:
@@ -66,13 +81,20 @@ def moments(history: History) -> list[str]:
     result = [timeline.states[0].name]
     for interval in timeline.intervals:
         result += [interval.name, interval.end]
-    return result
+    for swing in history.swings.values():
+        result += [swing.balanced] * swing.found + [swing.section, swing.harmonic]
+    return list(dict.fromkeys(result))
 
 
 def title(key: str, history: History) -> str:
     """Heading of a section."""
     timeline = history.arrangement.timeline
     interval = timeline.interval(key)
+    swings = history.swings.values()
+    for swing in swings:
+        if swing.title(key):
+            several = len({other.body for other in swings}) > 1
+            return swing.title(key) + (f", {spoken(swing.body)}" if several else "")
     if interval is None:
         return f"At {spoken(key)}" if key else ""
     if interval.event is not None:

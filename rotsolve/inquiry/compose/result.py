@@ -21,6 +21,9 @@ from rotsolve.solver import Found
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
 
 
+NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
+
+
 @dataclass(frozen=True)
 class Results:
     """The answers of an inquiry; `printed` turns letters of the laws into printed ones."""
@@ -119,4 +122,4 @@ def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
 
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
     """The unit that the field uses for a dimension; none for a pure number."""
-    return None if dimension is None else unit_for(dimension, quantity if quantity in ("torque", "impulse") else None)
+    return None if dimension is None else unit_for(dimension, quantity if quantity in NAMING else None)

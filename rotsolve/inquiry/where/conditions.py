@@ -1,4 +1,5 @@
-"""Conditions: `x where path = value` solves with one more equation; `largest F where touch sticks` on the point of slipping."""
+"""Conditions: `x where path = value` solves with one more equation; `largest F where touch sticks` on the point of slipping;
+`smallest k where upright is stable` on the verge of stability."""
 
 from __future__ import annotations
 
@@ -12,13 +13,14 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer
 from rotsolve.inquiry.finds import Asked, asked
-from rotsolve.inquiry.history import NotYet
+from rotsolve.inquiry.history import NotYet, term_of
 from rotsolve.inquiry.questions.meaning import label_of
 from rotsolve.inquiry.sticking import limiting
+from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.where.conclude import by_equation, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
 from rotsolve.scene.model import Find
-from rotsolve.solver import Found
+from rotsolve.solver import Choice, Found
 
 
 def answer_where(inquiry: Inquiry, find: Find) -> None:
@@ -26,6 +28,8 @@ def answer_where(inquiry: Inquiry, find: Find) -> None:
     condition = find.where
     if condition is None:
         extreme_value(inquiry, find)
+    elif condition.word == "stable":
+        on_the_verge(inquiry, find)
     elif condition.phrase is None:
         on_the_point_of_slipping(inquiry, find)
     elif condition.word is not None:
@@ -74,12 +78,12 @@ def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: 
     order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
-    picked = inquiry.signs.choose(letter, roots) if len(roots) > 1 else (0, ())
+    picked = inquiry.signs.choose(letter, roots) if len(roots) > 1 else Choice(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
-    root = roots[picked[0]]
+    root = inquiry.solver.simplify(picked.of(roots))
     question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
-    by_equation(inquiry, question, Found(own.name, root), equation, Equality(own, root), picked[1], aside=False)
+    by_equation(inquiry, question, Found(own.name, root), equation, Equality(own, root), picked.words, aside=False)
     if given.asked:
         forget(quantity, inquiry)
 
@@ -93,14 +97,32 @@ def told(phrase: Find) -> str:
     return f", {side}{label_of(term.path, term)}"
 
 
+def on_the_verge(inquiry: Inquiry, find: Find) -> None:
+    """`smallest k where upright is stable`: the value at which the equilibrium is only just stable."""
+    assert find.where is not None
+    question = asked(without_condition(find), inquiry.history, inquiry.letters())
+    swing = inquiry.history.swing(term_of(find.where))
+    inquiry.answer(question, verge(swing, question.letter, modifier_of(find), inquiry))
+
+
+def without_condition(find: Find) -> Find:
+    """The quantity of a question alone."""
+    terms = tuple(replace(term, modifier="") for term in find.terms)
+    return replace(find, where=None, modifier="", terms=terms)
+
+
+def modifier_of(find: Find) -> str:
+    """`largest` or `smallest` in front of a question, or of its quantity."""
+    return find.modifier or (find.terms[0].modifier if find.terms else "")
+
+
 def on_the_point_of_slipping(inquiry: Inquiry, find: Find) -> None:
     """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
     condition, history = find.where, inquiry.history
     assert condition is not None and condition.path is not None
     if condition.word not in ("sticks", "rolls"):
         raise NotYet(f"`where {condition.path.owner} is {condition.word}` is not solved yet")
-    bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
-    question = asked(bare, history, inquiry.letters())
+    question = asked(without_condition(find), history, inquiry.letters())
     state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(history, condition.path.owner, state):
@@ -116,6 +138,5 @@ def on_the_point_of_slipping(inquiry: Inquiry, find: Find) -> None:
             candidates.append((0.0 if number is None else number, equation))
     if not candidates:
         raise NotYet(f"`{spoken(condition.path.owner)}` does not come to the point of slipping")
-    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
-    pick = max if modifier == "largest" else min
+    pick = max if modifier_of(find) == "largest" else min
     inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])

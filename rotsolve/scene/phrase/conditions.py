@@ -1,4 +1,4 @@
-"""Conditions: what follows `where`: `base sticks`, `Q is largest`, `pin.impulse.x = 0 during hit`."""
+"""Conditions: what follows `where`: `base sticks`, `upright is stable`, `Q is largest`, `pin.impulse.x = 0 during hit`."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
 
-FORMS = "write `contact sticks`, `path is smallest` or `path = value`"
+FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
 Quantity = Callable[[list[Piece]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
 
 
@@ -26,6 +26,8 @@ def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | 
     texts = [piece.text for piece in words]
     if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
         return contact_word(scope, part, texts)
+    if texts[1:] == ["is", "stable"] and scope.kinds.get(texts[0]) == "state":
+        return Condition(Path("", "period"), word="stable", owner=texts[0], span=part.span)
     if "=" in texts:
         return equality(scope, part, words, texts.index("="), quantity)
     place = next((k for k, text in enumerate(texts[:-1]) if text == "is" and texts[k + 1] in EXTREMES), 0)

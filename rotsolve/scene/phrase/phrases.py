@@ -19,6 +19,7 @@ from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
 from rotsolve.scene.phrase.conditions import read_condition
 from rotsolve.scene.phrase.paths import read_path
+from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.expressions import expression
@@ -29,8 +30,8 @@ from rotsolve.scene.words import quoted
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
 ALONE = ("lost", "total", "mean", "largest", "smallest")
-LATER = ("period of", "frequency of", "angular_frequency of", "which of", "angle of")
-MODIFIERS = ("size of", "change of", *ALONE, *LATER)
+LATER = ("which of", "angle of")
+MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER)
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
 
@@ -110,6 +111,8 @@ class Reader:
         modifier, words = self.modifier(words)
         if modifier is None:
             return None
+        if modifier in SWINGS:
+            return self.swings(modifier, words, outer)
         cut = next((index for index, piece in at_top(words) if piece.text in CLAUSES), len(words))
         if cut == 0:
             place = words[0] if words else given[-1]
@@ -143,6 +146,20 @@ class Reader:
             return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
 
         return read_condition(self.scope, part, quantity)
+
+    def swings(self, modifier: str, words: list[Piece], outer: bool) -> Formula | None:
+        """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
+        found = read_swings(self.scope, self.node, words, modifier)
+        if found is None:
+            return None
+        term, rest = found
+        clauses = Clauses(self.scope, self.node, outer, self.condition)
+        if rest and not (outer and rest[0].text == "in" and clauses.read(rest)):
+            trailing(self.scope, self.node, rest)
+            return None
+        self.phrase.unit = clauses.unit or self.phrase.unit
+        self.phrase.terms.append(term)
+        return Symbol(f"#{len(self.phrase.terms) - 1}")
 
     def modifier(self, words: list[Piece]) -> tuple[str | None, list[Piece]]:
         """The modifier in front and the rest; None after a fault."""
