@@ -153,6 +153,8 @@ class BodyFacts:
     forces: tuple[Force, ...]
     couples: tuple[Couple, ...]
     round: bool = False
+    axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
+    changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:

@@ -145,6 +145,7 @@ class History:
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
+        yield from momentum.about_common_axes(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
         if self.varies(interval):
             yield from turning.moments_of_inertia(passage.midst, section)

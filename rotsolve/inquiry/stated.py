@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
@@ -13,6 +15,7 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.owndata import is_own
 from rotsolve.motion.passages import displacement, rotation
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
@@ -110,6 +113,9 @@ class Statements:
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
+        if is_own(condition, self.arrangement.bodies):
+            self._check_own(state, condition)  # the arrangement has taken it
+            return
         if condition.rest:
             self._rest(state.name, condition.owner or "all")
         elif condition.path is not None and condition.word == "slack":
@@ -128,6 +134,24 @@ class Statements:
             elif letter != condition.value:
                 label = "stated" if letter.symbols() else "given"
                 self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
+
+    def _check_own(self, state: State, condition: Condition) -> None:
+        """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
+        before = self.arrangement.timeline.before(state.name)
+        if before is None or condition.path is None or condition.value is None:
+            return
+        name, word = condition.path.owner, condition.path.quantity
+        if before.event is not None:
+            raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
+        earlier = self.arrangement.body(name, before.start).mass
+        if word == "mass" and earlier is not None:
+            values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+            try:
+                lost = evaluate(earlier - condition.value, values, digits=6).sign
+            except (Undefined, ValueError):
+                return
+            if lost == 1:
+                raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import fields, replace
 
 from rotsolve.algebra.exact.normal import simplify
@@ -10,8 +11,9 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.connections.connection import Connection
 from rotsolve.elements.connections.springs import Torsion
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.elements.shapes import Particle, Rod, Shape
 from rotsolve.motion.instant import locate
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
@@ -48,7 +50,11 @@ def completed(problem: Problem) -> Problem:
         for ref in item.touches()[1:-1]
         if not ref.point
     }
-    bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
+    riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
+    bodies = tuple(
+        _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
+        for body in problem.bodies
+    )
     connections = tuple(_connection(item, letters) for item in problem.connections)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
@@ -64,6 +70,8 @@ def check_points(problem: Problem) -> None:
     """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
     bodies = {body.name: body for body in problem.bodies}
     for item in problem.connections:
+        if isinstance(item, Rides):
+            check_ride(item, problem, bodies)
         for ref in item.touches():
             body = bodies.get(ref.owner)
             if body is None:
@@ -75,6 +83,18 @@ def check_points(problem: Problem) -> None:
             if item.word == "string" and ref.point in ("top", "bottom"):
                 help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
                 raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+
+def check_ride(item: Rides, problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """What rides is a particle, on a body that an axle or hinge holds."""
+    rider, carrier = item.rides
+    if not isinstance(shape_of(bodies[rider.owner]), Particle):
+        help = "leave out its `shape`: its mass is at its `radius` from the axis"
+        raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
+    held = {ref.owner for other in problem.connections for ref in other.fixed_points()}
+    if carrier.owner not in held or rider.owner in held:
+        help = f"give `axle: {carrier.owner}`"
+        raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
@@ -92,6 +112,14 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
     return _central(replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia))
+
+
+def _rider(body: Body, letters: _Letters) -> Body:
+    """A body that rides on another is a particle at its `radius` from the axis."""
+    shape = shape_of(body)
+    radius = shape.radius if isinstance(shape, Particle) and shape.radius != ZERO else body.radius
+    radius = radius or letters.make("r", body.name, "length")
+    return _body(replace(body, shape=Particle(radius), radius=None), letters, False)
 
 
 def _central(body: Body) -> Body:

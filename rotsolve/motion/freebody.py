@@ -72,6 +72,8 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         forces,
         couples,
         instant.is_round(body.name),
+        instant.arrangement.axis(body.name, instant.state),
+        instant.arrangement.changing(body.name, instant.state),
     )
 
 
@@ -102,8 +104,11 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
-        name = f"{kind.letter}_total" if members else kind.letter
-        letter = instant.registry.ask(Quantity("inertia", joined, "", "", name, kind.dimension))
+        since = instant.arrangement.since(body.name, instant.state)
+        changes = any(instant.arrangement.since(body.name, state) for state in instant.arrangement.timeline.order)
+        name = f"{kind.letter}_total" if members and not changes else kind.letter
+        when = since or (instant.arrangement.timeline.states[0].name if changes else "")
+        letter = instant.registry.ask(Quantity("inertia", joined, "", when, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
 
 
@@ -123,7 +128,7 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
     pivot = instant.arrangement.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
-    if not own.cm.parts:
+    if not own.cm.parts or any(instant.arrangement.rides(name, instant.state) for name in members):
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"

@@ -9,7 +9,7 @@ from rotsolve.core.directions import opposite
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
-from rotsolve.elements.connections import Contact, Hinge
+from rotsolve.elements.connections import Contact, Hinge, Rides
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
@@ -29,6 +29,7 @@ def passage(
     works = tuple(
         work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)
     )
+    works += tuple(inner_work(body, interval, first) for body in midst_facts.bodies if body.changing)
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
     return Passage(
@@ -146,6 +147,14 @@ def works_on(
             turned = signed(rotation(name, interval, first), first.sense(name))
             amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
             yield named_work(couple.owner, amount, (name,), interval, first)
+
+
+def inner_work(body: BodyFacts, interval: Interval, first: Instant) -> Work:
+    """The work of the forces within a body whose moment of inertia changes: of what drives its riders, or of the body itself."""
+    rides = (item for item in first.arrangement.connections(interval.start) if isinstance(item, Rides))
+    owner = next((item.name for item in rides if first.host(item.rides[1].owner) == body.name), body.name)
+    letter = first.ask("work", owner, when=interval.name)
+    return Work(owner, letter, owner, (body.name,), inner=True)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:

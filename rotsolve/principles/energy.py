@@ -54,6 +54,9 @@ def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formul
 
 def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     """Why energy balances: what does no work."""
+    inner = [work for work in passage.works if work.inner and group & set(work.bodies)]
+    if inner:
+        return (inner[0].amount, " is the work of the inner forces: kinetic energy alone is not conserved.")
     idle = [words for words in passage.idle if words]
     if works or not idle:
         return ()
@@ -91,6 +94,8 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     connections give no power, so their forces do not occur.
     """
     bodies = [body for body in facts.bodies if body.name in group]
+    if any(body.changing for body in bodies):
+        return
     rules = [rule for rule in facts.rules if group & set(rule.bodies)]
     gains, supplies = (
         [term for body in bodies for term in gain(body)],

@@ -11,9 +11,9 @@ from rotsolve.core.writing import law, spoken
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
-    """Σ τ = I α about the reference point of every body that turns."""
+    """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
     for body in facts.bodies:
-        if body.motion.turns:
+        if body.motion.turns and not body.changing:
             left, right = law(torques(body), response(body))
             if (left, right) != (ZERO, ZERO):
                 label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"

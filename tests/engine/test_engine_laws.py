@@ -19,6 +19,7 @@ from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.owndata import is_own
 from rotsolve.pipeline import answer, solve_problem
 from rotsolve.scene.model import Body, Problem
 
@@ -34,7 +35,8 @@ BY_ENERGY = {  # scenes in which energy, asked for, must answer something
 }  # fmt: skip
 BY_ANGULAR_MOMENTUM = {
     "axle-friction-torque", "event-blow-on-hanging-rod", "event-bounce-on-rod", "event-discs-joined", "event-putty-on-beam",
-    "hinge-rod-at-end", "rolls-slope-left-down", "string-atwood-heavy", "string-block-on-disc", "string-level-pulley-hanging",
+    "hinge-rod-at-end", "rides-beads", "rides-one-on-disc", "rolls-slope-left-down",
+    "string-atwood-heavy", "string-block-on-disc", "string-level-pulley-hanging",
     "string-slope-left", "string-stepped-drum", "string-yoyo",
 }  # fmt: skip
 
@@ -99,7 +101,11 @@ def test_angular_momentum_serves_where_it_must(name: str, scenes: list[Path], pr
 def test_newton_serves_every_scene_without_events(scene: Path, problem_of: ProblemOf) -> None:
     problem = problem_of(scene)
     springs = any(item.word == "spring" for item in problem.connections) and len(problem.states) > 1
-    if not problem.events and not springs:  # a sum of spring forces over the way is left to energy
+    names = {body.name for body in problem.bodies}
+    inner = any(is_own(line, names) for state in problem.states for line in state.conditions)
+    if (
+        not problem.events and not springs and not inner
+    ):  # a sum of spring or inner forces over the way is left to others
         assert not unanswered(scene, "newton", problem_of)
 
 

@@ -23,4 +23,4 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Rides,
 )
 
-__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "String", "Weld"]
+__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "Rides", "String", "Weld"]

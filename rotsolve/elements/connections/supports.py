@@ -177,9 +177,8 @@ class Weld(Connection):
 @dataclass(frozen=True)
 class Rides(Connection):
     word = "rides"
-    about = "a body slides along another and turns with it"
-    quantities = ("force", "normal_force", "work", "power")
-    later = True
+    about = "a particle slides along another body and turns with it, at its `radius` from the axis"
+    quantities = ("work",)
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
 
 

@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.elements.rims import rim_radius
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
@@ -76,6 +77,8 @@ class OfBodies(Moment):
                 return self._kinetic(name, component)
             case "mass":
                 return mass_of(instant.body(name))
+            case "radius":
+                return self._radius(name)
             case "inertia" | "gyration":
                 return self._inertia(path, term)
             case "angular_momentum":
@@ -152,6 +155,14 @@ class OfBodies(Moment):
         if path.quantity == "inertia":
             return moment
         return simplify(sqrt(moment / total([piece.mass for piece in own.pieces])))
+
+    def _radius(self, name: str) -> Formula:
+        """Radius of a round body; of a particle, its distance from the axis."""
+        body = self.instant.body(name)
+        radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
+        if radius is None:
+            raise NotYet(f"`{name}` has no radius")
+        return radius
 
     def _angular_momentum(self, name: str, term: Term | None) -> Formula:
         """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""
