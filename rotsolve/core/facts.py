@@ -12,6 +12,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, Heading, Vector
+from rotsolve.core.writing import spoken
 
 
 def square(value: Formula) -> Formula:
@@ -188,3 +189,11 @@ class Facts:
 def signed(value: Formula, sense: int) -> Formula:
     """`value` counted along a sense: itself for +1, its negative for −1."""
     return value if sense > 0 else negate(value)
+
+
+def held_still(owner: str, name: str, motion: Motion) -> Rule:
+    """A body that friction holds: ω = 0, α = 0."""
+    label = f"friction holds {spoken(name)}"
+    rates = (signed(rate, motion.sense) for rate in (motion.spin, motion.spin_rate))
+    velocity, acceleration = ((rate, ZERO) for rate in rates)
+    return Rule(owner, label, (name,), velocity, acceleration)

@@ -69,7 +69,7 @@ def kind(
 
 QUANTITIES = (
     kind("angle", "angle", "theta", (BODY, LINK), "from the rightward horizontal, counterclockwise, unwrapped"),
-    kind("rotation", "angle", "theta", (BODY,), "signed change of the angle since the state before"),
+    kind("rotation", "angle", "theta", (BODY, LINK), "signed change of the angle since the state before"),
     kind(
         "angular_velocity",
         "angular velocity",

@@ -16,7 +16,7 @@ from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.supports import Driven
+from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
@@ -31,7 +31,7 @@ AT_MOST = " at most"  # a trial with as much friction as there can be before it 
 
 @dataclass(frozen=True)
 class Decision:
-    """How the contacts and rubbing wheels behave, with the sections that show why."""
+    """How all that rubs behaves, with the sections that show why."""
 
     modes: dict[str, str]
     sections: tuple[Section, ...]
@@ -40,28 +40,31 @@ class Decision:
 
 @dataclass(frozen=True)
 class Rub:
-    """A contact, or a wheel on a rubbing axle, in the phase that starts at a state."""
+    """A contact, two bodies that rub on each other, or a wheel on a rubbing axle or under a brake, in the phase that starts at a state."""
 
     key: str
     body: str
     state: str
     contact: Touch | None = None
+    pair: Rubbing | None = None  # two bodies that slip on each other
 
     def mode(self, sense: int) -> str:
         """The mode for motion along the positive sense, against it, or none."""
-        if self.contact is None:
+        if self.contact is None and self.pair is None:
             return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
         return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
-        """Speed or acceleration along the positive sense: of the touching point, or of the wheel's turn."""
+        """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
+        if self.pair is not None:
+            return self.pair.slip(instant, acceleration=acceleration)
         if self.contact is None:
             return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
         motion = instant.motion(self.body)
         if motion.heading is None:
             return None
         vector = motion.acceleration if acceleration else self.contact.touching_velocity(instant)
-        return vector.along(motion.heading)
+        return vector.along(self.contact.forward(instant))
 
 
 def decide(arrangement: Arrangement) -> Decision:
@@ -89,7 +92,7 @@ def decide(arrangement: Arrangement) -> Decision:
 
 
 def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
-    """All contacts with a coefficient, and all wheels on rubbing axles, phase by phase."""
+    """All that rubs, phase by phase."""
     found: dict[str, Rub] = {}
     timeline = arrangement.timeline
     for state in timeline.states:
@@ -101,14 +104,16 @@ def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
 
 
 def rubs_at(arrangement: Arrangement, state: str) -> Iterator[Rub]:
-    for item in arrangement.connections(state):
+    for item in arrangement.acting(state):
         if isinstance(item, Touch) and item.grip().kind == "coefficient":
             name = arrangement.host(item.pair()[0].owner, state)
             yield Rub(f"{item.name}@{state}", name, state, item)
-        if isinstance(item, Driven) and item.friction_torque is not None:
-            for ref in item.held():
-                name = arrangement.host(ref.owner, state)
-                yield Rub(f"{item.name}.{name}@{state}", name, state)
+        if isinstance(item, Rubbing) and item.rubs():
+            name = arrangement.host(item.touches()[1].owner, state)
+            yield Rub(f"{item.name}@{state}", name, state, pair=item)
+        for ref in item.brakes():
+            name = arrangement.host(ref.owner, state)
+            yield Rub(f"{item.name}.{name}@{state}", name, state)
 
 
 def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
@@ -121,16 +126,20 @@ def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
 
 def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
     """The sense in which it slides or turns at the start of its phase; 0 where it is not known to move."""
-    history = History(arrangement, modes)
-    speed = rub.rate(history.instant(rub.state))
-    if speed is None:
-        return 0
-    if rub.contact is None:  # a wheel may have been set going by an event
-        speed = Inquiry(history, families_for(None)).settled(speed)
-    if speed is None or any(SEPARATOR in name for name in speed.symbols()):
-        return 0
-    number = Inquiry(history, (NEWTON,)).number(speed)
-    return 0 if number is None or abs(number) < 1e-12 else 1 if number > 0 else -1
+    for sense in (1, -1):  # taken to slip, so that no rule of sticking settles what is asked
+        trial = {**modes, rub.key: rub.mode(sense)}
+        history = History(arrangement, trial)
+        speed = rub.rate(history.instant(rub.state))
+        if speed is None:
+            return 0
+        if rub.contact is None or rub.state != arrangement.timeline.states[0].name:  # set going by an event or before
+            speed = Inquiry(history, families_for(None)).settled(speed)
+        if speed is None or any(SEPARATOR in name for name in speed.symbols()):
+            continue
+        number = Inquiry(history, (NEWTON,)).number(speed)
+        if number is not None and number * sense > 1e-12:
+            return sense
+    return 0
 
 
 def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
@@ -178,8 +187,10 @@ def smooth(rub: Rub, inquiry: Inquiry) -> bool:
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
-    """Speed of the body along its line (a wheel's contact slides with it), or of the wheel's turn."""
+    """Speed of the body along its line (a wheel's contact slides with it), of one body on another, or of the wheel's turn."""
     motion = instant.motion(rub.body)
+    if rub.pair is not None:
+        return rub.pair.slip(instant)
     if rub.contact is None:
         return instant.rate("angular_velocity", rub.body)
     return motion.velocity.along(motion.heading) if motion.heading is not None else None

@@ -13,6 +13,7 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
 from rotsolve.motion.arrangement import Arrangement
@@ -115,7 +116,7 @@ class History:
                 if line.path is not None and line.word in ("rolls", "sticks")
             }
             for item in self.arrangement.connections(state.name):
-                if item.name in said and isinstance(item, Touch):
+                if item.name in said and isinstance(item, (Touch, Rubbing)):
                     rule = item.grip_rule(self.instant(state.name))
                     if rule is not None:
                         yield constraints.written(rule, rule.velocity, state.name)

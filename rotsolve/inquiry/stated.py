@@ -10,13 +10,14 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
-from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.passages import angle_turned, displacement
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
 
@@ -132,8 +133,16 @@ class Statements:
             if isinstance(letter, Symbol) and SEPARATOR in letter.name:
                 self._set(letter, condition.value)
             elif letter != condition.value:
-                label = "stated" if letter.symbols() else "given"
+                label = self._label(condition.path) if letter.symbols() else "given"
                 self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
+
+    def _label(self, path: Path) -> str:
+        """What a stated equation is called: of one body against another, which two."""
+        item = next((item for item in self.arrangement.problem.connections if item.name == path.owner), None)
+        if item is None or not item.between():
+            return "stated"
+        first, last = (spoken(ref.owner) for ref in item.between())
+        return f"stated: {last} relative to {first}"
 
     def _check_own(self, state: State, condition: Condition) -> None:
         """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
@@ -160,12 +169,9 @@ class Statements:
             before = self.arrangement.timeline.before(state)
             if before is None:
                 return ZERO
-            name = instant.host(path.owner)
-            return (
-                displacement(name, before, instant)
-                if path.quantity == "displacement"
-                else rotation(name, before, instant)
-            )
+            if path.quantity == "displacement":
+                return displacement(instant.host(path.owner), before, instant)
+            return angle_turned(path.owner, before, instant)
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: str, owner: str) -> None:

@@ -252,4 +252,7 @@ class Arrangement:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
         turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
         axles = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
-        return turned or any(item.word in ("belt", "gear") or getattr(item, "friction_torque", None) for item in axles)
+        return turned or any(
+            item.word in ("belt", "gear", "clutch", "drives") or getattr(item, "friction_torque", None)
+            for item in axles
+        )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from dataclasses import fields, replace
 
 from rotsolve.algebra.exact.normal import simplify
@@ -10,9 +10,11 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.connections.connection import Connection
+from rotsolve.elements.connections.contacts import Contact
+from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle, Rod, Shape
 from rotsolve.motion.instant import locate
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
@@ -51,18 +53,30 @@ def completed(problem: Problem) -> Problem:
         if not ref.point
     }
     riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
+    turning = {ref.owner for item in problem.connections for ref in item.fixed_points()}
     bodies = tuple(
         _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
         for body in problem.bodies
     )
-    connections = tuple(_connection(item, letters) for item in problem.connections)
+    named = {body.name: body for body in bodies}
+    connections = tuple(_connection(item, letters, named, turning) for item in problem.connections)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _connection(item: Connection, letters: _Letters) -> Connection:
-    """A torsion spring always has a stiffness; that of an ordinary one may be told by its force."""
+def _connection(item: Connection, letters: _Letters, bodies: Mapping[str, Body], turning: Container[str]) -> Connection:
+    """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
+    if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
+        return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
+    if isinstance(item, Contact) and item.contact[1].owner in bodies:
+        for ref in item.contact:
+            if ref.owner not in turning or rim_radius(bodies[ref.owner], ref.point) is None:
+                help = f"`{ref.owner}` is none; bodies lie and roll on `surfaces`"
+                message = "a contact of two bodies is solved for two wheels on fixed axles only"
+                raise Unsolvable(message, span=ref.span, help=help)
+        press = item.press or letters.make("F", item.name, "force")
+        return Rims(item.name, item.contact, press, item.friction)
     return item
 
 

@@ -132,4 +132,4 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
-    return f"moment of inertia, {noun} about the pivot"
+    return f"moment of inertia, {noun} about the {'axis' if shape == 'particle' and not body.parts else 'pivot'}"

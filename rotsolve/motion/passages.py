@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
 from rotsolve.core.directions import opposite
@@ -26,14 +27,22 @@ def passage(
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
     travels = tuple(travel for body in midst_facts.bodies for travel in travels_of(body, interval, first, last, middle))
     groups = groups_of(arrangement, midst_facts, interval.start)
-    works = tuple(
-        work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)
-    )
-    works += tuple(inner_work(body, interval, first) for body in midst_facts.bodies if body.changing)
+    works = [work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)]
+    works += inner_works(midst_facts, interval, first)
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
     return Passage(
-        interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle
+        interval.name,
+        start_facts,
+        end_facts,
+        midst_facts,
+        travels,
+        summed(works, groups),
+        heights,
+        duration,
+        times,
+        groups,
+        idle,
     )
 
 
@@ -55,6 +64,16 @@ def displacement(name: str, interval: Interval, instant: Instant) -> Formula:
 def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
     """Angle that a body turns through in a phase, counted along its positive sense."""
     return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
+
+
+def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle through which a body turns in a phase, or the last body of a connection against its first."""
+    item = next((item for item in instant.arrangement.connections(interval.start) if item.name == owner), None)
+    if item is None or not item.between():
+        return rotation(instant.host(owner), interval, instant)
+    first, last = (instant.host(ref.owner) for ref in item.between())
+    way = instant.sense(first) * instant.sense(last)
+    return rotation(last, interval, instant) - signed(rotation(first, interval, instant), way)
 
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
@@ -143,18 +162,46 @@ def works_on(
     for couple in body.couples:
         if couple.role == "power":
             yield named_work(couple.owner, power_of(couple.owner, first) * duration, (name,), interval, first)
-        elif not couple.internal and couple.role != "torsion":
+        elif not couple.internal and couple.role not in ("torsion", "inner"):
             turned = signed(rotation(name, interval, first), first.sense(name))
             amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
             yield named_work(couple.owner, amount, (name,), interval, first)
 
 
-def inner_work(body: BodyFacts, interval: Interval, first: Instant) -> Work:
-    """The work of the forces within a body whose moment of inertia changes: of what drives its riders, or of the body itself."""
-    rides = (item for item in first.arrangement.connections(interval.start) if isinstance(item, Rides))
-    owner = next((item.name for item in rides if first.host(item.rides[1].owner) == body.name), body.name)
-    letter = first.ask("work", owner, when=interval.name)
-    return Work(owner, letter, owner, (body.name,), inner=True)
+def summed(works: Sequence[Work], groups: Sequence[frozenset[str]]) -> tuple[Work, ...]:
+    """The works with those added up that stand for one letter: what acts on several bodies of a group works on each."""
+    result: list[Work] = []
+    for work in works:
+        place = next((place for place, other in enumerate(result) if shared(work, other, groups)), None)
+        if place is None:
+            result.append(work)
+            continue
+        other = result[place]
+        spelled = (other.spelled or ZERO) + (work.spelled or ZERO)
+        result[place] = replace(other, bodies=(*other.bodies, *work.bodies), spelled=spelled)
+    return tuple(result)
+
+
+def shared(one: Work, other: Work, groups: Sequence[frozenset[str]]) -> bool:
+    """Whether two works go by one letter and belong to one group of bodies."""
+    if one.spelled is None or other.spelled is None or one.amount != other.amount:
+        return False
+    return any({*one.bodies, *other.bodies} <= group for group in groups)
+
+
+def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Work]:
+    """Works of inner forces that nothing is said of: of what turns one body on another, of what draws riders or arms in."""
+    connections = first.arrangement.connections(interval.start)
+    for item in connections:
+        if item.between() and item.pace(first.arrangement, interval.start) == "unknown":
+            bodies = tuple(first.host(ref.owner) for ref in item.between())
+            yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
+    for body in facts.bodies:
+        if body.changing:
+            rides = (item for item in connections if isinstance(item, Rides))
+            owner = next((item.name for item in rides if first.host(item.rides[1].owner) == body.name), body.name)
+            letter = first.ask("work", owner, when=interval.name)
+            yield Work(owner, letter, owner, (body.name,), inner=True)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:

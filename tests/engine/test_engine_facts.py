@@ -26,7 +26,7 @@ RATES = ("velocity", "angular_velocity")
 STORING = ("spring", "torsion")  # roles of forces that take their work from a potential
 CONSERVATIVE = ("weight", *STORING)
 PLACES = ("angle", "displacement", "elongation")
-LOSING = ("friction", "drive")  # roles of a connection's forces that give or take work for good
+LOSING = ("friction", "drive", "inner")  # roles of a connection's forces that give or take work for good
 
 
 def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_of: Callable[[Path], Problem]) -> None:

@@ -29,7 +29,6 @@ connections:
   foot: {ball: top.tip}
   root: {clamp: beam.start}
   pin: {hinge: egg.center, along: [0, 0, 1]}
-actions: {brake: {press: 3 N, on: top, friction: 0.3}}
 states: {now: {top.spin: w, steady: true, top.angle from up: 30 deg}, then: {}}
 events: {stop: {fixes: beam.end, from: now, to: then}, hold: {grips: pin, from: now, to: then}}
 find: {P: top.precession, M: beam.at(a/2).bending_moment, T: period of small swings, x: angle of beam from box}
@@ -51,7 +50,7 @@ def test_words_that_come_later_are_refused_by_name() -> None:
     others = [fault for fault in caught.value.faults if fault.kind != "not yet"]
     assert [fault.message for fault in others] == []
     named = {fault.message.split("`")[1] for fault in caught.value.faults}
-    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "press", "fixes", "grips", "steady"} <= named
+    assert {"up: z", "hollow", "cone", "cuboid", "ball", "clamp", "fixes", "grips", "steady"} <= named
     assert {"spin", "precession", "bending_moment", "period of", "angle of", "inertia tensor", "assume"} <= named
 
 

@@ -2,7 +2,8 @@
 
 from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
-from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.drives import Belt, Drive, Gear
+from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Weld
@@ -20,6 +21,8 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Torsion,
     Belt,
     Gear,
+    Drive,
+    Clutch,
     Rides,
 )
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
-from rotsolve.core.heading import NOWHERE, Heading, Vector, unit, vector
+from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.rims import rim_radius
@@ -80,11 +80,22 @@ class Touch(Connection):
             (normal, " ≥ 0: the surface can only push"),
             f"{spoken(ref.owner)} leaves the surface",
         )
-        motion = instant.motion(name)
-        if motion.kind == "plane" or motion.kind == "axis":
+        if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
-            yield slip_rule(self.name, label, name, arm, surface.normal, instant, linear=False)
+            kept = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
+            yield slip_rule(self.name, label, name, kept, surface.normal, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def course(self, instant: Instant) -> Heading | None:
+        """The body's line of travel where that runs along this surface."""
+        surface, heading = self.surface(instant.arrangement), instant.motion(self.pair()[0].owner).heading
+        along = surface is not None and heading is not None and (heading - surface.normal).cos() == ZERO
+        return heading if along else None
+
+    def forward(self, instant: Instant) -> Heading:
+        """The way along the surface that counts as positive."""
+        surface = self.surface(instant.arrangement)
+        return self.course(instant) or (surface.normal.turned(-90) if surface is not None else RIGHT)
 
     def touching_velocity(self, instant: Instant) -> Vector:
         """Velocity of the body's touching point."""
@@ -96,10 +107,9 @@ class Touch(Connection):
         ref, surface = self.pair()[0], self.surface(instant.arrangement)
         if surface is None:
             return None
-        name, motion = instant.host(ref.owner), instant.motion(ref.owner)
-        forward = motion.heading or surface.normal.turned(-90)
-        arm = contact_arm(ref, surface, instant)
-        return slip_rule(self.name, f"{spoken(name)} no longer slips", name, arm, forward, instant, linear=False)
+        name, arm = instant.host(ref.owner), contact_arm(ref, surface, instant)
+        label = f"{spoken(name)} no longer slips"
+        return slip_rule(self.name, label, name, arm, self.forward(instant), instant, linear=False)
 
     def friction_facts(
         self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
@@ -108,8 +118,8 @@ class Touch(Connection):
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)
         if grip.kind == "none":
             return
-        forward = motion.heading or surface.normal.turned(-90)
-        ahead, back = travel_words(motion.heading, surface, instant, name)
+        forward = self.forward(instant)
+        ahead, back = travel_words(self.course(instant), surface, instant, name)
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
@@ -174,7 +184,7 @@ def slip_rule(
 @dataclass(frozen=True)
 class Contact(Touch):
     word = "contact"
-    about = "a body lies on, slides along or rolls on a surface or another body"
+    about = "a body lies on, slides along or rolls on a surface, or a wheel rubs on another: both on fixed axles"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
     contact: tuple[PointRef, ...] = key(
@@ -186,6 +196,14 @@ class Contact(Touch):
         default=Friction(),
         letter="mu",
         limits="nonnegative",
+    )
+    press: Formula | None = key(
+        "quantity",
+        "force that presses two wheels together at their rims",
+        dimension="force",
+        letter="F",
+        limits="positive",
+        default=None,
     )
 
     def pair(self) -> tuple[PointRef, PointRef]:
