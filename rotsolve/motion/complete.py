@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
+from collections.abc import Container
 from dataclasses import fields, replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.connections.connection import Connection
 from rotsolve.elements.connections.contacts import Contact
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Particle, Rod, Shape
+from rotsolve.motion.admissible import check
 from rotsolve.motion.instant import locate
+from rotsolve.motion.owndata import versions
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
@@ -40,7 +41,7 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    check_points(problem)
+    check(problem)
     letters = _Letters(problem)
     wheels = {
         ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
@@ -53,62 +54,25 @@ def completed(problem: Problem) -> Problem:
         if not ref.point
     }
     riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
-    turning = {ref.owner for item in problem.connections for ref in item.fixed_points()}
     bodies = tuple(
         _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
         for body in problem.bodies
     )
-    named = {body.name: body for body in bodies}
-    connections = tuple(_connection(item, letters, named, turning) for item in problem.connections)
+    versions(bodies, problem.states)  # refuses what can't differ between states
+    connections = tuple(_connection(item, letters, {body.name for body in bodies}) for item in problem.connections)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _connection(item: Connection, letters: _Letters, bodies: Mapping[str, Body], turning: Container[str]) -> Connection:
+def _connection(item: Connection, letters: _Letters, bodies: Container[str]) -> Connection:
     """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
     if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
         return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
     if isinstance(item, Contact) and item.contact[1].owner in bodies:
-        for ref in item.contact:
-            if ref.owner not in turning or rim_radius(bodies[ref.owner], ref.point) is None:
-                help = f"`{ref.owner}` is none; bodies lie and roll on `surfaces`"
-                message = "a contact of two bodies is solved for two wheels on fixed axles only"
-                raise Unsolvable(message, span=ref.span, help=help)
         press = item.press or letters.make("F", item.name, "force")
         return Rims(item.name, item.contact, press, item.friction)
     return item
-
-
-def check_points(problem: Problem) -> None:
-    """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
-    bodies = {body.name: body for body in problem.bodies}
-    for item in problem.connections:
-        if isinstance(item, Rides):
-            check_ride(item, problem, bodies)
-        for ref in item.touches():
-            body = bodies.get(ref.owner)
-            if body is None:
-                continue
-            shape = shape_of(body)
-            if item.word == "hinge" and ref.point is None and "start" in shape.points:
-                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
-                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
-            if item.word == "string" and ref.point in ("top", "bottom"):
-                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
-                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
-
-
-def check_ride(item: Rides, problem: Problem, bodies: Mapping[str, Body]) -> None:
-    """What rides is a particle, on a body that an axle or hinge holds."""
-    rider, carrier = item.rides
-    if not isinstance(shape_of(bodies[rider.owner]), Particle):
-        help = "leave out its `shape`: its mass is at its `radius` from the axis"
-        raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
-    held = {ref.owner for other in problem.connections for ref in other.fixed_points()}
-    if carrier.owner not in held or rider.owner in held:
-        help = f"give `axle: {carrier.owner}`"
-        raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import shape_of
 from rotsolve.scene.model import Body, Condition, State
 
@@ -49,6 +48,9 @@ def is_own(line: Condition, bodies: Container[str]) -> bool:
 def with_data(body: Body, word: str, value: Formula, line: Condition) -> Body:
     """The body with one of its data replaced."""
     shape = shape_of(body)
+    if body.parts or body.holes:
+        help = "give it as one body with its `inertia` at each state"
+        raise Unsolvable(f"`{body.name}` has parts, whose data can't differ between states", span=line.span, help=help)
     if word == "mass" and body.mass is not None:
         return replace(body, mass=value)
     if word == "inertia":
@@ -60,4 +62,4 @@ def with_data(body: Body, word: str, value: Formula, line: Condition) -> Body:
     if word == "radius" and body.radius is not None:
         return replace(body, radius=value)
     help = "say its `inertia` at each state"
-    raise Unsolvable(f"`{spoken(body.name)}` has no {word} that could differ between states", span=line.span, help=help)
+    raise Unsolvable(f"`{body.name}` has no {word} that could differ between states", span=line.span, help=help)
