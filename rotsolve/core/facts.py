@@ -156,6 +156,7 @@ class BodyFacts:
     round: bool = False
     axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
+    sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:

@@ -83,7 +83,7 @@ QUANTITIES = (
     kind("displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION),
     kind("distance", "length", "d", (BODY, POINT), "length of the way covered"),
     kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
-    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", MOTION),
+    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", (*MOTION, "radial")),
     kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
     kind(
         "acceleration",

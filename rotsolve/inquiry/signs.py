@@ -86,6 +86,8 @@ class Signs:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.component == "radial":
+            return self._along_carrier(quantity.owner, quantity.when, name)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when)
         if quantity.kind in ("time", "tension", "mass", "normal_force"):
@@ -127,6 +129,19 @@ class Signs:
                 relation = " > 0" if sign > 0 else " < 0"
                 return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), relation)
         return 0, ()
+
+    def _along_carrier(self, rider: str, state: str, name: str) -> tuple[int, Words]:
+        """Which way a body slides along another: outwards where its distance from the axis has grown."""
+        arrangement = self.history.arrangement
+        before = arrangement.timeline.before(state) if state in arrangement.timeline.order else None
+        if before is None:
+            return 0, ()
+        places = [getattr(arrangement.body(rider, when).shape, "radius", None) for when in (before.start, state)]
+        grown = self.number(places[1] - places[0]) if places[0] is not None and places[1] is not None else None
+        if not grown:
+            return 0, ()
+        way, relation = ("outwards", " > 0") if grown > 0 else ("inwards", " < 0")
+        return (1 if grown > 0 else -1), (f"{spoken(rider)} slides {way}: ", Symbol(name), relation)
 
     def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
         """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""

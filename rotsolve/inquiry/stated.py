@@ -180,6 +180,9 @@ class Statements:
             if owner in ("all", body.name):
                 for rate in self._rates(instant, body.name):
                     self._set(rate, ZERO)
+        for item in self.arrangement.rides(state):
+            if owner in ("all", item.rides[0].owner):
+                self._set(instant.outward(item.rides[0].owner), ZERO)
 
     def _balance(self, state: str) -> None:
         """In equilibrium nothing accelerates."""

@@ -20,6 +20,7 @@ def check(problem: Problem) -> None:
     for item in problem.connections:
         if isinstance(item, Rides):
             check_ride(item, bodies, held)
+            check_free(item, problem)
         elif isinstance(item, Contact):
             check_contact(item, bodies, held)
         elif item.between():
@@ -63,6 +64,23 @@ def check_ride(item: Rides, bodies: Mapping[str, Body], held: Mapping[str, str])
     if carrier.owner not in held or rider.owner in held:
         help = f"give `axle: {carrier.owner}`"
         raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
+
+
+def check_free(item: Rides, problem: Problem) -> None:
+    """Of what slides freely each state says where it is, and no event happens meanwhile."""
+    rider = item.rides[0]
+    said = {
+        state.name
+        for state in problem.states
+        for line in state.conditions
+        if line.path is not None and (line.path.owner, line.path.quantity) == (rider.owner, "radius")
+    }
+    silent = next((state for state in problem.states[1:] if state.name not in said), None)
+    if item.free and silent is not None:
+        help = f"give `{rider.owner}.radius`"
+        raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{silent.name}`", span=silent.span, help=help)
+    if item.free and problem.events:
+        raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
 
 
 def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:

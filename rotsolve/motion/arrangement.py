@@ -64,9 +64,15 @@ class Arrangement:
             (self._versions[state][item].since for item in names), key=lambda name: self.timeline.order.get(name, -1)
         )
 
+    def altered(self, name: str, start: str, end: str) -> bool:
+        """Whether a body's own data differ between two states."""
+        return self._versions[start][name] != self._versions[end][name]
+
     def changing(self, name: str, state: str) -> bool:
-        """Whether the data of a body, or of what it carries, change in the phase of a state."""
+        """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
         phase = self.timeline.phase_of(state)
+        if any(item.free and item.rides[1].owner == name for item in self.rides(state)):
+            return True
         return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
 
     @cached_property
@@ -119,19 +125,20 @@ class Arrangement:
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         now = self.timeline.order[state]
-        riders = [self._rider(item, state) for item in self._rides(state)]
+        riders = [self._rider(item, state) for item in self.rides(state)]
         pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
         for interval in self.timeline.intervals[:now]:
             if isinstance(interval.event, Joins):
                 pairs.append(interval.event.joins)
         return (*riders, *(self._member(first, second, state) for first, second in pairs))
 
-    def _rides(self, state: str) -> tuple[Rides, ...]:
+    def rides(self, state: str) -> tuple[Rides, ...]:
+        """The bodies that slide along others at a state."""
         return tuple(item for item in self.connections(state) if isinstance(item, Rides))
 
-    def rides(self, name: str, state: str) -> bool:
-        """Whether a body slides along another, with which it turns."""
-        return any(item.rides[0].owner == name for item in self._rides(state))
+    def ride(self, name: str, state: str) -> Rides | None:
+        """What makes a body slide along another, with which it turns."""
+        return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
 
     def _rider(self, item: Rides, state: str) -> Member:
         """A body that rides on another: its distance is counted from the carrier's axis."""

@@ -74,7 +74,15 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         instant.is_round(body.name),
         instant.arrangement.axis(body.name, instant.state),
         instant.arrangement.changing(body.name, instant.state),
+        sliding(body.name, instant),
     )
+
+
+def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
+    """Mass and speed along the body of each rider that slides on it freely."""
+    riders = [item.rides[0].owner for item in instant.arrangement.rides(instant.state) if item.free]
+    own = [rider for rider in riders if instant.host(rider) == name]
+    return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
 
 
 def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
@@ -128,7 +136,9 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
     pivot = instant.arrangement.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
-    if not own.cm.parts or any(instant.arrangement.rides(name, instant.state) for name in members):
+    if any(instant.arrangement.ride(name, instant.state) for name in members):
+        return f"moment of inertia, {noun}"
+    if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"

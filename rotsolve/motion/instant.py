@@ -246,6 +246,13 @@ class Instant:
     def is_round(self, name: str) -> bool:
         return name in self.arrangement.bodies and rim_radius(self.body(name), None) is not None
 
+    def outward(self, rider: str) -> Formula:
+        """Speed along the body on which it slides, away from the axis; a rider that is held has none."""
+        ride = self.arrangement.ride(rider, self.state)
+        if ride is None or not ride.free:
+            return ZERO
+        return self.ask("velocity", rider, when=self.moving, component="radial", words=("outwards", "inwards"))
+
     def time(self) -> Formula:
         """The running time at this moment: the letter `time` in the midst of a phase."""
         return Symbol("time") if self.generic else self.ask("time", "")

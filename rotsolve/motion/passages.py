@@ -10,7 +10,7 @@ from rotsolve.core.directions import opposite
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Passage, Travel, Work
-from rotsolve.elements.connections import Contact, Hinge, Rides
+from rotsolve.elements.connections import Contact, Hinge
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
@@ -196,12 +196,13 @@ def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Wo
         if item.between() and item.pace(first.arrangement, interval.start) == "unknown":
             bodies = tuple(first.host(ref.owner) for ref in item.between())
             yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
+    drawn = {item.rides[0].owner: item.name for item in first.arrangement.rides(interval.start) if not item.free}
     for body in facts.bodies:
-        if body.changing:
-            rides = (item for item in connections if isinstance(item, Rides))
-            owner = next((item.name for item in rides if first.host(item.rides[1].owner) == body.name), body.name)
-            letter = first.ask("work", owner, when=interval.name)
-            yield Work(owner, letter, owner, (body.name,), inner=True)
+        members = [member.name for member in first.arrangement.cluster(body.name, interval.start)]
+        for name in (body.name, *members):
+            owner = drawn.get(name, name)
+            if first.arrangement.altered(name, interval.start, interval.end) and (name == body.name or name in drawn):
+                yield Work(owner, first.ask("work", owner, when=interval.name), owner, (body.name,), inner=True)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:
@@ -249,6 +250,8 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     roles = {force.role for body in facts.bodies if body.name in group for force in body.forces}
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
+    if any(body.sliding for body in facts.bodies if body.name in group):
+        parts.append("there is no friction where the one slides along the other")
     if "reaction" in roles and held:
         axles = any(
             str(force.words[0]).startswith("axle")

@@ -64,13 +64,14 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
 
 
 def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
-    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone."""
+    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it."""
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
             terms.extend(HALF * body.mass * square(size) for size, _ in body.motion.velocity.parts)
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
+        terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
 
 

@@ -107,6 +107,21 @@ def test_man_with_weights_by_a_growing_moment_of_inertia() -> None:
     assert found["delta_K"] == pytest.approx(final[1], rel=1e-9)
 
 
+def test_bead_flung_along_a_bar_in_the_turning_frame() -> None:
+    """r̈ = r ω² on the smooth bar, whose push −2 m ṙ ω − m r α turns the bar back."""
+    bar, mass = 1.2 * 0.8**2 / 3, 0.5
+
+    def rate(_: float, state: State) -> Sequence[float]:
+        radius, outward, turn = state
+        return outward, radius * turn**2, -2 * mass * radius * outward * turn / (bar + mass * radius**2)
+
+    _, (radius, outward, turn) = until(rate, (0.2, 0.0, 6.0), lambda state: 0.8 - state[0])
+    found = answers("bead-flung-along-a-bar")
+    assert found["omega"] == pytest.approx(turn, rel=1e-9)
+    assert found["u"] == pytest.approx(outward, rel=1e-9)
+    assert found["v"] == pytest.approx(math.hypot(outward, radius * turn), rel=1e-9)
+
+
 def test_man_walking_round_by_the_force_of_his_feet() -> None:
     """He speeds up smoothly to u for a second, then walks on; his feet push the rim back with what speeds him up."""
     mass, radius, inertia, speed = 70.0, 2.0, 420.0, 1.5

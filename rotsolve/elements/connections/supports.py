@@ -181,6 +181,17 @@ class Rides(Connection):
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     quantities = ("work",)
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
+    friction: str = key(
+        "choice",
+        "`none`: it is let go and slides freely; else it is held or drawn, and at rest on the bar at each state",
+        choices=("none",),
+        default="",
+    )
+
+    @property
+    def free(self) -> bool:
+        """Whether nothing holds the rider where it is."""
+        return self.friction == "none"
 
 
 def reaction(

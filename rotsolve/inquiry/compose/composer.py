@@ -268,7 +268,8 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            parts.append(f"{owner} {spoken(line.path.quantity)} {value}".strip())
+            kind = f"{line.path.component} " if line.path.component in ("radial", "tangential", "normal") else ""
+            parts.append(f"{owner} {kind}{spoken(line.path.quantity)} {value}".strip())
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 

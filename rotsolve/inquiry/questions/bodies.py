@@ -7,7 +7,7 @@ from fractions import Fraction
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.heading import RIGHT, UP, Vector, unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.elements.rims import rim_radius
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
@@ -36,6 +36,9 @@ class OfBodies(Moment):
     def of_point(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: its size, or a component."""
         instant = self.instant
+        ride = instant.arrangement.ride(path.owner, instant.state)
+        if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
+            return self._of_rider(path)
         ref = PointRef(path.owner, path.point or "cm", path.argument)
         motion, arm = instant.motion(path.owner), instant.point(ref)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
@@ -54,6 +57,21 @@ class OfBodies(Moment):
             else ""
         )
         return Meaning(size_of(vector), dimension, vector, remark, label)
+
+    def _of_rider(self, path: Path) -> Meaning:
+        """Velocity of what slides along another body: ω r across, and its speed along that body."""
+        instant, name, dimension = self.instant, path.owner, BY_WORD[path.quantity].dimension
+        motion = instant.motion(name)
+        outward = unit(motion.orientation).times(instant.outward(name))
+        across = unit(motion.orientation.turned(90)).times(self._radius(name) * motion.spin)
+        if path.component in ("radial", "tangential"):
+            part, sense = (outward, 1) if path.component == "radial" else (across, motion.sense)
+            words = ("outwards", "inwards") if path.component == "radial" else ("", "")
+            return Meaning(size_of(part, signed_by=sense), dimension, words=words)
+        vector = across + outward
+        if path.component in ("x", "y"):
+            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
+        return Meaning(size_of(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""
@@ -107,7 +125,9 @@ class OfBodies(Moment):
         if self._joined(name) and component is None:
             motion = self.instant.motion(name)
             if motion.kind == "axis":
-                return HALF * self._own_moment(name) * square(motion.spin)
+                own = HALF * self._own_moment(name) * square(motion.spin)
+                outward = HALF * mass_of(self.instant.body(name)) * square(self.instant.outward(name))
+                return total([part for part in (own, outward) if part != ZERO])
             velocity = self.instant.velocity(PointRef(name, "cm"))
             own = self._own_moment(name, about_axis=False)
             return total(
