@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.answering import Inquiry, families_for
@@ -136,10 +137,18 @@ def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) ->
             speed = Inquiry(history, families_for(None)).settled(speed)
         if speed is None or any(SEPARATOR in name for name in speed.symbols()):
             continue
-        number = Inquiry(history, (NEWTON,)).number(speed)
-        if number is not None and number * sense > 1e-12:
+        if sign_of(speed, Inquiry(history, (NEWTON,))) == sense:
             return sense
     return 0
+
+
+def sign_of(speed: Formula, inquiry: Inquiry) -> int:
+    """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
+    number = inquiry.number(speed)
+    if number is not None:
+        return 0 if abs(number) < 1e-12 else 1 if number > 0 else -1
+    signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
+    return signs.pop() if len(signs) == 1 else 0
 
 
 def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:

@@ -106,9 +106,7 @@ def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
             continue
         sense, names = members[0].motion.sense, tuple(body.name for body in members)
         before, after = (angular_momenta(facts, names, sense) for facts in (passage.start, passage.end))
-        words: Words = (
-            () if outside else ("No outside torque acts about the axis: what the parts do to each other cancels.",)
-        )
+        words: Words = () if outside else (undisturbed(passage, names),)
         label = "angular momentum about the axis is conserved"
         if outside:
             label = "angular impulse = change of angular momentum about the axis"
@@ -117,6 +115,13 @@ def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
             yield Equation(*sides, label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
         if len(members) > 1 and not outside and not any(body.changing for body in members):
             yield from angles_turned(passage, members, before, section)
+
+
+def undisturbed(passage: Passage, names: tuple[str, ...]) -> str:
+    """Why angular momentum is conserved, in a sentence."""
+    masses = [[body.mass for body in facts.bodies if body.name in names] for facts in (passage.start, passage.end)]
+    added = "" if masses[0] == masses[1] else "; what is added brings no angular momentum"
+    return f"No outside torque acts about the axis: what the parts do to each other cancels{added}."
 
 
 def angles_turned(
@@ -145,6 +150,8 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
     by_owner: dict[str, list[Formula]] = {}
     for body in members:
+        if any(force.role == "weight" and force.torque != ZERO for force in body.forces):
+            return None  # it depends on how far the body has turned
         for item in body.acting:
             by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
     outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]

@@ -180,7 +180,7 @@ class OfBodies(Moment):
         """Radius of a round body; of a particle, its distance from the axis."""
         body = self.instant.body(name)
         radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
-        if radius is None:
+        if radius is None or radius == ZERO:
             raise NotYet(f"`{name}` has no radius")
         return radius
 
