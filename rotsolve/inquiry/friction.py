@@ -127,19 +127,30 @@ def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
 
 def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
     """The sense in which it slides or turns at the start of its phase; 0 where it is not known to move."""
-    for sense in (1, -1):  # taken to slip, so that no rule of sticking settles what is asked
-        trial = {**modes, rub.key: rub.mode(sense)}
-        history = History(arrangement, trial)
-        speed = rub.rate(history.instant(rub.state))
-        if speed is None:
-            return 0
-        if rub.contact is None or rub.state != arrangement.timeline.states[0].name:  # set going by an event or before
-            speed = Inquiry(history, families_for(None)).settled(speed)
-        if speed is None or any(SEPARATOR in name for name in speed.symbols()):
-            continue
-        if sign_of(speed, Inquiry(history, (NEWTON,))) == sense:
+    history = History(arrangement, modes)
+    speed = rub.rate(history.instant(rub.state))
+    if speed is None:
+        return 0
+    if is_known(speed):
+        return sign_of(speed, Inquiry(history, (NEWTON,)))
+    first = rub.state == arrangement.timeline.states[0].name
+    return 0 if rub.contact is not None and first else sense_left(arrangement, rub, modes)
+
+
+def sense_left(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
+    """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
+    for sense in (1, -1):
+        history = History(arrangement, {**modes, rub.key: rub.mode(sense)})
+        inquiry = Inquiry(history, families_for(None))
+        speed = inquiry.settled(rub.rate(history.instant(rub.state)) or ZERO)
+        if speed is not None and is_known(speed) and sign_of(speed, inquiry) == sense:
             return sense
     return 0
+
+
+def is_known(speed: Formula) -> bool:
+    """Whether a speed holds givens alone."""
+    return not any(SEPARATOR in name for name in speed.symbols())
 
 
 def sign_of(speed: Formula, inquiry: Inquiry) -> int:
