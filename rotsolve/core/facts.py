@@ -12,6 +12,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.heading import NOWHERE, Heading, Vector
+from rotsolve.core.writing import spoken
 
 
 def square(value: Formula) -> Formula:
@@ -192,6 +193,9 @@ class BodyFacts:
     round: bool = False
     along: tuple[str, ...] = ()  # what the axes are called, where that is not plain
     sweep: Sweep | None = None
+    axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
+    changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
+    sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:
@@ -246,3 +250,11 @@ class Facts:
 def signed(value: Formula, sense: int) -> Formula:
     """`value` counted along a sense: itself for +1, its negative for −1."""
     return value if sense > 0 else negate(value)
+
+
+def held_still(owner: str, name: str, motion: Motion) -> Rule:
+    """A body that friction holds: ω = 0, α = 0."""
+    label = f"friction holds {spoken(name)}"
+    rates = (signed(rate, motion.sense) for rate in (motion.spin, motion.spin_rate))
+    velocity, acceleration = ((rate, ZERO) for rate in rates)
+    return Rule(owner, label, (name,), velocity, acceleration)

@@ -14,7 +14,7 @@ from rotsolve.core.heading import Vector
 class Travel:
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `words` name it ("block", "disc, rotation"); `pace` is 'constant', 'time' or 'position'; for varying paces `midway` is the
+    `words` name it ("block", "disc, rotation"); `pace` is 'constant', 'time', 'position' or 'unknown'; for varying paces `midway` is the
     acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
     """
 
@@ -43,6 +43,7 @@ class Work:
     words: str
     bodies: tuple[str, ...]
     spelled: Formula | None = None  # what `amount` stands for, where it is a letter
+    inner: bool = False  # done by forces between the parts of the system
 
 
 @dataclass(frozen=True, slots=True)

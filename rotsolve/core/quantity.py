@@ -69,7 +69,7 @@ def kind(
 
 QUANTITIES = (
     kind("angle", "angle", "theta", (BODY, LINK), "from the rightward horizontal, counterclockwise, unwrapped"),
-    kind("rotation", "angle", "theta", (BODY,), "signed change of the angle since the state before"),
+    kind("rotation", "angle", "theta", (BODY, LINK), "signed change of the angle since the state before"),
     kind(
         "angular_velocity",
         "angular velocity",
@@ -83,7 +83,7 @@ QUANTITIES = (
     kind("displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION),
     kind("distance", "length", "d", (BODY, POINT), "length of the way covered"),
     kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
-    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", MOTION),
+    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", (*MOTION, "radial")),
     kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
     kind(
         "acceleration",

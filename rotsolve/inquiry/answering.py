@@ -9,7 +9,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.inquiry.finds import Asked
@@ -272,7 +272,8 @@ class Inquiry:
         alone = [
             [index for index in allowed if self.planner.pool[index].family in ("", KINEMATICS, law)] for law in laws
         ]
-        return [allowed, *alone] if len(laws) > 1 else [allowed]
+        summed = [index for index in allowed if self.planner.pool[index].family in ("", ANGULAR_MOMENTUM)]
+        return [allowed, *alone, summed] if len(laws) > 1 else [allowed]  # impulses sum over a phase without kinematics
 
     def remember(self) -> None:
         """Results found on the way may serve the next question."""

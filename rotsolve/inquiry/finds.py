@@ -15,7 +15,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, path_text
 from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.inquiry.transfers import impulse, potential_change, work
-from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.passages import angle_turned, displacement
 from rotsolve.scene.model import Find, Path, Term
 
 SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
@@ -199,7 +199,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         if path.quantity == "displacement" or path.quantity == "distance":
             part = displacement(name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("rotation", "turns"):
-            part = rotation(name, interval, instant) if interval.event is None else ZERO
+            part = angle_turned(path.owner, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("impulse", "angular_impulse"):
             part = impulse(path, interval.name, interval.start, history)
         else:

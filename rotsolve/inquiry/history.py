@@ -15,6 +15,7 @@ from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
 from rotsolve.inquiry.swings.placing import Placing
@@ -161,7 +162,7 @@ class History:
                 if line.path is not None and line.word in ("rolls", "sticks")
             }
             for item in self.arrangement.connections(state.name):
-                if item.name in said and isinstance(item, Touch):
+                if item.name in said and isinstance(item, (Touch, Rubbing)):
                     rule = item.grip_rule(self.instant(state.name))
                     if rule is not None:
                         yield constraints.written(rule, rule.velocity, state.name)
@@ -194,6 +195,7 @@ class History:
         yield from kinematics.kinematics(passage, section)
         yield from momentum.impulses_over(passage, section)
         yield from momentum.kept_over(passage, section)
+        yield from momentum.about_common_axes(passage, section)
         yield from constraints.for_displacements(passage.midst, self.changes(passage), section)
         if self.varies(interval):
             yield from turning.moments_of_inertia(passage.midst, section)

@@ -181,6 +181,8 @@ class Signs:
             return (1, (Symbol(name), " > 0")) if self._is_size(name) else (0, ())
         if quantity.kind in ("velocity", "angular_velocity") and not quantity.component:
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
+        if quantity.kind == "velocity" and quantity.component == "radial":
+            return self._along_carrier(quantity.owner, quantity.when, name)
         if quantity.kind == "velocity" and quantity.when in self.history.arrangement.timeline.order:
             return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
@@ -239,6 +241,19 @@ class Signs:
         share = self.number(self.with_answers(tied.substitute({turns[0]: ONE})))
         sign, words = self.expected(turns[0])
         return (0, ()) if not share else (sign if share > 0 else -sign, words)
+
+    def _along_carrier(self, rider: str, state: str, name: str) -> tuple[int, Words]:
+        """Which way a body slides along another: outwards where its distance from the axis has grown."""
+        arrangement = self.history.arrangement
+        before = arrangement.timeline.before(state) if state in arrangement.timeline.order else None
+        if before is None:
+            return 0, ()
+        places = [getattr(arrangement.body(rider, when).shape, "radius", None) for when in (before.start, state)]
+        grown = self.number(places[1] - places[0]) if places[0] is not None and places[1] is not None else None
+        if not grown:
+            return 0, ()
+        way, relation = ("outwards", " > 0") if grown > 0 else ("inwards", " < 0")
+        return (1 if grown > 0 else -1), (f"{spoken(rider)} slides {way}: ", Symbol(name), relation)
 
     def _onward(self, kind: str, owner: str, interval: str) -> tuple[int, Words]:
         """Which way a body goes in a phase: as it moves at the start, else as it is pushed."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
@@ -18,7 +20,8 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.owndata import is_own
+from rotsolve.motion.passages import angle_turned, displacement
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
 
@@ -128,6 +131,9 @@ class Statements:
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
+        if is_own(condition, self.arrangement.bodies):
+            self._check_own(state, condition)  # the arrangement has taken it
+            return
         if condition.rest:
             self._rest(state.name, condition.owner or "all")
         elif condition.path is not None and condition.path.quantity in OSCILLATING:
@@ -146,7 +152,7 @@ class Statements:
             if isinstance(letter, Symbol) and SEPARATOR in letter.name:
                 self._set(letter, condition.value)
             elif letter != condition.value:
-                label = "stated" if letter.symbols() else "given"
+                label = self._label(condition.path) if letter.symbols() else "given"
                 self.stated.append((Equation(letter, condition.value, label, state.name, "", 1), condition))
 
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
@@ -162,6 +168,32 @@ class Statements:
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
         self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
 
+    def _label(self, path: Path) -> str:
+        """What a stated equation is called: of one body against another, which two."""
+        item = next((item for item in self.arrangement.problem.connections if item.name == path.owner), None)
+        if item is None or not item.between():
+            return "stated"
+        first, last = (spoken(ref.owner) for ref in item.between())
+        return f"stated: {last} relative to {first}"
+
+    def _check_own(self, state: State, condition: Condition) -> None:
+        """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
+        before = self.arrangement.timeline.before(state.name)
+        if before is None or condition.path is None or condition.value is None:
+            return
+        name, word = condition.path.owner, condition.path.quantity
+        if before.event is not None:
+            raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
+        earlier = self.arrangement.body(name, before.start).mass
+        if word == "mass" and earlier is not None:
+            values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+            try:
+                lost = evaluate(earlier - condition.value, values, digits=6).sign
+            except (Undefined, ValueError):
+                return
+            if lost == 1:
+                raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
+
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
         instant = self._fresh(state)
@@ -169,12 +201,9 @@ class Statements:
             before = self.arrangement.timeline.before(state)
             if before is None:
                 return ZERO
-            name = instant.host(path.owner)
-            return (
-                displacement(name, before, instant)
-                if path.quantity == "displacement"
-                else rotation(name, before, instant)
-            )
+            if path.quantity == "displacement":
+                return displacement(instant.host(path.owner), before, instant)
+            return angle_turned(path.owner, before, instant)
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: str, owner: str) -> None:
@@ -183,6 +212,9 @@ class Statements:
             if owner in ("all", body.name):
                 for rate in self._rates(instant, body.name):
                     self._set(rate, ZERO)
+        for item in self.arrangement.rides(state):
+            if owner in ("all", item.rides[0].owner):
+                self._set(instant.outward(item.rides[0].owner), ZERO)
 
     def _check_shafts(self, state: State) -> None:
         """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""

@@ -12,12 +12,13 @@ from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.core.quantity import INSIDE
 from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection, Hinge, Weld
+from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
+from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import Body, Path, PointRef, Problem, points_of
 
@@ -50,6 +51,32 @@ class Arrangement:
     @cached_property
     def bodies(self) -> dict[str, Body]:
         return {body.name: body for body in self.problem.bodies}
+
+    @cached_property
+    def _versions(self) -> dict[str, dict[str, Version]]:
+        return versions(self.problem.bodies, self.timeline.states)
+
+    def body(self, name: str, state: str) -> Body:
+        """A body with the mass, size and moment of inertia that it has at a state."""
+        return self._versions[state][name].body
+
+    def since(self, name: str, state: str) -> str:
+        """The state from which a body and all that it carries have their data; empty where these never change."""
+        names = (name, *(member.name for member in self.cluster(name, state)))
+        return max(
+            (self._versions[state][item].since for item in names), key=lambda name: self.timeline.order.get(name, -1)
+        )
+
+    def altered(self, name: str, start: str, end: str) -> bool:
+        """Whether a body's own data differ between two states."""
+        return self._versions[start][name] != self._versions[end][name]
+
+    def changing(self, name: str, state: str) -> bool:
+        """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
+        phase = self.timeline.phase_of(state)
+        if any(item.free and item.rides[1].owner == name for item in self.rides(state)):
+            return True
+        return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
 
     @cached_property
     def surfaces(self) -> dict[str, Surface]:
@@ -118,16 +145,31 @@ class Arrangement:
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
         absent = self._gone[state] | {member.name for member in self.members(state)}
-        return tuple(body for body in self.problem.bodies if body.name not in absent)
+        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in absent)
 
     def members(self, state: str) -> tuple[Member, ...]:
-        """Bodies joined to others by a weld, or by an event up to this state."""
+        """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         now = self.timeline.order[state]
+        riders = [self._rider(item, state) for item in self.rides(state)]
         pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
         for interval in self.timeline.intervals[:now]:
             if isinstance(interval.event, Joins):
                 pairs.append(interval.event.joins)
-        return tuple(self._member(first, second, state) for first, second in pairs)
+        return (*riders, *(self._member(first, second, state) for first, second in pairs))
+
+    def rides(self, state: str) -> tuple[Rides, ...]:
+        """The bodies that slide along others at a state."""
+        return tuple(item for item in self.connections(state) if isinstance(item, Rides))
+
+    def ride(self, name: str, state: str) -> Rides | None:
+        """What makes a body slide along another, with which it turns."""
+        return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
+
+    def _rider(self, item: Rides, state: str) -> Member:
+        """A body that rides on another: its distance is counted from the carrier's axis."""
+        rider, carrier = item.rides
+        axis = self.pivot(carrier.owner, state) or PointRef(carrier.owner, "center")
+        return Member(rider.owner, carrier.owner, axis, PointRef(rider.owner, "center"))
 
     def _member(self, first: PointRef, second: PointRef, state: str) -> Member:
         """The joined pair as host and member: a body on an axis, else the extended one, else the last-named is the host."""
@@ -156,6 +198,11 @@ class Arrangement:
                 if ref.owner == name:
                     return ref
         return None
+
+    def axis(self, name: str, state: str) -> str:
+        """The support on whose axis a body turns."""
+        held = (item for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)
+        return next((item.name for item in held), "")
 
     def line(self, name: str, state: str) -> tuple[Heading, str] | None:
         """Direction of travel of a body that moves along a line, and the words for its positive sense."""
@@ -198,15 +245,17 @@ class Arrangement:
                 yield from owners
 
     def pace(self, name: str, state: str) -> str:
-        """How the acceleration of a body's component varies in the phase of a state: 'constant', 'time' or 'position'."""
+        """How the acceleration of a body's component varies in the phase of a state: 'constant', 'time', 'position' or 'unknown'."""
         component = self.component(name, state)
         paces = [self._own_pace(member, state) for member in component]
         for item in self.acting(state):
             if any(self.host(ref.owner, state) in component for ref in item.touches() if ref.owner in self.bodies):
                 paces.append(item.pace(self, state))
-        return max(paces, key=("constant", "time", "position").index)
+        return max(paces, key=("constant", "time", "position", "unknown").index)
 
     def _own_pace(self, name: str, state: str) -> str:
+        if self.changing(name, state):
+            return "unknown"
         if self.pivot(name, state) is not None:
             return "constant" if self.balanced(name, state) or not self.heavy else "position"
         return "constant"
@@ -267,4 +316,7 @@ class Arrangement:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
         turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
         axles = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
-        return turned or any(item.word in ("belt", "gear") or getattr(item, "friction_torque", None) for item in axles)
+        return turned or any(
+            item.word in ("belt", "gear", "clutch", "drives") or getattr(item, "friction_torque", None)
+            for item in axles
+        )

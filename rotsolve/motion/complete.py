@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import fields, replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.elements.actions import Action
 from rotsolve.elements.connections.connection import Connection
-from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.contacts import Contact
+from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.elements.shapes import Particle, Rod, Shape
+from rotsolve.motion.admissible import check
 from rotsolve.motion.fits import check_holding, check_surfaces
 from rotsolve.motion.instant import locate
+from rotsolve.motion.owndata import versions
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
@@ -39,8 +42,7 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    check_points(problem)
-    check_ropes(problem)
+    check(problem)
     check_surfaces(problem)
     check_holding(problem)
     letters = _Letters(problem)
@@ -54,55 +56,26 @@ def completed(problem: Problem) -> Problem:
         for ref in item.touches()[1:-1]
         if not ref.point
     }
-    bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
-    connections = tuple(_connection(item, letters) for item in problem.connections)
+    riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
+    bodies = tuple(
+        _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
+        for body in problem.bodies
+    )
+    versions(bodies, problem.states)  # refuses what can't differ between states
+    connections = tuple(_connection(item, letters, {body.name for body in bodies}) for item in problem.connections)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _connection(item: Connection, letters: _Letters) -> Connection:
-    """A torsion spring always has a stiffness; that of an ordinary one may be told by its force."""
+def _connection(item: Connection, letters: _Letters, bodies: Container[str]) -> Connection:
+    """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
+    if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
+        return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
+    if isinstance(item, Contact) and item.contact[1].owner in bodies:
+        press = item.press or letters.make("F", item.name, "force")
+        return Rims(item.name, item.contact, press, item.friction)
     return item
-
-
-def check_points(problem: Problem) -> None:
-    """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
-    bodies = {body.name: body for body in problem.bodies}
-    for item in problem.connections:
-        for ref in item.touches():
-            body = bodies.get(ref.owner)
-            if body is None:
-                continue
-            shape = shape_of(body)
-            if item.word == "hinge" and ref.point is None and "start" in shape.points:
-                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
-                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
-            if item.word == "string" and ref.point in ("top", "bottom"):
-                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
-                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
-
-
-def check_ropes(problem: Problem) -> None:
-    """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
-    bodies = {body.name: body for body in problem.bodies}
-    level = {surface.name for surface in problem.surfaces if surface.word == "level"} | {"ground"}
-    ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
-    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
-    held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]
-    holders: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
-    for item in holders:
-        for index, ref in enumerate(item.touches()):
-            if (ref.owner in ropes) != (isinstance(item, Drapes) and index == 0):
-                help = "write `drapes: [rope, pulley]`, with a body of `shape: rope` first"
-                raise Unsolvable(f"`{item.word}` can not hold `{ref.owner}`", span=ref.span, help=help)
-    for rope, over, *_ in held:
-        if over.owner not in (turning if over.owner in bodies else level):
-            help = "it hangs over a wheel on an `axle`, a smooth peg (`ground`) or the edge of a level table"
-            raise Unsolvable(f"`{rope.owner}` can not hang over `{over.owner}`", span=over.span, help=help)
-    for name in sorted(ropes - {points[0].owner for points in held}):
-        help = f"say what it hangs over, as in `drapes: [{name}, pulley]`"
-        raise Unsolvable(f"`{name}` is a rope that nothing holds", span=bodies[name].span, help=help)
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
@@ -120,6 +93,14 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
     return _central(replace(body, shape=shape, mass=mass, parts=parts, radius=radius, inertia=inertia))
+
+
+def _rider(body: Body, letters: _Letters) -> Body:
+    """A body that rides on another is a particle at its `radius` from the axis."""
+    shape = shape_of(body)
+    radius = shape.radius if isinstance(shape, Particle) and shape.radius != ZERO else body.radius
+    radius = radius or letters.make("r", body.name, "length")
+    return _body(replace(body, shape=Particle(radius), radius=None), letters, False)
 
 
 def _central(body: Body) -> Body:

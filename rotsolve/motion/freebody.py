@@ -110,7 +110,17 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         forces,
         couples,
         instant.is_round(body.name),
+        axis=instant.arrangement.axis(body.name, instant.state),
+        changing=instant.arrangement.changing(body.name, instant.state),
+        sliding=sliding(body.name, instant),
     )
+
+
+def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
+    """Mass and speed along the body of each rider that slides on it freely."""
+    riders = [item.rides[0].owner for item in instant.arrangement.rides(instant.state) if item.free]
+    own = [rider for rider in riders if instant.host(rider) == name]
+    return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
 
 
 def axes_of(motion: Motion) -> tuple[Heading, ...]:
@@ -146,9 +156,12 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
-        name = f"{kind.letter}_total" if members else kind.letter
-        about = point_of_time(body.name, instant)
-        letter = instant.registry.ask(Quantity("inertia", joined, "", about, name, kind.dimension))
+        since = instant.arrangement.since(body.name, instant.state)
+        changes = any(instant.arrangement.since(body.name, state) for state in instant.arrangement.timeline.order)
+        name = f"{kind.letter}_total" if members and not changes else kind.letter
+        when = since or (instant.arrangement.timeline.states[0].name if changes else "")
+        version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
+        letter = instant.registry.ask(Quantity("inertia", joined, "", version, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
 
 
@@ -176,8 +189,10 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
     pivot = instant.arrangement.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
+    if any(instant.arrangement.ride(name, instant.state) for name in members):
+        return f"moment of inertia, {noun}"
     if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
-    return f"moment of inertia, {noun} about the pivot"
+    return f"moment of inertia, {noun} about the {'axis' if shape == 'particle' and not body.parts else 'pivot'}"

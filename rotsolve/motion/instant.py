@@ -33,16 +33,17 @@ class Frame:
 
 def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
     """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-    items = list(pieces(arrangement.bodies[name]))
+    body = arrangement.body(name, state)
+    items = list(pieces(body))
     for member in arrangement.cluster(name, state):
         if member.host == name:
-            base = locate(arrangement.bodies[name], member.at)
-            offset = locate(arrangement.bodies[member.name], member.own)
+            base = locate(body, member.at)
+            offset = locate(arrangement.body(member.name, state), member.own)
             own = frame(arrangement, member.name, state).pieces
             items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
-    reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
+    reference = locate(body, pivot) if pivot is not None else centre
     return Frame(tuple(items), reference, polar(tidy(centre - reference)))
 
 
@@ -100,7 +101,7 @@ class Instant:
         return self.when if self.generic else self.arrangement.span(name, self.state)
 
     def body(self, name: str) -> Body:
-        return self.arrangement.bodies[name]
+        return self.arrangement.body(name, self.state)
 
     def host(self, name: str) -> str:
         return self.arrangement.host(name, self.state)
@@ -284,6 +285,13 @@ class Instant:
 
     def is_round(self, name: str) -> bool:
         return name in self.arrangement.bodies and rim_radius(self.body(name), None) is not None
+
+    def outward(self, rider: str) -> Formula:
+        """Speed along the body on which it slides, away from the axis; a rider that is held has none."""
+        ride = self.arrangement.ride(rider, self.state)
+        if ride is None or not ride.free:
+            return ZERO
+        return self.ask("velocity", rider, when=self.moving, component="radial", words=("outwards", "inwards"))
 
     def time(self) -> Formula:
         """The running time at this moment: the letter `time` in the midst of a phase."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 from rotsolve.algebra.exact.normal import simplify
@@ -29,13 +29,22 @@ def passage(
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
     travels = tuple(travel for body in midst_facts.bodies for travel in travels_of(body, interval, first, last, middle))
     groups = groups_of(arrangement, midst_facts, interval.start)
-    works = tuple(
-        work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)
-    )
+    works = [work for body in midst_facts.bodies for work in works_on(body, interval, first, last, middle, duration)]
+    works += inner_works(midst_facts, interval, first)
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
     return Passage(
-        interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle
+        interval.name,
+        start_facts,
+        end_facts,
+        midst_facts,
+        travels,
+        summed(works, groups),
+        heights,
+        duration,
+        times,
+        groups,
+        idle,
     )
 
 
@@ -57,6 +66,16 @@ def displacement(name: str, interval: Interval, instant: Instant) -> Formula:
 def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
     """Angle that a body turns through in a phase, counted along its positive sense."""
     return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
+
+
+def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle through which a body turns in a phase, or the last body of a connection against its first."""
+    item = next((item for item in instant.arrangement.connections(interval.start) if item.name == owner), None)
+    if item is None or not item.between():
+        return rotation(instant.host(owner), interval, instant)
+    first, last = (instant.host(ref.owner) for ref in item.between())
+    way = instant.sense(first) * instant.sense(last)
+    return rotation(last, interval, instant) - signed(rotation(first, interval, instant), way)
 
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
@@ -163,10 +182,47 @@ def works_on(
     for couple in body.couples:
         if couple.role == "power":
             yield named_work(couple.owner, power_of(couple.owner, first) * duration, (name,), interval, first)
-        elif not couple.internal and couple.role != "torsion":
+        elif not couple.internal and couple.role not in ("torsion", "inner"):
             turned = signed(rotation(name, interval, first), first.sense(name))
             amount = work_over(couple.torque, turned, body.motion.spin, middle, interval, first, last)
             yield named_work(couple.owner, amount, (name,), interval, first)
+
+
+def summed(works: Sequence[Work], groups: Sequence[frozenset[str]]) -> tuple[Work, ...]:
+    """The works with those added up that stand for one letter: what acts on several bodies of a group works on each."""
+    result: list[Work] = []
+    for work in works:
+        place = next((place for place, other in enumerate(result) if shared(work, other, groups)), None)
+        if place is None:
+            result.append(work)
+            continue
+        other = result[place]
+        spelled = (other.spelled or ZERO) + (work.spelled or ZERO)
+        result[place] = replace(other, bodies=(*other.bodies, *work.bodies), spelled=spelled)
+    return tuple(result)
+
+
+def shared(one: Work, other: Work, groups: Sequence[frozenset[str]]) -> bool:
+    """Whether two works go by one letter and belong to one group of bodies."""
+    if one.spelled is None or other.spelled is None or one.amount != other.amount:
+        return False
+    return any({*one.bodies, *other.bodies} <= group for group in groups)
+
+
+def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Work]:
+    """Works of inner forces that nothing is said of: of what turns one body on another, of what draws riders or arms in."""
+    connections = first.arrangement.connections(interval.start)
+    for item in connections:
+        if item.between() and item.pace(first.arrangement, interval.start) == "unknown":
+            bodies = tuple(first.host(ref.owner) for ref in item.between())
+            yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
+    drawn = {item.rides[0].owner: item.name for item in first.arrangement.rides(interval.start) if not item.free}
+    for body in facts.bodies:
+        members = [member.name for member in first.arrangement.cluster(body.name, interval.start)]
+        for name in (body.name, *members):
+            owner = drawn.get(name, name)
+            if first.arrangement.altered(name, interval.start, interval.end) and (name == body.name or name in drawn):
+                yield Work(owner, first.ask("work", owner, when=interval.name), owner, (body.name,), inner=True)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:
@@ -228,6 +284,8 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     roles = {force.role for body in facts.bodies if body.name in group for force in body.forces}
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
+    if any(body.sliding for body in facts.bodies if body.name in group):
+        parts.append("there is no friction where the one slides along the other")
     if "reaction" in roles and held:
         axles = any(
             str(force.words[0]).startswith("axle")

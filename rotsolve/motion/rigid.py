@@ -39,11 +39,19 @@ def mass_of(body: Body) -> Formula:
 
 
 def pieces(body: Body) -> tuple[Piece, ...]:
-    """The pieces of a body: itself, its parts, and its holes with negative mass."""
+    """The pieces of a body: itself, its parts, and its holes with negative mass; all of it for each copy of `count`."""
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
     holes = tuple(piece for hole in body.holes for piece in _placed(_filled(hole, body), Number(Fraction(-1))))
-    return (*((own,) if own else ()), *parts, *holes)
+    single = (*((own,) if own else ()), *parts, *holes)
+    return single if body.count == 1 else tuple(_repeated(piece, body.count) for piece in single)
+
+
+def _repeated(piece: Piece, count: int) -> Piece:
+    """Identical pieces placed symmetrically about the body's centre: their common centre of mass lies there."""
+    number, arm = Number(Fraction(count)), tidy(piece.at)
+    moment = piece.moment + piece.mass * arm.dot(arm) if arm.parts else piece.moment
+    return Piece(piece.name, number * piece.mass, number * moment if moment != ZERO else ZERO, NOWHERE)
 
 
 def _own_piece(body: Body) -> Piece | None:

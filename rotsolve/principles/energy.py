@@ -56,6 +56,9 @@ def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formul
 
 def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     """Why energy balances: what does no work."""
+    inner = [work for work in passage.works if work.inner and group & set(work.bodies)]
+    if inner:
+        return (inner[0].amount, " is the work of the inner forces: kinetic energy alone is not conserved.")
     idle = [words for words in passage.idle if words]
     if works or not idle:
         return ()
@@ -63,13 +66,14 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
 
 
 def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
-    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone."""
+    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it."""
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
             terms.extend(HALF * body.mass * square(size) for size, _ in body.motion.velocity.parts)
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
+        terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
 
 
@@ -93,8 +97,8 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     connections give no power, so their forces do not occur.
     """
     bodies = [body for body in facts.bodies if body.name in group]
-    if any(body.sweep is not None for body in bodies):
-        return  # the shaft gives energy too
+    if any(body.changing or body.sweep is not None for body in bodies):
+        return  # inner forces, or the shaft, give energy too
     balance = drive(facts, group)
     if balance is not None and balance != (ZERO, ZERO):
         words: Words = (

@@ -22,7 +22,7 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from constant(travel, passage, section)
         elif travel.pace == "time":
             yield from varying(travel, passage, section)
-        else:
+        elif travel.pace == "position":
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None:
             change = travel.arm * (travel.end - travel.start)

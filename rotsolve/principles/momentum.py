@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import ZERO, Formula, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.motion.rigid import tidy
 from rotsolve.principles.rotation import about, response, torques
@@ -18,6 +20,8 @@ from rotsolve.principles.rotation import about, response, torques
 def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
     """dL/dt = τ of a group: about the axis of its one wheel, or about the point where a rolling or unwinding body is held."""
     bodies = [body for body in facts.bodies if body.name in group]
+    if any(body.changing for body in bodies):
+        return
     turning = [body for body in bodies if body.motion.kind == "axis"]
     if len(turning) == 1:
         yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], section)
@@ -104,6 +108,76 @@ def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
                 before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
                 label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
                 yield Equation(before, after, label, section, ANGULAR_MOMENTUM, 3, bodies=(body.name,))
+
+
+def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
+    """L₁ + τ t = L₂ of all bodies on one axis: what they do to each other cancels, also what changes their moments of inertia."""
+    turning = [body for body in passage.midst.bodies if body.motion.turns]
+    for axis in dict.fromkeys(body.axis or body.name for body in turning):
+        members = [body for body in turning if (body.axis or body.name) == axis]
+        outside = outside_torques(members, passage)
+        if (len(members) == 1 and not members[0].changing) or outside is None:
+            continue
+        sense, names = members[0].motion.sense, tuple(body.name for body in members)
+        before, after = (angular_momenta(facts, names, sense) for facts in (passage.start, passage.end))
+        words: Words = () if outside else (undisturbed(passage, names),)
+        label = "angular momentum about the axis is conserved"
+        if outside:
+            label = "angular impulse = change of angular momentum about the axis"
+        if flat(before) or flat(after):
+            sides = positive_first([*before, *outside]), positive_first(after)
+            yield Equation(*sides, label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+        if len(members) > 1 and not outside and not any(body.changing for body in members):
+            yield from angles_turned(passage, members, before, section)
+
+
+def undisturbed(passage: Passage, names: tuple[str, ...]) -> str:
+    """Why angular momentum is conserved, in a sentence."""
+    masses = [[body.mass for body in facts.bodies if body.name in names] for facts in (passage.start, passage.end)]
+    added = "" if masses[0] == masses[1] else "; what is added brings no angular momentum"
+    return f"No outside torque acts about the axis: what the parts do to each other cancels{added}."
+
+
+def angles_turned(
+    passage: Passage, members: list[BodyFacts], momentum: list[Formula], section: str
+) -> Iterator[Equation]:
+    """Σ I θ = L t: the conserved angular momentum summed over the time."""
+    sense, names = members[0].motion.sense, tuple(body.name for body in members)
+    turned = [
+        body.inertia.letter * signed(travel.change, travel.sense * sense)
+        for body in members
+        for travel in passage.travels
+        if body.inertia is not None and (travel.body, travel.kind) == (body.name, "turn")
+    ]
+    right = [term * passage.duration for term in momentum]
+    label = "angular momentum summed over the time"
+    words: Words = ("Angular momentum is the same at every moment: its sum over the time tells the angles turned.",)
+    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 4, words, bodies=names)
+
+
+def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:
+    """I ω of each body, along a sense."""
+    bodies = [body for body in facts.bodies if body.name in names and body.inertia is not None]
+    return [body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia is not None]
+
+
+def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula] | None:
+    """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
+    by_owner: dict[str, list[Formula]] = {}
+    for body in members:
+        if any(force.role == "weight" and force.torque != ZERO for force in body.forces):
+            return None  # it depends on how far the body has turned
+        for item in body.acting:
+            by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
+    outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]
+    if any("time" in torque.symbols() for torque in outside):
+        return None
+    constant = all(
+        travel.pace == "constant" for travel in passage.travels if travel.body in {body.name for body in members}
+    )
+    if not constant and any(SEPARATOR in name for torque in outside for name in torque.symbols()):
+        return None
+    return [torque * passage.duration for torque in outside]
 
 
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:

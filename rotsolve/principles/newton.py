@@ -15,7 +15,7 @@ from rotsolve.core.writing import law, spoken
 def second_law(facts: Facts, section: str) -> Iterator[Equation]:
     """Σ F = m a of the centre of mass, component by component; equilibrium where it does not accelerate."""
     for body in facts.bodies:
-        for axis in body.axes:
+        for axis in body.axes if not body.changing else ():  # what moves within it has an acceleration of its own
             equation = along(body, axis, section)
             if equation is not None:
                 yield equation

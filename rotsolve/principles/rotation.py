@@ -14,9 +14,9 @@ from rotsolve.motion.rigid import tidy
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
-    """Σ τ = I α about the reference point of every body that turns."""
+    """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
     for body in facts.bodies:
-        if body.motion.turns:
+        if body.motion.turns and not body.changing:
             yield from rotation_of(body, section)
 
 

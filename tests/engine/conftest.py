@@ -63,7 +63,7 @@ def load(path: Path) -> Problem:
 def read_all_ways(path: Path) -> tuple[History, ...]:
     """A history for every way in which the rough contacts of a scene may stick or slip."""
     arrangement = Arrangement(load(path))
-    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None]
+    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None or rub.pair is not None]
     ways = itertools.product(MODES, repeat=len(rough))
     return tuple(History(arrangement, dict(zip(rough, way, strict=True))) for way in ways)
 

@@ -27,7 +27,7 @@ STORING = ("spring", "torsion", "hanging")  # roles of forces that take their wo
 CONSERVATIVE = ("weight", *STORING)
 STRETCHES = ("elongation", "length")
 PLACES = ("angle", "displacement", *STRETCHES)
-LOSING = ("friction", "drive")  # roles of a connection's forces that give or take work for good
+LOSING = ("friction", "drive", "inner")  # roles of a connection's forces that give or take work for good
 
 
 def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_of: Callable[[Path], Problem]) -> None:

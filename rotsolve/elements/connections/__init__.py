@@ -3,7 +3,8 @@
 from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
 from rotsolve.elements.connections.drapes import Drapes
-from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.drives import Belt, Drive, Gear
+from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.shafts import Shaft
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
@@ -24,7 +25,9 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Torsion,
     Belt,
     Gear,
+    Drive,
+    Clutch,
     Rides,
 )
 
-__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "String", "Weld"]
+__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "Rides", "String", "Weld"]

@@ -59,6 +59,14 @@ class Connection:
                 found.extend(part for part in value if isinstance(part, PointRef))
         return tuple(found)
 
+    def between(self) -> tuple[PointRef, ...]:
+        """The two bodies, if any, whose turning against each other its angles and angular velocities are."""
+        return ()
+
+    def brakes(self) -> tuple[PointRef, ...]:
+        """Bodies against whose turn it rubs, whichever way that is."""
+        return ()
+
     def fixed_points(self) -> tuple[PointRef, ...]:
         """Points of bodies that it holds to the ground, so that the body turns about them."""
         return ()

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
-from rotsolve.core.heading import NOWHERE, Heading, Vector, heading, unit, vector
+from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact, Orbit
 from rotsolve.elements.rims import rim_radius
@@ -91,11 +91,6 @@ class Touch(Connection):
         """Direction out of the surface where the body touches it."""
         return surface.facing(heading(self.angle(instant))) if isinstance(surface, Curved) else surface.normal
 
-    def forward(self, normal: Heading, instant: Instant) -> Heading:
-        """Direction along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
-        ahead = instant.motion(self.pair()[0].owner).heading
-        return ahead if ahead is not None and (ahead - normal).cos() == ZERO else normal.turned(-90)
-
     def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
         track, surface = self.track(body, arrangement, state), self.surface(arrangement, state)
@@ -130,17 +125,28 @@ class Touch(Connection):
             (normal, " ≥ 0: the surface can only push"),
             f"{spoken(ref.owner)} leaves the surface",
         )
-        motion = instant.motion(name)
-        kept = motion.heading is not None and (motion.heading - facing).cos() == ZERO
-        if not kept:
+        if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
-            yield slip_rule(self.name, label, name, arm, facing, instant, linear=False)
+            kept = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
+            yield slip_rule(self.name, label, name, kept, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def arm(self, instant: Instant) -> Vector:
         """From the body's reference to its touching point."""
         surface = self.surface(instant.arrangement, instant.state)
         return NOWHERE if surface is None else contact_arm(self.pair()[0], self.normal(surface, instant), instant)
+
+    def course(self, instant: Instant) -> Heading | None:
+        """The body's line of travel where that runs along this surface."""
+        surface = self.surface(instant.arrangement, instant.state)
+        ahead = instant.motion(self.pair()[0].owner).heading
+        along = surface is not None and ahead is not None and (ahead - self.normal(surface, instant)).cos() == ZERO
+        return ahead if along else None
+
+    def forward(self, instant: Instant) -> Heading:
+        """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
+        surface = self.surface(instant.arrangement, instant.state)
+        return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def touching_velocity(self, instant: Instant) -> Vector:
         """Velocity of the body's touching point."""
@@ -151,9 +157,9 @@ class Touch(Connection):
         ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
         if surface is None:
             return None
-        name, facing = instant.host(ref.owner), self.normal(surface, instant)
-        forward, arm = self.forward(facing, instant), contact_arm(ref, facing, instant)
-        return slip_rule(self.name, f"{spoken(name)} no longer slips", name, arm, forward, instant, linear=False)
+        name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
+        label = f"{spoken(name)} no longer slips"
+        return slip_rule(self.name, label, name, arm, self.forward(instant), instant, linear=False)
 
     def friction_facts(
         self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
@@ -162,8 +168,8 @@ class Touch(Connection):
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)
         if grip.kind == "none":
             return
-        forward = self.forward(self.normal(surface, instant), instant)
-        ahead, back = travel_words(forward, motion.heading, instant, name)
+        forward = self.forward(instant)
+        ahead, back = travel_words(forward, self.course(instant), instant, name)
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
@@ -228,7 +234,7 @@ def slip_rule(
 @dataclass(frozen=True)
 class Contact(Touch):
     word = "contact"
-    about = "a body lies on, slides along or rolls on a surface or another body"
+    about = "a body lies on, slides along or rolls on a surface, or a wheel rubs on another: both on fixed axles"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
     contact: tuple[PointRef, ...] = key(
@@ -240,6 +246,14 @@ class Contact(Touch):
         default=Friction(),
         letter="mu",
         limits="nonnegative",
+    )
+    press: Formula | None = key(
+        "quantity",
+        "force that presses two wheels together at their rims",
+        dimension="force",
+        letter="F",
+        limits="positive",
+        default=None,
     )
 
     def pair(self) -> tuple[PointRef, ...]:

@@ -13,7 +13,23 @@ from rotsolve.scene.keys import key
 @dataclass(frozen=True)
 class Particle(Shape):
     word = "particle"
-    about = "all mass in one point"
+    about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
+    radius: Formula = key(
+        "quantity",
+        "distance from the centre of its circle",
+        dimension="length",
+        letter="r",
+        limits="positive",
+        default=ZERO,
+    )
+
+    def centroid(self) -> Place:
+        return (self.radius, ZERO)
+
+    @property
+    def outer(self) -> Formula | None:
+        """A particle has no rim."""
+        return None
 
     def slender(self, mass: Formula) -> Formula | None:
         return ZERO

@@ -289,10 +289,10 @@ def state_words(name: str, conditions: Sequence[Condition]) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            quantity = spoken(line.path.quantity)
+            quantity, component = spoken(line.path.quantity), line.path.component or ""
             what = f"{quantity} of small swings" if line.path.quantity in OSCILLATING else quantity
-            words = (owner, what, line.path.component, value)
-            parts.append(" ".join(word for word in words if word))
+            kind, axis = ("", component) if component in ("x", "y") else (component, "")
+            parts.append(" ".join(word for word in (owner, kind, what, axis, value) if word))
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else "as the event leaves it"),)
 
 

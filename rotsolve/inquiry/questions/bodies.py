@@ -7,9 +7,9 @@ from fractions import Fraction
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed, square
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.heading import RIGHT, UP, Vector, unit
 from rotsolve.core.quantity import BY_WORD, INSIDE
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.motion.instant import Instant, locate
@@ -39,6 +39,9 @@ class OfBodies(Moment):
         instant = self.instant
         if path.quantity in INSIDE:
             return self._inside(path)
+        ride = instant.arrangement.ride(path.owner, instant.state)
+        if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
+            return self._of_rider(path)
         ref = PointRef(path.owner, path.point or "cm", path.argument)
         motion, arm = instant.motion(path.owner), instant.point(ref)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
@@ -78,6 +81,21 @@ class OfBodies(Moment):
         letter = instant.ask(path.quantity, path.owner, when=instant.span(path.owner), component=index)
         return Meaning(letter, BY_WORD[path.quantity].dimension)
 
+    def _of_rider(self, path: Path) -> Meaning:
+        """Velocity of what slides along another body: ω r across, and its speed along that body."""
+        instant, name, dimension = self.instant, path.owner, BY_WORD[path.quantity].dimension
+        motion = instant.motion(name)
+        outward = unit(motion.orientation).times(instant.outward(name))
+        across = unit(motion.orientation.turned(90)).times(self._radius(name) * motion.spin)
+        if path.component in ("radial", "tangential"):
+            part, sense = (outward, 1) if path.component == "radial" else (across, motion.sense)
+            words = ("outwards", "inwards") if path.component == "radial" else ("", "")
+            return Meaning(size_of(part, signed_by=sense), dimension, words=words)
+        vector = across + outward
+        if path.component in ("x", "y"):
+            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
+        return Meaning(size_of(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
+
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
         """A quantity of a whole body."""
         instant, name, component = self.instant, path.owner, path.component
@@ -97,6 +115,8 @@ class OfBodies(Moment):
                 return self._kinetic(name, component)
             case "mass":
                 return mass_of(instant.body(name))
+            case "radius":
+                return self._radius(name)
             case "inertia" | "gyration":
                 return self._inertia(path, term)
             case "angular_momentum":
@@ -147,7 +167,9 @@ class OfBodies(Moment):
         if self._joined(name) and component is None:
             motion = self.instant.motion(name)
             if motion.kind == "axis":
-                return HALF * self._own_moment(name) * square(motion.spin)
+                own = HALF * self._own_moment(name) * square(motion.spin)
+                outward = HALF * mass_of(self.instant.body(name)) * square(self.instant.outward(name))
+                return total([part for part in (own, outward) if part != ZERO])
             velocity = self.instant.velocity(PointRef(name, "cm"))
             own = self._own_moment(name, about_axis=False)
             return total(
@@ -197,6 +219,14 @@ class OfBodies(Moment):
         if path.quantity == "inertia":
             return moment
         return simplify(sqrt(moment / total([piece.mass for piece in own.pieces])))
+
+    def _radius(self, name: str) -> Formula:
+        """Radius of a round body; of a particle, its distance from the axis."""
+        body = self.instant.body(name)
+        radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
+        if radius is None or radius == ZERO:
+            raise NotYet(f"`{name}` has no radius")
+        return radius
 
     def _angular_momentum(self, name: str, term: Term | None) -> Formula:
         """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""

@@ -57,6 +57,8 @@ class OfElements(Moment):
             case "angle" if (contact := self._contact(path.owner)) is not None:
                 return contact.angle(self.instant)
             case "angle" | "angular_velocity" | "angular_acceleration":
+                if path.quantity != "angle" and (pair := self._between(path.owner)):
+                    return self._relative(path.quantity, *pair)
                 name = self._turned_by(path.owner)
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
@@ -69,6 +71,17 @@ class OfElements(Moment):
         item = next((item for item in items if isinstance(item, Touch)), None)
         surface = item.surface(self.instant.arrangement, state) if item is not None else None
         return item if isinstance(surface, Curved) else None
+
+    def _between(self, owner: str) -> tuple[str, ...]:
+        """The two bodies of a connection that turn against each other."""
+        items = self.instant.arrangement.connections(self.instant.state)
+        return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
+
+    def _relative(self, word: str, first: str, last: str) -> Formula:
+        """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
+        instant = self.instant
+        way = instant.sense(first) * instant.sense(last)
+        return instant.rate(word, last) - signed(instant.rate(word, first), way)
 
     def _absent(self, owner: str) -> bool:
         """Whether an action or connection has ended or been cut by this moment."""
