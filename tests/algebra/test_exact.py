@@ -213,6 +213,11 @@ def test_division_by_zero() -> None:
         is_zero(parse("1/(sin(x)**2+cos(x)**2-1)"))
 
 
+def test_huge_coefficients_are_left_unfactored() -> None:
+    value = parse("(10**30*m**2 + M**2)*(m**2 + 10**30*M**2)/g")
+    assert is_zero(simplify(value) - value)
+
+
 def test_coefficients() -> None:
     found = coefficients(parse("(a*x**2+b*x)/m-c"), "x")
     assert found is not None
