@@ -70,14 +70,19 @@ def linearised(
 
 
 def approximations(exact: Formula, coordinate: Symbol) -> Words:
-    """sin θ ≈ θ and cos θ ≈ 1, as far as they occur."""
+    """sin θ ≈ θ and cos θ ≈ 1, as far as they occur; θ may be a multiple of the coordinate."""
+    calls = dict.fromkeys(node for node in exact.walk() if isinstance(node, Call) and coordinate.name in node.symbols())
+    if not calls or not all(of_small_angle(node, coordinate) for node in calls):
+        return ("to first order in ", coordinate)
     used: list[str | Formula] = []
-    for function, value in (("sin", coordinate), ("cos", ONE)):
-        shape = call(function, coordinate)
-        if any(node == shape for node in exact.walk()):
-            used += [", ", shape, " ≈ ", value] if used else [shape, " ≈ ", value]
-    others = any(
-        isinstance(node, Call) and coordinate.name in node.symbols() and node.arguments != (coordinate,)
-        for node in exact.walk()
-    )
-    return ("to first order in ", coordinate) if others or not used else tuple(used)
+    for node in sorted(calls, key=lambda node: ("sin", "cos").index(node.function)):
+        value = node.arguments[0] if node.function == "sin" else ONE
+        used += [", ", node, " ≈ ", value] if used else [node, " ≈ ", value]
+    return tuple(used)
+
+
+def of_small_angle(node: Call, coordinate: Symbol) -> bool:
+    """Whether a formula is the sine or cosine of an angle that is proportional to the coordinate."""
+    angle = node.arguments[0]
+    at_rest = simplify(angle.substitute({coordinate.name: ZERO}))
+    return node.function in ("sin", "cos") and at_rest == ZERO and holds_at_any_size(angle, coordinate)

@@ -65,6 +65,8 @@ SMALL: dict[tuple[str, str], Acceleration] = {
         * math.cos(math.pi / 6 + q)
         / (6 * 2**2 / 3)
     ),
+    # it turns about its touching point, (R − r)/r times as fast as its place goes round
+    ("marble-swings-in-bowl", "T"): lambda q: -G * 0.02 * math.sin(q) / (1.4 * 0.02**2) * 0.02 / 0.38,
     # an upright spring keeps upright where it is long: its foot moves along with the rod
     ("rod-held-level-swings", "T"): lambda q: (
         (-2 * G * 0.6 - 300 * (-2 * G * 0.6 / (300 * 0.9) + 0.9 * math.sin(q)) * 0.9) * math.cos(q) / (2 * 1.2**2 / 3)

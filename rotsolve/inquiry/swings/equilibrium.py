@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rotsolve.algebra.calculus import differentiate
@@ -11,7 +11,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify, solve_linear
 from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
-from rotsolve.core.facts import Facts
+from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.principles import energy
@@ -50,11 +50,20 @@ def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formu
 
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
     """How fast an angle grows, counterclockwise, when the group's one free rate is 1."""
-    rates, allowed = energy.freedom(still, group, [body.motion.spin for body in still.bodies if body.name in group])
-    body = still.body(angle.split(SEPARATOR)[1])
-    assert allowed is not None and body is not None
+    grown = next(rate for body in still.bodies if body.name in group for rate in rate_of(angle, body))
+    rates, allowed = energy.freedom(still, group, [grown])
+    assert allowed is not None
     free = next(name for name in rates if allowed.get(name) is None)
-    return differentiate(body.motion.spin.substitute(allowed), free)
+    return differentiate(grown.substitute(allowed), free)
+
+
+def rate_of(angle: str, body: BodyFacts) -> Iterator[Formula]:
+    """How fast an angle grows: a body's own by its spin, that of its place on a circle by v/ρ."""
+    bend = body.motion.bend
+    if angle.split(SEPARATOR)[1] == body.name:
+        yield body.motion.spin
+    elif bend is not None and angle in bend.outward.formula().symbols():
+        yield body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
 
 
 def inside_function(value: Formula, name: str) -> bool:

@@ -114,7 +114,7 @@ class Placing:
             host = near.host(owner)
             return next(group for group in groups if host in group)
         sprung = {name for stored in moments.still.potentials for name in stored.bodies}
-        driven = [group for group in groups if group & sprung or any(near.swings(name) for name in group)]
+        driven = [group for group in groups if group & sprung or any(driven_back(name, near) for name in group)]
         if not driven:
             raise NotYet("nothing is driven back to an equilibrium here: there are no swings")
         if len(driven) > 1:
@@ -143,10 +143,14 @@ class Placing:
             self.registry.known[letter.name] = value
 
     def displace(self, rest: Instant, still: Facts, near: Instant) -> None:
-        """Place the bodies near their equilibrium: angles by the angles turned, springs by what their ends move apart."""
+        """Place the bodies near their equilibrium: angles by the angles turned or the ways gone, springs by what their ends move apart."""
         changes = displacements(rest, near)
         for body in self.arrangement.present(near.state):
             angle = self.rest_angle(rest, body.name, near)
+            circle = near.orbit(body.name)
+            if circle is not None and circle.radius is not None:
+                gone = signed(next(places(near, body.name)) / circle.radius, circle.way)
+                self.put(near.place_on(circle), add(rest.place_on(circle), gone))
             if angle is not None:
                 turned = signed(list(places(near, body.name))[-1], near.sense(body.name))
                 self.put(near.ask("angle", body.name), add(angle, turned))
@@ -161,6 +165,11 @@ class Placing:
         if key in self.registry.quantities:
             return self.registry.known.get(key, Symbol(key))
         return rest.offset(name).formula() if near.swings(name) else None
+
+
+def driven_back(name: str, near: Instant) -> bool:
+    """Whether the weight of a body can drive it back: of one that hangs from a hinge, or lies on a curved surface."""
+    return near.swings(name) or (near.arrangement.heavy and near.orbit(name) is not None)
 
 
 def angle_key(instant: Instant, name: str) -> str:

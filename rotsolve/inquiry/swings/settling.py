@@ -71,7 +71,7 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
     words = "period"
     if not holds_at_any_size(exact, swing.coordinate):
         words = "period of small swings"
-        first_order = inquiry.solver.simplify(slope * swing.coordinate)
+        first_order = negate(inquiry.solver.simplify(negate(slope) * swing.coordinate))  # it drives back
         yield linearised(swing.acceleration, exact, first_order, swing.coordinate, swing.harmonic)
         inquiry.solver.solved.pop(swing.acceleration.name, None)
         inquiry.known.discard(swing.acceleration.name)

@@ -191,7 +191,7 @@ def symbol_of(letter: Formula) -> Symbol:
 
 def rates(word: str, instant: Instant, name: str) -> Iterator[Formula]:
     """Velocities or accelerations of a body: along its line or right and up, then of its turning."""
-    motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
+    motion, line = instant.motion(name), instant.line(name)
     if motion.kind == "line":
         yield instant.travel(word, name, line[1] if line else "")
     elif motion.kind == "plane":
@@ -202,7 +202,7 @@ def rates(word: str, instant: Instant, name: str) -> Iterator[Formula]:
 
 def places(instant: Instant, name: str) -> Iterator[Formula]:
     """Displacements of a body from its equilibrium, in the order of its rates."""
-    motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
+    motion, line = instant.motion(name), instant.line(name)
     if motion.kind == "line":
         yield instant.ask("displacement", name, words=(line[1], opposite(line[1])) if line else ("", ""))
     elif motion.kind == "plane":
