@@ -34,8 +34,8 @@ from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet, Unclear, resting
-from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.verify import SAID, checks
+from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.running import check_values
@@ -141,8 +141,8 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     try:
         if find.choice is not None:
             inquiry.chosen.append(choose(find, find.choice, inquiry, lambda side: by_law(inquiry, side, find.name)))
-        elif find.where is not None:
-            extreme(inquiry, find)
+        elif find.where is not None or over_a_letter(find, inquiry):
+            answer_where(inquiry, find)
         else:
             by_law(inquiry, find)
     except (NotYet, Unclear) as error:
@@ -197,35 +197,6 @@ def stands(velocity: Vector, inquiry: Inquiry) -> bool:
     return all(part is not None and is_zero(part, inquiry.solver.positive) for part in parts)
 
 
-def extreme(inquiry: Inquiry, find: Find) -> None:
-    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
-    condition = find.where
-    assert condition is not None
-    history = inquiry.history
-    if condition.path is None or condition.word not in ("sticks", "rolls"):
-        raise NotYet("this `where` is not solved yet", help="solved is `where CONTACT sticks`")
-    bare = replace(find, where=None, modifier="", terms=tuple(replace(term, modifier="") for term in find.terms))
-    question = asked(bare, history, inquiry.letters())
-    state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
-    candidates = []
-    for equation, normal in limiting(history, condition.path.owner, state):
-        trial = Inquiry(history, inquiry.families, spare=inquiry.spare)
-        try:
-            value = trial.answer(question, equation).found.formula
-            push = trial.value_of(next(iter(normal.symbols())))
-        except NoAnswer:
-            continue
-        number = trial.number(value) if value is not None else None
-        pressed = trial.number(push) if push is not None else None
-        if number is None or (number > 0 and (pressed is None or pressed >= 0)):
-            candidates.append((0.0 if number is None else number, equation))
-    if not candidates:
-        raise NotYet(f"`{condition.path.owner}` does not come to the point of slipping")
-    modifier = find.modifier or (find.terms[0].modifier if find.terms else "")
-    pick = max if modifier == "largest" else min
-    inquiry.answer(question, pick(candidates, key=lambda item: item[0])[1])
-
-
 def facts_text(history: History) -> str:
     """All facts, state by state: bodies with their forces, rules, requirements."""
     lines = []
@@ -267,7 +238,8 @@ def plan_text(inquiry: Inquiry, composer: Composer) -> str:
     names = all_names(inquiry, composer)
     lines = []
     for answered in inquiry.answered:
-        lines.append(f"{answered.asked.find.name}: {plural(len(answered.used), 'equation')}")
+        name = names.get(answered.asked.letter, answered.asked.find.name)
+        lines.append(f"{name}: {plural(len(answered.used), 'equation')}")
         for index in answered.used:
             equation = inquiry.planner.pool[index]
             lines.append(f"  {equation.label or 'found before'}: {in_text(equation, names)}")

@@ -22,6 +22,7 @@ FUNCTIONS = {  # name -> number of arguments
     "exp": 1,
     "log": 1,
     "abs": 1,
+    "ellipk": 1,  # K(m) = ∫ dφ/√(1 − m sin²φ) over a quarter turn, the complete elliptic integral of the first kind
 }
 
 

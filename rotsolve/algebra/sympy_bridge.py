@@ -30,7 +30,7 @@ from rotsolve.algebra.formula import (
     total,
 )
 
-_NAMES = {"abs": "Abs"}
+_NAMES = {"abs": "Abs", "ellipk": "elliptic_k"}
 
 
 def to_sympy(f: Formula, positive: Collection[str] = ()) -> Any:

@@ -10,6 +10,8 @@ OPPOSITE = {
     "left": "right",
     "up": "down",
     "down": "up",
+    "forward": "back",
+    "back": "forward",
     "clockwise": "counterclockwise",
     "counterclockwise": "clockwise",
 }

@@ -18,7 +18,7 @@ class Equation:
 
     `family` is one of LAWS, or '' for rules and definitions; `label` names the law and the body; `section` the state, phase or event
     where it is written; `cost` orders plans (a textbook's first choice costs least). `defines` names the symbol that a
-    definition introduces, which the solver puts in first.
+    definition introduces, which the solver puts in first. `relation` is ≈ where small quantities have been left out.
     """
 
     left: Formula
@@ -30,6 +30,7 @@ class Equation:
     remark: Words = ()
     defines: str = ""
     bodies: tuple[str, ...] = ()
+    relation: str = "="
 
     def symbols(self) -> frozenset[str]:
         return self.left.symbols() | self.right.symbols()

@@ -14,6 +14,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
 from rotsolve.core.heading import NOWHERE, Heading, Vector
+from rotsolve.core.writing import spoken
 
 
 def square(value: Formula) -> Formula:
@@ -23,11 +24,20 @@ def square(value: Formula) -> Formula:
 
 
 @dataclass(frozen=True, slots=True)
+class Bend:
+    """The circle on which a body's centre travels: its radius, and the direction from its centre to the body's."""
+
+    radius: Formula
+    outward: Heading
+
+
+@dataclass(frozen=True, slots=True)
 class Motion:
     """How a body can move, about its reference point (the fixed pivot, else the centre of mass).
 
     kind: 'axis' turns about a fixed point; 'line' travels along `heading` (and turns if `turns`); 'plane' moves freely;
-    'still' does not move. `velocity`, `acceleration` are those of the reference; `spin`, `spin_rate` are ccw ω and α.
+    where the line is a circle, `bend` is that circle and `heading` its tangent; 'still' does not move. `velocity`,
+    `acceleration` are those of the reference; `spin`, `spin_rate` are ccw ω and α.
     `sense` is +1 where the declared positive turn is counterclockwise. `orientation` turns the body's own axes into space.
     """
 
@@ -41,6 +51,7 @@ class Motion:
     heading: Heading | None = None
     orientation: Heading = field(default_factory=Heading)
     reference: Vector = NOWHERE
+    bend: Bend | None = None
 
     def velocity_of(self, arm: Vector) -> Vector:
         """v_P = v + ω × r, r from the reference."""
@@ -121,7 +132,10 @@ class Requirement:
 
 @dataclass(frozen=True, slots=True)
 class Potential:
-    """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`."""
+    """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`; or by the length of a rope that hangs.
+
+    `label` says how the elongation grows in a phase.
+    """
 
     owner: str
     energy: Formula
@@ -129,6 +143,30 @@ class Potential:
     rate: Formula
     bodies: tuple[str, ...]
     words: Words
+    label: str = "the spring stretches with the motion"
+
+
+@dataclass(frozen=True, slots=True)
+class Turntable:
+    """A body is carried round an upright axis at `rate`; its reference point is at `distance` to the right of the axis."""
+
+    owner: str
+    body: str
+    rate: Formula
+    distance: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Sweep:
+    """What a turntable does to a body: every piece at x from the axis has the acceleration rate² x towards it.
+
+    `acceleration` is that of the centre of mass; `moment` is what the pieces' m a add up to about the reference, counterclockwise:
+    rate² ∫ x y dm, y up from the reference.
+    """
+
+    rate: Formula
+    acceleration: Vector
+    moment: Formula
 
 
 @dataclass(frozen=True, slots=True)
@@ -142,7 +180,7 @@ class GivenMotion:
 
 @dataclass(frozen=True, slots=True)
 class Inertia:
-    """Moment of inertia about the body's reference: the letter that the laws use, and the formula that defines it."""
+    """Moment of inertia about the body's reference, of a cut-off piece also its mass: the letter, and the formula that defines it."""
 
     letter: Formula
     formula: Formula
@@ -165,6 +203,11 @@ class BodyFacts:
     couples: tuple[Couple, ...]
     round: bool = False
     period: Formula | None = None  # of a steady rotation, where the scene speaks of it
+    along: tuple[str, ...] = ()  # what the axes are called, where that is not plain
+    sweep: Sweep | None = None
+    axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
+    changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
+    sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
 
     @property
     def acting(self) -> tuple[Force | Couple, ...]:
@@ -177,7 +220,22 @@ class BodyFacts:
 
     @property
     def centre_acceleration(self) -> Vector:
-        return self.motion.acceleration_of(self.cm)
+        own = self.motion.acceleration_of(self.cm)
+        return own if self.sweep is None else own + self.sweep.acceleration
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A piece of a rod, cut free: as a body whose reference is its centre of mass, its mass, and where the cut is from there.
+
+    `index` marks the letters of what is found at the cut.
+    """
+
+    body: BodyFacts
+    mass: Inertia
+    at: Vector
+    index: str
+    jumps: bool = False  # whether something acts just at the cut, so that shear and compression jump there
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,11 +249,25 @@ class Facts:
     requirements: tuple[Requirement, ...]
     potentials: tuple[Potential, ...]
     given: tuple[GivenMotion, ...] = ()
+    cuts: tuple[Cut, ...] = ()
 
     def body(self, name: str) -> BodyFacts | None:
-        return next((body for body in self.bodies if body.name == name), None)
+        return next((body for body in self.diagrams if body.name == name), None)
+
+    @property
+    def diagrams(self) -> tuple[BodyFacts, ...]:
+        """All free-body diagrams: of the bodies, and of pieces of them."""
+        return (*self.bodies, *(cut.body for cut in self.cuts))
 
 
 def signed(value: Formula, sense: int) -> Formula:
     """`value` counted along a sense: itself for +1, its negative for −1."""
     return value if sense > 0 else negate(value)
+
+
+def held_still(owner: str, name: str, motion: Motion) -> Rule:
+    """A body that friction holds: ω = 0, α = 0."""
+    label = f"friction holds {spoken(name)}"
+    rates = (signed(rate, motion.sense) for rate in (motion.spin, motion.spin_rate))
+    velocity, acceleration = ((rate, ZERO) for rate in rates)
+    return Rule(owner, label, (name,), velocity, acceleration)

@@ -75,6 +75,12 @@ class Heading:
         exact = _of_slope(terms, rest, quarter)
         if exact is not None:
             return negate(exact) if flipped and quarter % 2 else exact
+        only = terms[0] if len(terms) == 1 and not rest else None
+        if only is not None and only[1] == 1 and isinstance(only[0], Call) and only[0].function == "asin":
+            sine = only[0].arguments[0]  # sin(arcsin x) = x
+            value = sine if quarter % 2 else sqrt(ONE - sine**2)
+            minus = quarter % 4 in (1, 2)
+            return negate(value) if minus != (flipped and quarter % 2 == 1) else value
         argument = Heading(rest, terms).formula()
         function = "cos" if quarter % 2 == 0 else "sin"
         # cos(x + 90°) = −sin x, cos(x + 180°) = −cos x, cos(x + 270°) = sin x

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.facts import BodyFacts, Facts, Force
 from rotsolve.core.heading import Vector
 
@@ -30,11 +30,12 @@ class Travel:
     end: Formula | None = None
     coordinate: Formula | None = None  # the coordinate at any moment between
     initial: Formula | None = None  # the acceleration at the start of the phase
-    sense: int = 1  # +1 where the positive turn is counterclockwise, as the coordinate counts it
+    sense: int = 1  # +1 where the positive way is counterclockwise, as the coordinate counts it
     axis: str = ""  # x or y, where it is one component of the way of a body that is moved in the plane
     given: int | None = None  # what a drive gives: 0 the coordinate, 1 its rate, 2 its acceleration
     running: Formula | None = None  # the change of the coordinate up to any moment, where a function of time is asked
     leads: bool = False  # whether the forces of its group vary with this coordinate, or with this rate
+    arm: Formula = ONE  # way per unit of the coordinate: the radius of a circle, where that is an angle
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,6 +47,7 @@ class Work:
     words: str
     bodies: tuple[str, ...]
     spelled: Formula | None = None  # what `amount` stands for, where it is a letter
+    inner: bool = False  # done by forces between the parts of the system
 
 
 @dataclass(frozen=True, slots=True)
@@ -82,6 +84,9 @@ class Meeting:
     place: Vector | None
     blows: tuple[Force, ...]  # impulses on it, as forces with impulse for size, arms from its reference
     twists: tuple[Formula, ...] = ()  # angular impulses of couples on it, counterclockwise
+    held: Formula | None = (
+        None  # moment of inertia about the common point, where the event holds the body there from then on
+    )
 
 
 @dataclass(frozen=True, slots=True)

@@ -72,7 +72,7 @@ def kind(
 
 QUANTITIES = (
     kind("angle", "angle", "theta", (BODY, LINK), "from the rightward horizontal, counterclockwise, unwrapped"),
-    kind("rotation", "angle", "theta", (BODY,), "signed change of the angle since the state before"),
+    kind("rotation", "angle", "theta", (BODY, LINK), "signed change of the angle since the state before"),
     kind(
         "angular_velocity",
         "angular velocity",
@@ -95,7 +95,7 @@ QUANTITIES = (
     kind("displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION),
     kind("distance", "length", "d", (BODY, POINT), "length of the way covered"),
     kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
-    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", MOTION),
+    kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", (*MOTION, "radial")),
     kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
     kind(
         "acceleration",
@@ -153,9 +153,18 @@ QUANTITIES = (
     kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring"),
     kind("turns", "number", "n", (BODY,), "number of turns since the state before"),
     kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`"),
-    kind("bending_moment", "torque", "M", (POINT, LINK), "inside a rod at a point", later=True),
-    kind("shear", "force", "V", (POINT, LINK), "inside a rod at a point", later=True),
-    kind("compression", "force", "C", (POINT, LINK), "inside a rod at a point", later=True),
+    kind("swing_period", "time", "T", (), "`period of small swings`: time of one swing to and fro"),
+    kind("frequency", "frequency", "f", (), "`frequency of small swings`: swings in a unit of time"),
+    kind(
+        "angular_frequency",
+        "angular velocity",
+        "omega0",
+        (),
+        "`angular_frequency of small swings`: 2π times the frequency",
+    ),
+    kind("bending_moment", "torque", "M", (POINT,), "inside a rod at a point; positive where it sags"),
+    kind("shear", "force", "V", (POINT,), "across a rod at a point, from the part before it on the part beyond"),
+    kind("compression", "force", "C", (POINT,), "along a rod at a point; negative where it is pulled"),
     kind("precession", "angular velocity", "Omega", (BODY,), "rate at which the spin axis turns", later=True),
     kind("spin", "angular velocity", "s", (BODY,), "rate about the symmetry axis, in the precessing frame", later=True),
     kind("nutation", "angular velocity", "nu", (BODY,), "rate at which the spin axis nods", later=True),
@@ -170,4 +179,10 @@ QUANTITIES = (
     kind("principal_moments", "moment of inertia", "I", (BODY,), "eigenvalues of the inertia tensor", later=True),
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )
+INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
+OSCILLATING = {  # what is asked of swings, and how it is said
+    "swing_period": "period",
+    "frequency": "frequency",
+    "angular_frequency": "angular frequency",
+}
 BY_WORD = {entry.word: entry for entry in QUANTITIES}

@@ -14,7 +14,9 @@ TIME = "time"  # the running time, a letter of its own
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
-SPOKEN = {VIRTUAL: "any_", GENERIC: "from_"}  # the marks in a printed letter
+REST = "="  # marks the equilibrium about which a state's bodies swing
+NEAR = "≈"  # marks a moment of their swings
+SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from rotsolve.core.registry import GENERIC, SEPARATOR, TIME, in_midst
 PLACES = ("angle", "rotation", "displacement")
 RATES = ("angular_velocity", "velocity")
 CONSTANT, POSITION, RATE, MIXED = "constant", "position", "rate", "mixed"
+UNKNOWN = "unknown"  # of what nothing is said: it may vary as it likes
 
 
 def paths_in(value: Formula) -> Iterator[tuple[str, str, str]]:
@@ -29,6 +30,8 @@ def pace_of(value: Formula) -> str:
 def combined(paces: Iterable[str]) -> str:
     """The pace of what depends on several things."""
     kinds = set(paces) - {CONSTANT}
+    if UNKNOWN in kinds:
+        return UNKNOWN
     return MIXED if len(kinds) > 1 else kinds.pop() if kinds else CONSTANT
 
 

@@ -2,9 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Sum, Symbol, negate, total
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Call,
+    Formula,
+    Negative,
+    Number,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    negate,
+    total,
+)
 
 
 def is_negative(term: Formula) -> bool:
@@ -47,6 +61,13 @@ def with_powers(term: Formula) -> Formula:
     for factor, number in counted.items():
         result = result * (factor if number == 1 else factor**number)
     return result
+
+
+def multiplied_out(term: Formula, positive: Collection[str] = ()) -> Formula:
+    """A term with its fractions of sums cancelled, and a minus sign left in front: −F R ((R − h)/R) is −F (R − h)."""
+    if not any(isinstance(node, Quotient) and isinstance(node.numerator, (Sum, Call)) for node in term.walk()):
+        return term
+    return negate(simplify(negate(term), positive=positive)) if is_negative(term) else simplify(term, positive=positive)
 
 
 def positive_first(terms: Iterable[Formula]) -> Formula:

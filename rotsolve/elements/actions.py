@@ -43,6 +43,10 @@ class Action:
         on = getattr(self, "on", None)
         return (on,) if on is not None else ()
 
+    def brakes(self) -> tuple[PointRef, ...]:
+        """Bodies against whose turn it rubs, whichever way that is."""
+        return ()
+
     def strength(self) -> Formula | None:
         """The force, torque or power; where it varies, a formula of `time` and of paths of bodies."""
         return getattr(self, self.word, None)
@@ -178,7 +182,6 @@ class Press(Action):
     word = "press"
     about = "a brake block pressed on a rim"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
-    later = True
     press: Formula | None = key(
         "quantity", "force that presses", dimension="force", letter="F", varies=True, required=True
     )
@@ -186,6 +189,31 @@ class Press(Action):
     friction: Formula | None = key(
         "quantity", "coefficient of friction", dimension="number", letter="mu", limits="nonnegative", required=True
     )
+
+    def brakes(self) -> tuple[PointRef, ...]:
+        return self.touches()
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The push towards the axle, and friction μ F against the turn; as large as it takes while it holds the wheel still."""
+        if self.on is None:
+            return
+        name, push = instant.host(self.on.owner), self.now(instant)
+        mode, sense = instant.mode(f"{self.name}.{name}"), instant.sense(name)
+        forward, back = instant.turn_words(name)
+        arm = vector(rim_radius(instant.body(self.on.owner), self.on.point) or ZERO, RIGHT)
+        words = ("push ", push, ", towards the axle")
+        yield facts.Force(self.name, "normal", name, push, unit(LEFT), arm, words, works=False)
+        turn = sense if mode == "turns back" else -sense
+        against = unit(UP if turn > 0 else DOWN)
+        if mode != "holds":
+            size, told = (self.friction or ZERO) * push, forward if mode == "turns back" else back
+            words = ("kinetic friction ", size, f", turning it {told}")
+            yield facts.Force(self.name, "friction", name, size, against, arm, words)
+            return
+        size = instant.ask("friction_force", self.name, when=instant.span(name), words=(back, forward))
+        words = ("friction ", size, f", turning it {back}")
+        yield facts.Force(self.name, "friction", name, size, against, arm, words, works=False)
+        yield facts.held_still(self.name, name, instant.motion(name))
 
 
 @dataclass(frozen=True)

@@ -103,18 +103,16 @@ class Removes(Event):
 @dataclass(frozen=True)
 class Fixes(Event):
     word = "fixes"
-    about = "a point of a moving body is suddenly held"
-    quantities = ("impulse",)
-    later = True
+    about = "a point of a moving body is suddenly held; from then on the body turns about it"
+    quantities = ("force", "impulse")
     fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
 
 
 @dataclass(frozen=True)
 class Grips(Event):
     word = "grips"
-    about = "a contact stops slipping at once"
+    about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
     quantities = ("impulse",)
-    later = True
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import ClassVar
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.scene.keys import key
 
@@ -17,6 +17,7 @@ class Surface:
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     later: ClassVar[bool] = False
+    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
     name: str = ""
 
     @property
@@ -77,34 +78,97 @@ class Wall(Surface):
 
 
 @dataclass(frozen=True)
-class Step(Surface):
-    word = "corner"
-    about = "an edge that a body leans on or climbs: `step: {corner: [x, y]}`"
-    later = True
-    corner: tuple[Formula, Formula] | None = key("place", "where the edge is", letter="x", required=True)
+class Curved(Surface):
+    """Base of surfaces round which a body travels: its place is the angle of the touching radius, from the rightward horizontal."""
+
+    outside: ClassVar[bool] = True
+
+    def radius(self) -> Formula | None:
+        """Radius of the surface; None where it is not known."""
+        return None
+
+    def facing(self, angle: Heading) -> Heading:
+        """Direction out of the surface where the touching radius has an angle."""
+        return angle if self.outside else angle.turned(180)
+
+    def circle(self, rim: Formula) -> Formula | None:
+        """Radius of the circle on which the centre of a body with a rim moves: R + r outside, R − r inside."""
+        radius = self.radius()
+        return None if radius is None else add(radius, rim if self.outside else negate(rim))
+
+    def level(self, circle: Formula) -> Formula:
+        """Height of the circle's centre above the level from which heights count: the lowest place in a bowl, else that centre."""
+        return ZERO if self.outside else circle
+
+    def way(self, moves: str | None) -> int:
+        """Sense of the positive travel: right over the top of a hill is clockwise, right through the bottom of a bowl is not."""
+        right = -1 if self.outside else 1
+        return -right if moves == "left" else right
+
+    def height(self) -> Formula | None:
+        """Height above the floor of an edge."""
+        return None
+
+    def met(self, rim: Formula) -> Formula | None:
+        """Angle at which a wheel on the level floor touches it, where that is settled by its place."""
+        return None
 
 
 @dataclass(frozen=True)
-class Hollow(Surface):
+class Step(Curved):
+    """A corner is a hill of no radius: the centre of a wheel on it moves on a circle as large as the wheel."""
+
+    word = "corner"
+    held_at = "corner"
+    about = "an edge at a height above the floor, which a wheel climbs or rolls off: `step: {corner: h, side: right}`"
+    corner: Formula | None = key(
+        "quantity",
+        "height of the edge above the floor",
+        dimension="length",
+        letter="h",
+        limits="positive",
+        required=True,
+        example="h",
+    )
+    side: str = key("choice", "the side of the wheel on which it is", choices=("left", "right"), default="right")
+
+    def radius(self) -> Formula | None:
+        return ZERO
+
+    def height(self) -> Formula | None:
+        return self.corner
+
+    def met(self, rim: Formula) -> Formula | None:
+        """The corner is h above the floor and so r − h below the wheel's centre."""
+        rise = call("asin", (rim - (self.corner or ZERO)) / rim)
+        return rise if self.side == "left" else add(PI, negate(rise))
+
+
+@dataclass(frozen=True)
+class Hollow(Curved):
     word = "hollow"
-    about = "the inside of a round bowl"
-    later = True
+    about = "the inside of a round bowl or loop"
+    outside = False
     hollow: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
 
+    def radius(self) -> Formula | None:
+        return self.hollow
+
 
 @dataclass(frozen=True)
-class Dome(Surface):
+class Dome(Curved):
     word = "dome"
     about = "the outside of a round hill"
-    later = True
     dome: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
+
+    def radius(self) -> Formula | None:
+        return self.dome
 
 
 @dataclass(frozen=True)
-class Track(Surface):
+class Track(Curved):
     word = "profile unknown"
     about = "a smooth track of which only heights matter: `track: profile unknown`"
-    later = True
 
 
 SURFACES: tuple[type[Surface], ...] = (Level, Slope, Wall, Step, Hollow, Dome, Track)

@@ -9,7 +9,7 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINEMATICS, LAWS, NEWTON, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, KINEMATICS, LAWS, NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
@@ -19,6 +19,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.signs import Signs
 from rotsolve.inquiry.stepwise import Stepwise
+from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
@@ -50,10 +51,15 @@ class Inquiry:
     spare: bool = False  # whether second-choice equations may be used from the start
     extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
+    swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
+    displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     defined: dict[str, int] = field(default_factory=dict)  # pool index of the definition of each question
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
+    extrema: dict[tuple[Formula, str, str], Answered] = field(
+        default_factory=dict
+    )  # (quantity, letter, word): its place
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -66,7 +72,12 @@ class Inquiry:
         self.stepwise = Stepwise(self.planner)
         self.refs: dict[int, Ref] = {}
         self.signs = Signs(
-            self.history, self.givens, self.values, lambda value: self.solver.with_answers(value), self.aside
+            self.history,
+            self.givens,
+            self.values,
+            lambda value: self.solver.with_answers(value),
+            self.aside,
+            self.definition,
         )
         self.running = {"time"} | {
             letter.name
@@ -79,6 +90,7 @@ class Inquiry:
             if isinstance(letter, Symbol) and SEPARATOR in letter.name and GENERIC in letter.name
         }
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
+        self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
         self.solver = Solver(
             self.planner.pool,
             self._order(),
@@ -105,8 +117,8 @@ class Inquiry:
         return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.group, len(place)))
 
     def wholes(self) -> list[Answered]:
-        """The answers that are not parts of others: components, or what a choice compares."""
-        return [item for item in self.answered if not item.asked.whole]
+        """The answers that are not parts of others (components, what a choice compares, steps on the way)."""
+        return [item for item in self.answered if not item.asked.whole and not item.aside]
 
     def _order(self) -> tuple[str, ...]:
         """All letters, givens before the quantities of the laws where they rank alike."""
@@ -114,16 +126,17 @@ class Inquiry:
         named = [(given.name, given.dimension) for given in self.givens.values()]
         return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
 
-    def answer(self, asked: Asked, limit: Equation | None = None) -> Answered:
+    def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
-        extra = self.planner.extend(limit) if limit is not None else None
+        passing = [self.planner.extend(limit)] if limit is not None else []
         try:
-            return self._answer(asked)
+            passing += settled(asked, self)
+            return self._answer(asked, aside)
         finally:
-            if extra is not None:
-                self.retired.add(extra)
+            self.retired.update(passing)
+            release(asked, self)
 
-    def _answer(self, asked: Asked) -> Answered:
+    def _answer(self, asked: Asked, aside: bool = False) -> Answered:
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
         self.stepwise.take(asked)
         parts = tuple(self._part(part) for part in asked.parts)
@@ -139,20 +152,34 @@ class Inquiry:
         if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
         if asked.letter in self.solver.solved:
-            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts)
+            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)
         else:
             found, used = self._settle(asked)
-            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts)
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts, aside)
         self.known.add(asked.letter)
         self.answered.append(answered)
-        if asked.letter in self.defined and (asked.whole or has_calls(asked.formula)):
-            self.retired.add(self.defined[asked.letter])  # a size or component does not lead back to what it is made of
+        meant = self.defined.get(asked.letter)
+        if meant is not None and (asked.whole or has_calls(asked.formula) or self._turned_round(meant, first)):
+            self.retired.add(meant)  # a size or component does not lead back to what it is made of
         return answered
 
     def _section_of(self, formula: Formula) -> str:
         """Where what is made of earlier answers is written: with the last of them."""
         earlier = [item.asked for item in self.answered if item.asked.letter in formula.symbols()]
         return earlier[-1].section if earlier else ""
+
+    def _turned_round(self, definition: int, first: int) -> bool:
+        """Whether a step since the `first` one solved a definition for what it is made of, so that it need not be done again."""
+        return any(step.target == ("law", definition) and step.sources == () for step in self.solver.steps[first:])
+
+    def step(self, letter: str) -> Found:
+        """Settle a letter on the way to an answer, with a derivation of its own."""
+        first = len(self.solver.steps)
+        asked = Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
+        found, used = self._settle(asked)
+        self.answered.append(Answered(asked, found, used, (first, len(self.solver.steps)), aside=True))
+        self.known.add(letter)
+        return found
 
     def _part(self, asked: Asked) -> Answered:
         """A component of a vector, which may have been asked before in its own right."""
@@ -199,7 +226,7 @@ class Inquiry:
                 banned.add(self._hardest(plan))
                 problem = problem or error
                 continue
-            self._remember()
+            self.remember()
             return found, plan.equations
         if isinstance(problem, Contradiction):
             raise NoAnswer("the data contradict each other", None, problem.index)
@@ -278,9 +305,10 @@ class Inquiry:
         alone = [
             [index for index in allowed if self.planner.pool[index].family in ("", KINEMATICS, law)] for law in laws
         ]
-        return [allowed, *alone] if len(laws) > 1 else [allowed]
+        summed = [index for index in allowed if self.planner.pool[index].family in ("", ANGULAR_MOMENTUM)]
+        return [allowed, *alone, summed] if len(laws) > 1 else [allowed]  # impulses sum over a phase without kinematics
 
-    def _remember(self) -> None:
+    def remember(self) -> None:
         """Results found on the way may serve the next question."""
         for equation, ref in self.solver.derived:
             self.refs[self.planner.extend(equation)] = ref
@@ -296,6 +324,17 @@ class Inquiry:
             return Inquiry(self.history, (NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
+
+    def apart(self) -> Inquiry:
+        """An inquiry by all laws that knows the answers of this one and leaves no trace in it."""
+        other = Inquiry(self.history, families_for(None))
+        other.solver.solved.update(self.solver.solved)
+        other.known |= {name for name, found in self.solver.solved.items() if found.formula is not None}
+        return other
+
+    def definition(self, letter: str) -> Formula | None:
+        """What an asked letter was defined to stand for."""
+        return self.planner.pool[self.defined[letter]].right if letter in self.defined else None
 
     def settled(self, value: Formula) -> Formula | None:
         """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""

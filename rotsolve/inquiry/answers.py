@@ -18,6 +18,7 @@ class Answered:
     used: tuple[int, ...]
     steps: tuple[int, int] = (0, 0)  # the steps of the solver that belong to it, from and up to
     parts: tuple[Answered, ...] = ()  # the components of a vector
+    aside: bool = False  # settled on the way to another answer: the scene does not ask for it
 
     @property
     def find(self) -> Find:

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.faults import Fault, Span, Unsolvable
-from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.quantity import DIMENSIONS, INSIDE
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
@@ -88,7 +88,8 @@ def listed(missing: Sequence[Quantity | str], history: History) -> str:
 
 def told_quantity(quantity: Quantity, history: History) -> str:
     """A quantity of the laws in the scene's words: "tension of cord at held"."""
-    side = {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
+    at_cut = quantity.kind in INSIDE  # the index is that of the cut, no direction
+    side = "" if at_cut else {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
     owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
     return f"{side}{spoken(quantity.kind)}{owner}{moment(quantity.when, history)}"
 
@@ -171,10 +172,17 @@ def without_angle(history: History) -> tuple[str, str] | None:
         if line.path and line.path.quantity == "angle"
     }
     first, after = timeline.states[0], timeline.after(timeline.states[0].name)
+    said |= {(first.name, owner) for owner in on_unknown_profile(history.arrangement, first.name)}
     for _, owner in sorted(said):
         if (first.name, owner) not in said and first.name and (after is None or after.event is None):
             return owner, first.name
     return None
+
+
+def on_unknown_profile(arrangement: Arrangement, state: str) -> set[str]:
+    """Contacts whose body is on a track of which only heights are known, where no angle is to be told."""
+    orbits = (arrangement.orbit(body.name, state) for body in arrangement.present(state))
+    return {orbit.owner for orbit in orbits if orbit is not None and orbit.radius is None}
 
 
 def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:

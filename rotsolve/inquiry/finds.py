@@ -9,7 +9,7 @@ from types import MappingProxyType
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
 from rotsolve.core.heading import RIGHT, UP
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.tensor import AXES, ENTRIES
 from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, way, whole_way
@@ -28,7 +28,7 @@ from rotsolve.inquiry.questions import (
 )
 from rotsolve.inquiry.questions.conversion import conversion
 from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
-from rotsolve.motion.passages import rotation
+from rotsolve.motion.passages import angle_turned
 from rotsolve.motion.rigid import tidy
 from rotsolve.scene.model import ANY_TIME, Find, Path, PointRef, Term
 
@@ -41,6 +41,13 @@ Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found befo
 
 def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}), beside: Beside | None = None) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
+    terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
+    swings = tuple((history.swing(term), term.path.quantity) for term in terms)
+    return replace(quantity_asked(find, history, earlier, beside), swings=swings)
+
+
+def quantity_asked(find: Find, history: History, earlier: Earlier, beside: Beside | None) -> Asked:
+    """The formula of a `find` line, and the letter that stands for it."""
     meanings = [meaning_of(term, history, beside) for term in find.terms]
     laws = tuple(law for meaning, _ in meanings for law in meaning.laws)
     values = {f"#{index}": meaning.formula for index, (meaning, _) in enumerate(meanings)}
@@ -147,6 +154,9 @@ def dimension_of_find(
 def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     timeline = history.arrangement.timeline
+    if term.path.quantity in OSCILLATING:
+        swing = history.swing(term)
+        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.at == ANY_TIME:
         return at_any_time(term, history)
@@ -222,7 +232,7 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
         if path.quantity == "displacement" or path.quantity == "distance":
             part = way(path, name, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("rotation", "turns"):
-            part = rotation(name, interval, instant) if interval.event is None else ZERO
+            part = angle_turned(path.owner, interval, instant) if interval.event is None else ZERO
         elif path.quantity in ("impulse", "angular_impulse"):
             part = impulse(path, interval.name, interval.start, history)
         else:

@@ -15,8 +15,9 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.supports import Driven
+from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
@@ -31,7 +32,7 @@ AT_MOST = " at most"  # a trial with as much friction as there can be before it 
 
 @dataclass(frozen=True)
 class Decision:
-    """How the contacts and rubbing wheels behave, with the sections that show why."""
+    """How all that rubs behaves, with the sections that show why."""
 
     modes: dict[str, str]
     sections: tuple[Section, ...]
@@ -40,28 +41,31 @@ class Decision:
 
 @dataclass(frozen=True)
 class Rub:
-    """A contact, or a wheel on a rubbing axle, in the phase that starts at a state."""
+    """A contact, two bodies that rub on each other, or a wheel on a rubbing axle or under a brake, in the phase that starts at a state."""
 
     key: str
     body: str
     state: str
     contact: Touch | None = None
+    pair: Rubbing | None = None  # two bodies that slip on each other
 
     def mode(self, sense: int) -> str:
         """The mode for motion along the positive sense, against it, or none."""
-        if self.contact is None:
+        if self.contact is None and self.pair is None:
             return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
         return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
-        """Speed or acceleration along the positive sense: of the touching point, or of the wheel's turn."""
+        """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
+        if self.pair is not None:
+            return self.pair.slip(instant, acceleration=acceleration)
         if self.contact is None:
             return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
         motion = instant.motion(self.body)
         if motion.heading is None:
             return None
         vector = motion.acceleration if acceleration else self.contact.touching_velocity(instant)
-        return vector.along(motion.heading)
+        return vector.along(self.contact.forward(instant))
 
 
 def decide(arrangement: Arrangement) -> Decision:
@@ -89,7 +93,7 @@ def decide(arrangement: Arrangement) -> Decision:
 
 
 def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
-    """All contacts with a coefficient, and all wheels on rubbing axles, phase by phase."""
+    """All that rubs, phase by phase."""
     found: dict[str, Rub] = {}
     timeline = arrangement.timeline
     for state in timeline.states:
@@ -101,14 +105,16 @@ def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
 
 
 def rubs_at(arrangement: Arrangement, state: str) -> Iterator[Rub]:
-    for item in arrangement.connections(state):
+    for item in arrangement.acting(state):
         if isinstance(item, Touch) and item.grip().kind == "coefficient":
             name = arrangement.host(item.pair()[0].owner, state)
             yield Rub(f"{item.name}@{state}", name, state, item)
-        if isinstance(item, Driven) and item.friction_torque is not None:
-            for ref in item.held():
-                name = arrangement.host(ref.owner, state)
-                yield Rub(f"{item.name}.{name}@{state}", name, state)
+        if isinstance(item, Rubbing) and item.rubs():
+            name = arrangement.host(item.touches()[1].owner, state)
+            yield Rub(f"{item.name}@{state}", name, state, pair=item)
+        for ref in item.brakes():
+            name = arrangement.host(ref.owner, state)
+            yield Rub(f"{item.name}.{name}@{state}", name, state)
 
 
 def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
@@ -125,12 +131,35 @@ def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) ->
     speed = rub.rate(history.instant(rub.state))
     if speed is None:
         return 0
-    if rub.contact is None:  # a wheel may have been set going by an event
-        speed = Inquiry(history, families_for(None)).settled(speed)
-    if speed is None or any(SEPARATOR in name for name in speed.symbols()):
-        return 0
-    number = Inquiry(history, (NEWTON,)).number(speed)
-    return 0 if number is None or abs(number) < 1e-12 else 1 if number > 0 else -1
+    if is_known(speed):
+        return sign_of(speed, Inquiry(history, (NEWTON,)))
+    first = rub.state == arrangement.timeline.states[0].name
+    return 0 if rub.contact is not None and first else sense_left(arrangement, rub, modes)
+
+
+def sense_left(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
+    """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
+    for sense in (1, -1):
+        history = History(arrangement, {**modes, rub.key: rub.mode(sense)})
+        inquiry = Inquiry(history, families_for(None))
+        speed = inquiry.settled(rub.rate(history.instant(rub.state)) or ZERO)
+        if speed is not None and is_known(speed) and sign_of(speed, inquiry) == sense:
+            return sense
+    return 0
+
+
+def is_known(speed: Formula) -> bool:
+    """Whether a speed holds givens alone."""
+    return not any(SEPARATOR in name for name in speed.symbols())
+
+
+def sign_of(speed: Formula, inquiry: Inquiry) -> int:
+    """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
+    number = inquiry.number(speed)
+    if number is not None:
+        return 0 if abs(number) < 1e-12 else 1 if number > 0 else -1
+    signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
+    return signs.pop() if len(signs) == 1 else 0
 
 
 def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
@@ -178,8 +207,10 @@ def smooth(rub: Rub, inquiry: Inquiry) -> bool:
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
-    """Speed of the body along its line (a wheel's contact slides with it), or of the wheel's turn."""
+    """Speed of the body along its line (a wheel's contact slides with it), of one body on another, or of the wheel's turn."""
     motion = instant.motion(rub.body)
+    if rub.pair is not None:
+        return rub.pair.slip(instant)
     if rub.contact is None:
         return instant.rate("angular_velocity", rub.body)
     return motion.velocity.along(motion.heading) if motion.heading is not None else None

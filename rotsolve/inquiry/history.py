@@ -10,21 +10,26 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
+from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
+from rotsolve.inquiry.swings.placing import Placing
+from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, kinematics, momentum, newton, separation
+from rotsolve.principles import constraints, driven, energy, inside, kinematics, momentum, newton, separation
 from rotsolve.principles import rotation as turning
 from rotsolve.principles.steady import steady_rotation
-from rotsolve.scene.model import Condition
+from rotsolve.scene.model import Condition, Path, State, Term
 
 
 @dataclass
@@ -80,6 +85,46 @@ class History:
         return result
 
     @cached_property
+    def swings(self) -> dict[str, Swing]:
+        """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
+        values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+        placing = Placing(self.arrangement, self.registry, self.modes, values)
+        found: dict[str, Swing] = {}
+        for term, span in (*self._swings_asked(), *self._swings_observed()):
+            if question_of(term) not in found:
+                try:
+                    found[question_of(term)] = placing.swing(term)
+                except NotYet as error:
+                    raise NotYet(str(error), error.span or span, error.help) from None
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                letter = found[question_of(term)].letters[term.path.quantity]
+                if isinstance(letter, Symbol) and line.value is not None:
+                    self.registry.known[letter.name] = line.value
+        return found
+
+    def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
+        for find in self.arrangement.problem.finds:
+            where = find.where if find.where is not None and find.where.word == "stable" else None
+            for term in (*find.terms, *([term_of(where)] if where is not None else [])):
+                if term.path.quantity in OSCILLATING:
+                    yield term, find.span
+
+    def _swings_observed(self) -> Iterator[tuple[Term, Span | None]]:
+        for state in self.arrangement.timeline.states:
+            for line, term in observed(state):
+                yield term, line.span
+
+    @property
+    def observed(self) -> list[Swing]:
+        """The swings of which a state tells the period."""
+        return [self.swing(term) for state in self.arrangement.timeline.states for _, term in observed(state)]
+
+    def swing(self, term: Term) -> Swing:
+        """The swing that a term speaks of."""
+        return self.swings[question_of(term)]
+
+    @cached_property
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
@@ -106,6 +151,8 @@ class History:
                 yield from momentum.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
+        for swing in self.swings.values():
+            yield from swing.equations()
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
@@ -116,7 +163,7 @@ class History:
                 if line.path is not None and line.word in ("rolls", "sticks")
             }
             for item in self.arrangement.connections(state.name):
-                if item.name in said and isinstance(item, Touch):
+                if item.name in said and isinstance(item, (Touch, Rubbing)):
                     rule = item.grip_rule(self.instant(state.name))
                     if rule is not None:
                         yield constraints.written(rule, rule.velocity, state.name)
@@ -132,6 +179,8 @@ class History:
         yield from turning.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
         yield from turning.law_of_rotation(facts, section)
+        yield from turning.balance_of_torques(facts, section)
+        yield from inside.of_pieces(facts, section)
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
         yield from driven.rates(facts, state)
@@ -149,6 +198,8 @@ class History:
         yield from kinematics.kinematics(passage, section)
         yield from separation.separation(passage, section)
         yield from momentum.impulses_over(passage, section)
+        yield from momentum.kept_over(passage, section)
+        yield from momentum.about_common_axes(passage, section)
         yield from constraints.for_displacements(self.thought(interval.start), self.changes(passage), section)
         if self.varies(interval) or self.arrangement.runs:
             yield from turning.moments_of_inertia(passage.midst, section)
@@ -188,9 +239,24 @@ class History:
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown:
-                    yield Equation(
-                        left, grown, "the spring stretches with the motion", name, "", 2, bodies=midst.bodies
-                    )
+                    yield Equation(left, grown, midst.label, name, "", 2, bodies=midst.bodies)
+
+
+def observed(state: State) -> Iterator[tuple[Condition, Term]]:
+    """The lines of a state that tell the period or frequency of small swings about it, or about the equilibrium that is found."""
+    for line in state.conditions:
+        if line.path is not None and line.path.quantity in OSCILLATING:
+            yield line, Term(line.path, at=state.name if state.balance or state.steady else None)
+
+
+def term_of(condition: Condition) -> Term:
+    """The small swings that `STATE is stable` speaks of."""
+    return Term(condition.path or Path("", "swing_period"), at=condition.owner)
+
+
+def question_of(term: Term) -> str:
+    """What tells the swings of one question from those of another: the body and the state."""
+    return SEPARATOR.join((term.path.owner, term.at or "", term.start or ""))
 
 
 def rate_of(travel: Travel, instant: Instant) -> Formula:

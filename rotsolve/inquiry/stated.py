@@ -5,18 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.events import Grips
+from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import displacement, rotation
+from rotsolve.motion.owndata import is_own
+from rotsolve.motion.passages import angle_turned, displacement
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
 
@@ -48,10 +55,12 @@ class Statements:
             self._driven(self._fresh(state.name))
             self._driven(Instant(self.arrangement, self.registry, state.name, True, self.modes))
         for state in self.arrangement.timeline.states:
+            self._check_shafts(state)
             self._carry_over(state)
             for condition in state.conditions:
                 self._fix(state, condition)
-            if state.balance:
+            if state.balance or state.steady:
+                self._check_steady(state)
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 self._balance(state.name)
         self._as_drawn(self._fresh(self.arrangement.timeline.states[0].name))
@@ -91,23 +100,34 @@ class Statements:
             said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
             touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
             for item in self.arrangement.connections(state.name):
-                if item.word == "spring":
-                    self._set(fresh.ask("elongation", item.name), last.ask("elongation", item.name))
-                    self._set(
-                        fresh.ask("force", item.name, when=fresh.when), last.ask("force", item.name, when=last.when)
-                    )
+                for word in item.kept:
+                    self._set(fresh.ask(word, item.name), last.ask(word, item.name))
+            self._same_places(before, last, fresh)
             for body in self.arrangement.present(state.name):
                 old, new = last.angle(body.name), fresh.angle(body.name)
-                if old is not None and new is not None:
-                    self._set(new, old)
+                if new is not None:
+                    same = old is not None and fresh.offset(body.name) == last.offset(body.name)
+                    # a new hinge counts the angle from its own side
+                    turned = last.orientation(body.name) + fresh.offset(body.name)
+                    self._set(new, old if same and old is not None else turned.formula())
                 if body.name not in touched and "all" not in touched:
                     for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
                         self._set(other, one)
 
+    def _same_places(self, event: Interval, last: Instant, fresh: Instant) -> None:
+        """An event moves nothing: a body stays where it touches a curved surface, also one that it only meets in the event."""
+        met = {event.event.grips} if isinstance(event.event, Grips) else set()
+        acting = {item.name for item in self.arrangement.connections(event.start)} | met
+        for item in self.arrangement.connections(event.end):
+            if isinstance(item, Touch) and item.name in acting:
+                surface = item.surface(self.arrangement, event.end)
+                if isinstance(surface, Curved):
+                    self._set(item.angle(fresh), item.angle(last))
+
     def _touched(self, interval: Interval) -> frozenset[str]:
         """Bodies whose velocities an event changes."""
         found: frozenset[str] = frozenset()
-        for ref in participants(interval.event):  # type: ignore[arg-type]
+        for ref in participants(interval, self.arrangement):
             for state in (interval.start, interval.end):
                 found |= self.arrangement.component(ref.owner, state)
         return found
@@ -117,7 +137,7 @@ class Statements:
 
     def _rates(self, instant: Instant, name: str) -> list[Formula]:
         """The velocity letters of a body at an instant."""
-        motion, line = instant.motion(name), instant.arrangement.line(name, instant.state)
+        motion, line = instant.motion(name), instant.line(name)
         rates: list[Formula] = []
         if motion.kind == "line":
             rates.append(instant.travel("velocity", name, line[1] if line else ""))
@@ -140,12 +160,17 @@ class Statements:
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
+        if is_own(condition, self.arrangement.bodies):
+            self._check_own(state, condition)  # the arrangement has taken it
+            return
         if condition.rest:
             self._rest(state, condition)
+        elif condition.path is not None and condition.path.quantity in OSCILLATING:
+            return  # taken where the swings are placed
         elif condition.path is not None and condition.word == "slack":
             self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
-            raise NotYet("`leaves` is not solved yet")
+            self._leaves(state, condition, condition.path.owner)
         elif condition.path is not None and condition.word in EXTREMES:
             rate = RATE_OF.get(condition.path.quantity)
             if rate is None:
@@ -159,12 +184,53 @@ class Statements:
         if isinstance(letter, Symbol) and SEPARATOR in letter.name:
             self._set(letter, value)
         elif letter != value:
-            label, section = "stated" if letter.symbols() else "given", state
+            path = condition.path
+            label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
+            section = state
             before = self.arrangement.timeline.before(state)
             if condition.word in EXTREMES and condition.path is not None:
                 label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
                 section = before.name if before is not None else state  # it tells how long the phase takes
             self.stated.append((Equation(letter, value, label, section, "", 1), condition))
+
+    def _leaves(self, state: State, condition: Condition, contact: str) -> None:
+        """A contact is lost where the surface no longer pushes: N = 0."""
+        after = self.arrangement.timeline.after(state.name)
+        if after is not None:
+            raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
+        item = next((item for item in self.arrangement.connections(state.name) if item.name == contact), None)
+        surface = item.surface(self.arrangement, state.name) if isinstance(item, Touch) else None
+        if surface is None or item is None:
+            raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
+        normal = self._letter(state.name, Path(contact, "normal_force"))
+        label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
+        self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
+
+    def _label(self, path: Path) -> str:
+        """What a stated equation is called: of one body against another, which two."""
+        item = next((item for item in self.arrangement.problem.connections if item.name == path.owner), None)
+        if item is None or not item.between():
+            return "stated"
+        first, last = (spoken(ref.owner) for ref in item.between())
+        return f"stated: {last} relative to {first}"
+
+    def _check_own(self, state: State, condition: Condition) -> None:
+        """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
+        before = self.arrangement.timeline.before(state.name)
+        if before is None or condition.path is None or condition.value is None:
+            return
+        name, word = condition.path.owner, condition.path.quantity
+        if before.event is not None:
+            raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
+        earlier = self.arrangement.body(name, before.start).mass
+        if word == "mass" and earlier is not None:
+            values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+            try:
+                lost = evaluate(earlier - condition.value, values, digits=6).sign
+            except (Undefined, ValueError):
+                return
+            if lost == 1:
+                raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
@@ -173,12 +239,9 @@ class Statements:
             before = self.arrangement.timeline.before(state)
             if before is None:
                 return ZERO
-            name = instant.host(path.owner)
-            return (
-                displacement(name, before, instant)
-                if path.quantity == "displacement"
-                else rotation(name, before, instant)
-            )
+            if path.quantity == "displacement":
+                return displacement(instant.host(path.owner), before, instant)
+            return angle_turned(path.owner, before, instant)
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: State, condition: Condition) -> None:
@@ -187,6 +250,27 @@ class Statements:
             if condition.owner in ("all", "", body.name):
                 for rate in self._rates(instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
+        for item in self.arrangement.rides(state.name):
+            if condition.owner in ("all", "", item.rides[0].owner):
+                self._set(instant.outward(item.rides[0].owner), ZERO)
+
+    def _check_shafts(self, state: State) -> None:
+        """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
+        for item in self.arrangement.connections(state.name):
+            if item.word == "shaft":
+                name = item.touches()[0].owner
+                if len(self.arrangement.component(name, state.name)) > 1:
+                    raise NotYet(
+                        f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span
+                    )
+
+    def _check_steady(self, state: State) -> None:
+        """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
+        carried = any(item.word == "shaft" for item in self.arrangement.connections(state.name))
+        if state.balance and carried:
+            raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
+        if state.steady and not carried:
+            raise NotYet("`steady: true` is solved on a turning `shaft` only", state.span, "write `balance: true`")
 
     def _balance(self, state: str) -> None:
         """In equilibrium nothing accelerates."""

@@ -57,7 +57,9 @@ def last_named(owner: str, interval: str, history: History) -> str:
     assert found is not None and found.event is not None
     instant = history.instant(found.start)
     items = [item for item in history.arrangement.connections(found.start) if item.name == owner]
-    refs = participants(found.event) if found.event.name == owner else items[0].touches() if items else ()
+    refs = (
+        participants(found, history.arrangement) if found.event.name == owner else items[0].touches() if items else ()
+    )
     bodies = [ref.owner for ref in refs if ref.owner in history.arrangement.bodies]
     return instant.host(bodies[-1]) if bodies else ""
 

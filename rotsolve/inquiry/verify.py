@@ -19,6 +19,8 @@ from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.consistency import runs
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.freebody import free_bodies
 from rotsolve.solver.textbook import is_long_root
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
@@ -91,8 +93,8 @@ def depends(answered: Answered, inquiry: Inquiry) -> bool:
 def families(answered: Answered, inquiry: Inquiry) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
     found: set[str] = set()
-    pending, seen = [answered], set()
     by_letter = {item.asked.letter: item for item in inquiry.answered}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
     while pending:
         item = pending.pop()
         for index in item.used:
@@ -117,7 +119,7 @@ def again(other: Inquiry, answered: Answered) -> Formula | None:
     """The answer by another inquiry's laws, None where they do not give it."""
     try:
         return other.answer(answered.asked).found.formula
-    except NoAnswer:
+    except (NoAnswer, NotYet):
         return None
 
 
@@ -190,21 +192,36 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
-    for state in inquiry.history.arrangement.timeline.states:
-        for need in inquiry.history.facts(state.name).requirements:
-            key = f"{need.owner}{need.otherwise}{inquiry.history.section(state.name)}"
+    spoken_of: list[Words] = []
+    for place, needs in needed(inquiry):
+        for need in needs:
+            key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
             if key in told or not concerns(need, inquiry):
                 continue
-            gap = aside.settled(need.left - need.right)
+            judge, gap = aside, aside.settled(need.left - need.right)
+            if gap is None:
+                judge = inquiry.apart()
+                gap = judge.settled(need.left - need.right)
             sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
-            if sign >= 0:
-                if len(told) <= 3:
-                    yield Check(said(need, inquiry, composer, aside, touching=sign == 0))
-            else:
-                yield Check(objection(need, state.name, inquiry, composer), False)
+            words = said(need, inquiry, composer, judge, touching=sign == 0) if sign >= 0 else ()
+            if sign >= 0 and words not in spoken_of and len(spoken_of) < 3:
+                spoken_of.append(words)
+                yield Check(words)
+            elif sign < 0:
+                yield Check(objection(need, place, inquiry, composer), False)
+
+
+def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
+    history = inquiry.history
+    for state in history.arrangement.timeline.states:
+        yield state.name, history.facts(state.name).requirements
+    for swing in history.swings.values():
+        if swing.found:
+            yield swing.near.state, free_bodies(swing.rest).requirements
 
 
 def concerns(need: Requirement, inquiry: Inquiry) -> bool:
@@ -245,7 +262,8 @@ def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry
         size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     letter = need.left.substitute(lettered(need, inquiry, composer))
-    what = "the string stays taut" if "slack" in need.otherwise else f"{spoken(need.owner)} keeps contact"
+    told = str(need.words[-1]).partition(": ")[2]
+    what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
     return (letter, " = 0: only just, " if touching else " > 0: ", what)
 
 

@@ -8,21 +8,25 @@ from functools import cached_property
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.powers import in_powers
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import WORDS
 from rotsolve.core.drive import Drive
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
+from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import TIME
-from rotsolve.core.varying import combined
+from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection, Weld
-from rotsolve.elements.events import Cuts, Joins, Removes
+from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
+from rotsolve.elements.connections.connection import Orbit
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
+from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, PointRef, Problem
+from rotsolve.scene.model import Body, Path, PointRef, Problem, points_of
 
 MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
@@ -73,13 +77,39 @@ class Arrangement:
         return {body.name: body for body in self.problem.bodies}
 
     @cached_property
+    def _versions(self) -> dict[str, dict[str, Version]]:
+        return versions(self.problem.bodies, self.timeline.states)
+
+    def body(self, name: str, state: str) -> Body:
+        """A body with the mass, size and moment of inertia that it has at a state."""
+        return self._versions[state][name].body
+
+    def since(self, name: str, state: str) -> str:
+        """The state from which a body and all that it carries have their data; empty where these never change."""
+        names = (name, *(member.name for member in self.cluster(name, state)))
+        return max(
+            (self._versions[state][item].since for item in names), key=lambda name: self.timeline.order.get(name, -1)
+        )
+
+    def altered(self, name: str, start: str, end: str) -> bool:
+        """Whether a body's own data differ between two states."""
+        return self._versions[start][name] != self._versions[end][name]
+
+    def changing(self, name: str, state: str) -> bool:
+        """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
+        phase = self.timeline.phase_of(state)
+        if any(item.free and item.rides[1].owner == name for item in self.rides(state)):
+            return True
+        return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
+
+    @cached_property
     def surfaces(self) -> dict[str, Surface]:
         return {surface.name: surface for surface in self.problem.surfaces}
 
     @cached_property
     def _gone(self) -> dict[str, frozenset[str]]:
-        """Names of what has been cut or removed by each state."""
-        gone: frozenset[str] = frozenset()
+        """Names of what does not act at each state: cut, removed, or a contact that an event has yet to begin."""
+        gone = frozenset(item.name for item in self.gripped)
         result = {self.timeline.states[0].name: gone}
         for interval in self.timeline.intervals:
             event = interval.event
@@ -87,14 +117,36 @@ class Arrangement:
                 gone |= frozenset(event.cuts)
             elif isinstance(event, Removes):
                 gone |= frozenset(event.removes)
+            elif isinstance(event, Grips):
+                gone = (gone | self._left_by(event.grips)) - {event.grips}
+            elif isinstance(event, Fixes) and event.fixes is not None:
+                gone |= self._surfaces_of(event.fixes.owner)
             result[interval.end] = gone
         return result
 
+    @cached_property
+    def gripped(self) -> tuple[Connection, ...]:
+        """The contacts that events begin."""
+        names = {event.grips for event in self.problem.events if isinstance(event, Grips)}
+        return tuple(item for item in self.problem.connections if item.name in names)
+
+    def _left_by(self, contact: str | None) -> frozenset[str]:
+        """The surfaces that a body leaves for a contact: a ball that hits a corner turns about it and leaves the floor."""
+        taken = (item.pair()[0].owner for item in self.gripped if isinstance(item, Touch) and item.name == contact)
+        return frozenset[str]().union(*(self._surfaces_of(owner) for owner in taken))
+
+    def _surfaces_of(self, name: str) -> frozenset[str]:
+        """The contacts of a body with surfaces."""
+        touches = (item for item in self.problem.connections if isinstance(item, Touch))
+        return frozenset(item.name for item in touches if item.pair()[0].owner == name)
+
     def connections(self, state: str) -> tuple[Connection, ...]:
-        """Connections that act at a state."""
+        """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""
         after = self.timeline.after(state)
         absent = self._gone[state] | frozenset(after.without if after and after.event is None else ())
-        return tuple(item for item in self.problem.connections if item.name not in absent)
+        events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
+        held = [Hinge(item.name, hinge=(item.fixes,)) for item in events if isinstance(item, Fixes) and item.fixes]
+        return (*(item for item in self.problem.connections if item.name not in absent), *held)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -117,16 +169,31 @@ class Arrangement:
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
         absent = self._gone[state] | {member.name for member in self.members(state)}
-        return tuple(body for body in self.problem.bodies if body.name not in absent)
+        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in absent)
 
     def members(self, state: str) -> tuple[Member, ...]:
-        """Bodies joined to others by a weld, or by an event up to this state."""
+        """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         now = self.timeline.order[state]
+        riders = [self._rider(item, state) for item in self.rides(state)]
         pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
         for interval in self.timeline.intervals[:now]:
             if isinstance(interval.event, Joins):
                 pairs.append(interval.event.joins)
-        return tuple(self._member(first, second, state) for first, second in pairs)
+        return (*riders, *(self._member(first, second, state) for first, second in pairs))
+
+    def rides(self, state: str) -> tuple[Rides, ...]:
+        """The bodies that slide along others at a state."""
+        return tuple(item for item in self.connections(state) if isinstance(item, Rides))
+
+    def ride(self, name: str, state: str) -> Rides | None:
+        """What makes a body slide along another, with which it turns."""
+        return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
+
+    def _rider(self, item: Rides, state: str) -> Member:
+        """A body that rides on another: its distance is counted from the carrier's axis."""
+        rider, carrier = item.rides
+        axis = self.pivot(carrier.owner, state) or PointRef(carrier.owner, "center")
+        return Member(rider.owner, carrier.owner, axis, PointRef(rider.owner, "center"))
 
     def _member(self, first: PointRef, second: PointRef, state: str) -> Member:
         """The joined pair as host and member: a body on an axis, else the extended one, else the last-named is the host."""
@@ -156,6 +223,11 @@ class Arrangement:
                     return ref
         return None
 
+    def axis(self, name: str, state: str) -> str:
+        """The support on whose axis a body turns."""
+        held = (item for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)
+        return next((item.name for item in held), "")
+
     def line(self, name: str, state: str) -> tuple[Heading, str] | None:
         """Direction of travel of a body that moves along a line, and the words for its positive sense."""
         body = self.bodies[name]
@@ -165,6 +237,8 @@ class Arrangement:
             track = item.track(body, self, state)
             if track is not None:
                 return track
+        if self.orbit(name, state) is not None:
+            return None
         if body.moves:
             return WORDS[body.moves], body.moves
         hangs = any(item.hangs(body) for item in self.connections(state))
@@ -196,8 +270,16 @@ class Arrangement:
         turns = self.bodies[name].turns
         if turns:
             return 1 if turns == "counterclockwise" else -1
-        naturals = (item.natural_turn(self.bodies[name], self, state) for item in self.connections(state))
+        items = (*self.connections(state), *self.gripped)
+        naturals = (item.natural_turn(self.body(name, state), self, state) for item in items)
         return next((natural for natural in naturals if natural), 1)
+
+    def orbit(self, name: str, state: str) -> Orbit | None:
+        """The circle on which a body's centre travels: on a curved surface, where no flat one and no pivot holds it."""
+        body, items = self.bodies[name], self.connections(state)
+        if self.pivot(name, state) is not None or any(item.track(body, self, state) is not None for item in items):
+            return None
+        return next((orbit for item in items if (orbit := item.orbit(body, self, state)) is not None), None)
 
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
@@ -226,6 +308,8 @@ class Arrangement:
         return combined(paces)
 
     def _own_pace(self, name: str, state: str) -> str:
+        if self.changing(name, state):
+            return UNKNOWN
         if self.pivot(name, state) is not None:
             return "constant" if self.balanced(name, state) or not self.heavy else "position"
         return "constant"
@@ -267,14 +351,40 @@ class Arrangement:
             for term in terms
         )
 
+    def says(self, state: str, owner: str, *words: str) -> bool:
+        """Whether a state speaks of a quantity of an element, or says a word about it."""
+        lines = self.timeline.state(state).conditions
+        said = ({line.path.quantity, line.word} for line in lines if line.path is not None and line.path.owner == owner)
+        return any(found & set(words) for found in said)
+
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""
-        said = (line.path for state in self.problem.states for line in state.conditions if line.path)
-        asked = (term.path for find in self.problem.finds for term in find.terms)
-        return any(path.owner == owner and path.quantity == word for path in (*said, *asked))
+        return any(path.owner == owner and path.quantity == word for path in self.paths)
+
+    @cached_property
+    def paths(self) -> tuple[Path, ...]:
+        """All quantities that the states and questions speak of, those of conditions too."""
+        spoken_of = points_of((self.problem.states, self.problem.finds))
+        return tuple(path for path in spoken_of if isinstance(path, Path))
+
+    @cached_property
+    def cuts(self) -> dict[str, Path]:
+        """The points at which the scene asks what acts inside a rod, by the index that their letters get."""
+        found: dict[tuple[str, str | None, Formula | None], Path] = {}
+        for path in self.paths:
+            if path.quantity in INSIDE:
+                found.setdefault((path.owner, path.point, path.argument), path)
+        letters = [path.argument.name if isinstance(path.argument, Symbol) else "cut" for path in found.values()]
+        return {
+            letter if letters.count(letter) == 1 else f"{letter}{number}": path
+            for number, (letter, path) in enumerate(zip(letters, found.values(), strict=True), 1)
+        }
 
     def driven(self, name: str, state: str) -> bool:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
         turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
         axles = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
-        return turned or any(item.word in ("belt", "gear") or getattr(item, "friction_torque", None) for item in axles)
+        return turned or any(
+            item.word in ("belt", "gear", "clutch", "drives") or getattr(item, "friction_torque", None)
+            for item in axles
+        )

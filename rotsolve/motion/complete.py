@@ -2,20 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from dataclasses import fields, replace
 from typing import Any
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
-from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
+from rotsolve.elements.connections.contacts import Contact
+from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
+from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Graded, Integrated, Rod, Shape
+from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
+from rotsolve.motion.admissible import check
+from rotsolve.motion.fits import check_holding, check_surfaces
 from rotsolve.motion.instant import locate
+from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
 from rotsolve.scene.keys import Key
@@ -41,7 +47,9 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    check_points(problem)
+    check(problem)
+    check_surfaces(problem)
+    check_holding(problem)
     letters = _Letters(problem)
     wheels = {
         ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
@@ -53,34 +61,28 @@ def completed(problem: Problem) -> Problem:
         for ref in item.touches()[1:-1]
         if not ref.point
     }
-    bodies = tuple(_body(body, letters, body.name in wheels) for body in problem.bodies)
+    riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
+    bodies = tuple(
+        _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
+        for body in problem.bodies
+    )
+    versions(bodies, problem.states)  # refuses what can't differ between states
+    names = {body.name for body in bodies}
     guides = (guide(body) for body in bodies if body.moved)
-    connections = (*(_connection(item, letters) for item in problem.connections), *guides)
+    connections = (*(_connection(item, letters, names) for item in problem.connections), *guides)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _connection(item: Connection, letters: _Letters) -> Connection:
-    """A torsion spring always has a stiffness; that of an ordinary one may be told by its force."""
+def _connection(item: Connection, letters: _Letters, bodies: Container[str]) -> Connection:
+    """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
+    if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
+        return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
+    if isinstance(item, Contact) and item.contact[1].owner in bodies:
+        press = item.press or letters.make("F", item.name, "force")
+        return Rims(item.name, item.contact, press, item.friction)
     return item
-
-
-def check_points(problem: Problem) -> None:
-    """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
-    bodies = {body.name: body for body in problem.bodies}
-    for item in problem.connections:
-        for ref in item.touches():
-            body = bodies.get(ref.owner)
-            if body is None:
-                continue
-            shape = shape_of(body)
-            if item.word == "hinge" and ref.point is None and "start" in shape.points:
-                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
-                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
-            if item.word == "string" and ref.point in ("top", "bottom"):
-                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
-                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
@@ -106,6 +108,14 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
     return _central(replace(body, shape=shape, mass=mass, parts=parts, holes=holes, radius=radius, inertia=inertia))
+
+
+def _rider(body: Body, letters: _Letters) -> Body:
+    """A body that rides on another is a particle at its `radius` from the axis."""
+    shape = shape_of(body)
+    radius = shape.radius if isinstance(shape, Particle) and shape.radius != ZERO else body.radius
+    radius = radius or letters.make("r", body.name, "length")
+    return _body(replace(body, shape=Particle(radius), radius=None), letters, False)
 
 
 def _central(body: Body) -> Body:

@@ -9,12 +9,17 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.elements.actions import pointing
-from rotsolve.elements.events import Collides, Cuts, Event, Impulse, Joins, Removes
+from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.elements.rims import rim_radius
+from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_body
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import PointRef
+
+HOLDING = (Fixes, Grips)
 
 
 def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[Instant, Facts]) -> Encounter | None:
@@ -22,8 +27,8 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     event = interval.event
     if not isinstance(event, Event) or isinstance(event, (Cuts, Removes)):
         return None
-    (first, first_facts), (last, _) = before, after
-    points = participants(event)
+    (first, first_facts), (last, last_facts) = before, after
+    points = participants(interval, first.arrangement)
     group: frozenset[str] = frozenset()
     for ref in points:
         group |= first.arrangement.component(ref.owner, last.state) | first.arrangement.component(
@@ -31,28 +36,47 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
         )
     involved = [body for body in first_facts.bodies if body.name in group]
     blows = {body.name: tuple(blows_on(body, event, points, first)) for body in involved}
-    places = common_places(involved, points, first)
+    places = common_places(involved, points, event, first)
     meetings = tuple(
         replace(
             meeting(body, first, last, blows[body.name], places.get(body.name)),
             twists=twists_on(body, event, points, first),
+            held=held_after(body, event, last_facts),
         )
         for body in involved
     )
     supports = {body.name: support(body, first) for body in involved if body.motion.kind == "axis"}
+    supports |= {first.host(ref.owner): suddenly(event, ref, first) for ref in points if isinstance(event, HOLDING)}
     words = getattr(event, "about", "")
     return Encounter(interval.name, words, meetings, (group,), supports, bounce(event, points, first, last))
 
 
-def participants(event: Event) -> tuple[PointRef, ...]:
-    """The points that an event names."""
+def participants(interval: Interval, arrangement: Arrangement) -> tuple[PointRef, ...]:
+    """The points that an event names; of a contact that grips the body's."""
+    event = interval.event
     if isinstance(event, Joins):
         return event.joins
     if isinstance(event, Collides):
         return event.collides
     if isinstance(event, Impulse) and event.on is not None:
         return (event.on,)
-    return ()
+    if isinstance(event, Fixes) and event.fixes is not None:
+        return (event.fixes,)
+    contact = gripping(event, arrangement)
+    return contact.pair()[:1] if contact is not None else ()
+
+
+def gripping(event: Event | None, arrangement: Arrangement) -> Touch | None:
+    """The contact that an event begins."""
+    named = event.grips if isinstance(event, Grips) else None
+    found = (item for item in arrangement.problem.connections if item.name == named)
+    return next((item for item in found if isinstance(item, Touch)), None)
+
+
+def spot(ref: PointRef, event: Event, instant: Instant) -> Vector:
+    """Where an event acts on a body, from its reference: a named point, or where a contact that grips touches it."""
+    contact = gripping(event, instant.arrangement)
+    return instant.point(ref) if contact is None else contact.arm(instant)
 
 
 def support(body: BodyFacts, instant: Instant) -> str:
@@ -66,14 +90,28 @@ def support(body: BodyFacts, instant: Instant) -> str:
     return "axle" if any(item.word == "axle" for item in held) else "pivot"
 
 
+def suddenly(event: Event, ref: PointRef, instant: Instant) -> str:
+    """What the point is called at which an event holds a body."""
+    contact = gripping(event, instant.arrangement)
+    surface = contact.surface(instant.arrangement, instant.state) if contact is not None else None
+    if surface is not None:
+        return surface.held_at
+    return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")
+
+
+def held_after(body: BodyFacts, event: Event, after: Facts) -> Formula | None:
+    """Moment of inertia about the point at which an event holds a body from then on."""
+    own = after.body(body.name) if isinstance(event, Fixes) else None
+    return own.inertia.letter if own is not None and own.motion.kind == "axis" and own.inertia is not None else None
+
+
 def meeting(body: BodyFacts, first: Instant, last: Instant, blows: tuple[Force, ...], place: Vector | None) -> Meeting:
     """One body before and after; afterwards it may be part of another."""
     host = last.host(body.name)
     motion = last.motion(host)
-    if host == body.name and not last.arrangement.cluster(host, last.state):
-        centre = motion.velocity_of(body.cm)
-    else:
-        centre = motion.velocity_of(last.point(PointRef(body.name, "cm")))
+    own = PointRef(body.name, "cm")
+    shift = tidy(last.point(own) - first.point(own))  # of its place from the reference, which may be another afterwards
+    centre = motion.velocity_of(body.cm + shift)
     inertia: Formula = body.inertia.letter if body.inertia is not None else own_inertia(body, first)
     return Meeting(body, inertia, body.centre_velocity, centre, body.motion.spin, motion.spin, place, blows)
 
@@ -85,22 +123,24 @@ def own_inertia(body: BodyFacts, instant: Instant) -> Formula:
     return inertia.letter if inertia is not None else ZERO
 
 
-def common_places(bodies: list[BodyFacts], points: tuple[PointRef, ...], instant: Instant) -> dict[str, Vector]:
+def common_places(
+    bodies: list[BodyFacts], points: tuple[PointRef, ...], event: Event, instant: Instant
+) -> dict[str, Vector]:
     """Centre of mass of each body from one common point: the axis of the one that is held, else where they meet."""
     held = next((body for body in bodies if body.motion.kind == "axis"), None)
     if held is not None:
-        spot = next((ref for ref in points if instant.host(ref.owner) == held.name), None)
+        where = next((ref for ref in points if instant.host(ref.owner) == held.name), None)
         places = {body.name: NOWHERE for body in bodies if body.motion.kind == "axis"}
-        if spot is None:
+        if where is None:
             return places
-        contact = instant.point(spot)
+        contact = instant.point(where)
     else:
         places, contact = {}, NOWHERE
     for ref in points:
         name = instant.host(ref.owner)
         body = next((body for body in bodies if body.name == name), None)
         if body is not None and name not in places:
-            places[name] = contact - (instant.point(ref) - body.cm)
+            places[name] = contact - (spot(ref, event, instant) - body.cm)
     return places
 
 
@@ -120,13 +160,13 @@ def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instan
     for index, ref in enumerate(points):
         if instant.host(ref.owner) != body.name:
             continue
-        arm = instant.point(ref)
+        arm = spot(ref, event, instant)
         if isinstance(event, Impulse):
             blows.append(outside_blow(event, body, arm, instant))
         else:
             for axis, direction in contact_axes(event, points, instant):
                 size = instant.ask("impulse", event.name, component=axis)
-                push = unit(direction if index == 1 else direction.turned(180))
+                push = unit(direction if index == len(points) - 1 else direction.turned(180))
                 blows.append(Force(event.name, "contact", body.name, size, push, arm, ("blow ", size), internal=True))
     return blows
 

@@ -3,15 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, GivenMotion, Inertia, Potential, Requirement, Rule
-from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit
+from rotsolve.core.facts import (
+    BodyFacts,
+    Couple,
+    Facts,
+    Force,
+    GivenMotion,
+    Inertia,
+    Motion,
+    Potential,
+    Requirement,
+    Rule,
+    Sweep,
+    Turntable,
+    square,
+)
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
 from rotsolve.elements.rims import shape_of
+from rotsolve.motion.cuts import cuts_at
 from rotsolve.motion.instant import Frame, Instant
-from rotsolve.motion.rigid import mass_of, moment_about
+from rotsolve.motion.rigid import mass_of, moment_about, product_about
 from rotsolve.scene.model import Body, PointRef
 
 
@@ -26,7 +44,10 @@ def free_bodies(instant: Instant) -> Facts:
     for body in arrangement.present(instant.state):
         own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
         own_couples = tuple(couple for couple in couples if couple.body == body.name)
-        bodies.append(free_body(body, instant, own_forces, own_couples))
+        tables = [fact for fact in stated if isinstance(fact, Turntable) and fact.body == body.name]
+        facts = free_body(body, instant, own_forces, own_couples)
+        bodies.append(replace(facts, sweep=sweep(tables[0], instant)) if tables else facts)
+    moment = instant.generic or instant.virtual
     return Facts(
         instant.state,
         instant.when,
@@ -34,7 +55,8 @@ def free_bodies(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Rule)),
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
-        tuple(given for body in bodies for given in given_motions(body.name, instant)),
+        given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
+        cuts=() if moment else cuts_at(instant, tuple(bodies)),
     )
 
 
@@ -46,12 +68,28 @@ def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
         )
 
 
+def sweep(table: Turntable, instant: Instant) -> Sweep:
+    """The accelerations of a body's pieces on a turntable, towards its axis."""
+    own, orientation = instant.frame(table.body), instant.orientation(table.body)
+    reach = table.distance + own.cm.rotated(orientation).along(RIGHT)
+    product = product_about(own.pieces, own.reference, orientation, table.distance)
+    if product is None:
+        raise Unsolvable(
+            f"how the mass of `{table.body}` is spread along and across it is not told",
+            span=instant.body(table.body).span,
+        )
+    moment = simplify(square(table.rate) * product, order=instant.arrangement.order)
+    return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
+
+
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     """The weight m g, down at the centre of mass; none where nothing weighs or the picture is seen from above."""
     gravity = instant.arrangement.problem.gravity
     if gravity is None or not instant.arrangement.heavy:
         return ()
-    forces = []
+    body, forces = instant.body(name), []
+    if any(item.weighs(body) for item in instant.arrangement.connections(instant.state)):
+        return ()
     for owner in (name, *(member.name for member in instant.arrangement.cluster(name, instant.state))):
         mass = mass_of(instant.body(owner))
         if mass != ZERO:
@@ -78,19 +116,35 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         inertia,
         motion,
         own.cm.rotated(motion.orientation),
-        axes_of(motion.heading),
+        axes_of(motion),
         positive_sense(body, instant),
         forces,
         couples,
         instant.is_round(body.name),
-        instant.ask("period", body.name) if instant.arrangement.asks(body.name, "period") else None,
+        period=instant.ask("period", body.name) if instant.arrangement.asks(body.name, "period") else None,
+        axis=instant.arrangement.axis(body.name, instant.state),
+        changing=instant.arrangement.changing(body.name, instant.state),
+        sliding=sliding(body.name, instant),
     )
 
 
-def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
-    """Directions along which Newton's second law is written: along and across a line of travel, else right and up."""
+def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
+    """Mass and speed along the body of each rider that slides on it freely."""
+    riders = [item.rides[0].owner for item in instant.arrangement.rides(instant.state) if item.free]
+    own = [rider for rider in riders if instant.host(rider) == name]
+    return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
+
+
+def axes_of(motion: Motion) -> tuple[Heading, ...]:
+    """Directions along which Newton's second law is written: along and across a line of travel, else right and up.
+
+    On a circle the second one points to its centre.
+    """
+    direction = motion.heading
     if direction is None:
         return (RIGHT, UP)
+    if motion.bend is not None:
+        return (direction, motion.bend.outward.turned(180))
     across = direction.turned(90)
     return (direction, across if across.degrees % 360 <= 180 else direction.turned(-90))
 
@@ -98,7 +152,7 @@ def axes_of(direction: Heading | None) -> tuple[Heading, ...]:
 def positive_sense(body: Body, instant: Instant) -> str:
     """The positive sense in words: "down", "clockwise", "down the slope, clockwise"."""
     motion = instant.motion(body.name)
-    line = instant.arrangement.line(body.name, instant.state) if motion.kind == "line" else None
+    line = instant.line(body.name) if motion.kind == "line" else None
     travel = line[1] if line else "right, up" if motion.kind == "plane" else ""
     return ", ".join(part for part in (travel, instant.turn_words(body.name)[0] if motion.turns else "") if part)
 
@@ -114,9 +168,21 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
-        name = f"{kind.letter}_total" if members else kind.letter
-        letter = instant.registry.ask(Quantity("inertia", joined, "", "", name, kind.dimension))
+        since = instant.arrangement.since(body.name, instant.state)
+        changes = any(instant.arrangement.since(body.name, state) for state in instant.arrangement.timeline.order)
+        name = f"{kind.letter}_total" if members and not changes else kind.letter
+        when = since or (instant.arrangement.timeline.states[0].name if changes else "")
+        version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
+        letter = instant.registry.ask(Quantity("inertia", joined, "", version, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
+
+
+def point_of_time(name: str, instant: Instant) -> str:
+    """The point about which a body turns at this state, where it turns about another one, or freely, at other states."""
+    arrangement = instant.arrangement
+    pivots = {arrangement.pivot(name, state.name) for state in arrangement.timeline.states}
+    pivot = arrangement.pivot(name, instant.state)
+    return pivot.point or "center" if pivot is not None and len(pivots) > 1 else ""
 
 
 def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
@@ -135,8 +201,10 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
     pivot = instant.arrangement.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
+    if any(instant.arrangement.ride(name, instant.state) for name in members):
+        return f"moment of inertia, {noun}"
     if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
     if shape == "rod" and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
-    return f"moment of inertia, {noun} about the pivot"
+    return f"moment of inertia, {noun} about the {'axis' if shape == 'particle' and not body.parts else 'pivot'}"

@@ -10,11 +10,12 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.core.directions import opposite
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
-from rotsolve.core.facts import Motion, signed
+from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD, PLANE
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
 from rotsolve.core.varying import paths_in
+from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes.shape import WHEEL
 from rotsolve.motion.arrangement import Arrangement
@@ -26,6 +27,7 @@ from rotsolve.scene.model import Body, PointRef
 STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
 FOLLOWED = ("position", "velocity", "acceleration")
 TURNS = ("counterclockwise", "clockwise")
+ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
 
 
 @dataclass(frozen=True)
@@ -39,23 +41,27 @@ class Frame:
 
 def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
     """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-    items = list(pieces(arrangement.bodies[name]))
+    body = arrangement.body(name, state)
+    items = list(pieces(body))
     for member in arrangement.cluster(name, state):
         if member.host == name:
-            base = locate(arrangement.bodies[name], member.at)
-            offset = locate(arrangement.bodies[member.name], member.own)
+            base = locate(body, member.at)
+            offset = locate(arrangement.body(member.name, state), member.own)
             own = frame(arrangement, member.name, state).pieces
             items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
     pivot = arrangement.pivot(name, state)
     centre = centre_of_mass(tuple(items))
-    reference = locate(arrangement.bodies[name], pivot) if pivot is not None else centre
+    reference = locate(body, pivot) if pivot is not None else centre
     return Frame(tuple(items), reference, polar(tidy(centre - reference)))
 
 
 def locate(body: Body, ref: PointRef | None) -> Vector:
-    """Place of a point in a body's own axes; directions in space (rim, top) are not placed here."""
+    """Place of a point in a body's own axes; of a rim, the place that it has while the body stands as drawn."""
     if ref is None or ref.point in (None, "center"):
         return NOWHERE
+    radius = rim_radius(body, ref.point)
+    if ref.point in ON_RIM and radius is not None:
+        return vector(radius, ON_RIM[ref.point])
     if ref.point == "cm":
         return centre_of_mass(pieces(body))
     for name, at in body.points:
@@ -86,7 +92,8 @@ def rise(body: Body, ref: PointRef) -> Formula:
 
 @dataclass(frozen=True)
 class Instant:
-    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`.
+    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
+    the equilibrium of its bodies or a moment of their swings about it.
 
     `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
     "slips back" against it. A `virtual`
@@ -99,12 +106,13 @@ class Instant:
     generic: bool = False
     modes: Mapping[str, str] = field(default_factory=dict)
     virtual: bool = False
+    mark: str = GENERIC
     _frames: dict[str, Frame] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
     def when(self) -> str:
-        return GENERIC + self.state if self.generic else self.state
+        return self.mark + self.state if self.generic else self.state
 
     @property
     def moving(self) -> str:
@@ -120,7 +128,7 @@ class Instant:
         return self.when if self.generic and own == self.state else own
 
     def body(self, name: str) -> Body:
-        return self.arrangement.bodies[name]
+        return self.arrangement.body(name, self.state)
 
     def host(self, name: str) -> str:
         return self.arrangement.host(name, self.state)
@@ -163,7 +171,7 @@ class Instant:
         if drive.component:
             return self.component(word, drive.body, drive.component)
         if word in TRAVELLING:
-            line = self.arrangement.line(drive.body, self.state)
+            line = self.line(drive.body)
             return self.travel(word, drive.body, line[1] if line else "")
         if word == "angle":
             return self.ask("angle", drive.body, words=TURNS)
@@ -183,7 +191,12 @@ class Instant:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         body = self.body(name)
         rod = shape_of(body).word == "rod"
-        if not (rod and self.arrangement.heavy) and not self._speaks_of_angle(name) and not self.marked(name):
+        if self.swings(name):
+            return self.ask("angle", name, words=TURNS)
+        followed = self._speaks_of_angle(name) or self.marked(name)
+        if not (rod and self.arrangement.heavy) and not followed:
+            return None
+        if not rod and self._stands(name):
             return None
         return self.ask("angle", name, words=TURNS)
 
@@ -199,11 +212,20 @@ class Instant:
             path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
         )
 
+    def _stands(self, name: str) -> bool:
+        """Whether a body slides along as it is drawn, with nothing said of its angle."""
+        flat = self.line(name) is not None
+        return flat and not self.can_turn(name, flat) and not self.arrangement.says(self.state, name, "angle")
+
+    def swings(self, name: str) -> bool:
+        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+        hinged = self.generic and self.mark != GENERIC and self.arrangement.pivot(name, self.state) is not None
+        return hinged and self.arrangement.heavy and bool(self.frame(name).cm.parts)
+
     def _speaks_of_angle(self, name: str) -> bool:
         problem = self.arrangement.problem
-        said = (line.path for state in problem.states for line in state.conditions if line.path)
-        asked = (term.path for find in problem.finds for term in find.terms)
-        if any(path.owner == name and path.quantity == "angle" and not path.point for path in (*said, *asked)):
+        said = self.arrangement.paths
+        if any(path.owner == name and path.quantity == "angle" and not path.point for path in said):
             return True
         if any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state)):
             return True
@@ -218,10 +240,10 @@ class Instant:
             base = self.point(member.at)
             own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
             return base + own.rotated(self.orientation(host)) if own.parts else base
-        fixed = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT, **dict.fromkeys(dict(self.body(host).radii), RIGHT)}
-        radius = rim_radius(self.body(host), ref.point)
-        if ref.point in fixed and radius is not None:
-            return self._from_reference(host, NOWHERE) + vector(radius, fixed[ref.point])
+        body, pivot = self.body(host), self.arrangement.pivot(host, self.state)
+        on_rim, radius = {**ON_RIM, **dict.fromkeys(dict(body.radii), RIGHT)}, rim_radius(body, ref.point)
+        if ref.point in on_rim and radius is not None and (pivot is None or pivot.point != ref.point):
+            return self._from_reference(host, NOWHERE) + vector(radius, on_rim[ref.point])
         return self._from_reference(host, locate(self.body(host), ref))
 
     def _from_reference(self, name: str, place_in_body: Vector) -> Vector:
@@ -242,7 +264,7 @@ class Instant:
             return Motion(
                 "axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name)
             )
-        line = arrangement.line(name, self.state)
+        line, orbit = self.line(name), self.orbit(name)
         turns = self.can_turn(name, line is not None)
         spin, rate = (
             (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
@@ -253,10 +275,33 @@ class Instant:
             direction, words = line
             velocity = vector(self.travel("velocity", name, words), direction)
             acceleration = vector(self.travel("acceleration", name, words), direction)
-            return Motion("line", velocity, acceleration, spin, rate, sense, turns, direction, self.orientation(name))
+            bend = self.bend(orbit) if orbit is not None else None
+            if bend is not None:  # v²/r towards the centre
+                square = self.travel("velocity", name, words) ** 2
+                acceleration = acceleration + vector(square / bend.radius, bend.outward.turned(180))
+            own = self.orientation(name)
+            return Motion("line", velocity, acceleration, spin, rate, sense, turns, direction, own, bend=bend)
         velocity = cartesian(*(self.component("velocity", name, axis) for axis in "xy"))
         acceleration = cartesian(*(self.component("acceleration", name, axis) for axis in "xy"))
         return Motion("plane", velocity, acceleration, spin, rate, sense, turns, None, self.orientation(name))
+
+    def line(self, name: str) -> tuple[Heading, str] | None:
+        """Direction of travel of a body that moves along a line or circle, and the words for its positive sense."""
+        orbit = self.orbit(name)
+        if orbit is None:
+            return self.arrangement.line(name, self.state)
+        return heading(self.place_on(orbit)).turned(90 * orbit.way), orbit.words
+
+    def orbit(self, name: str) -> Orbit | None:
+        return self.arrangement.orbit(name, self.state)
+
+    def place_on(self, orbit: Orbit) -> Formula:
+        """The angle that tells where on its circle a body is."""
+        return self.ask("angle", orbit.owner, words=TURNS)
+
+    def bend(self, orbit: Orbit) -> Bend | None:
+        """The circle of a body's centre at this moment; None on a track of which only heights are known."""
+        return Bend(orbit.radius, heading(self.place_on(orbit))) if orbit.radius is not None else None
 
     def travel(self, word: str, name: str, words: str) -> Formula:
         """Velocity or acceleration along a body's line, counted along its positive sense."""
@@ -292,6 +337,13 @@ class Instant:
 
     def is_round(self, name: str) -> bool:
         return name in self.arrangement.bodies and rim_radius(self.body(name), None) is not None
+
+    def outward(self, rider: str) -> Formula:
+        """Speed along the body on which it slides, away from the axis; a rider that is held has none."""
+        ride = self.arrangement.ride(rider, self.state)
+        if ride is None or not ride.free:
+            return ZERO
+        return self.ask("velocity", rider, when=self.moving, component="radial", words=("outwards", "inwards"))
 
     def time(self) -> Formula:
         """The running time at this moment: the letter `time` in the midst of a phase."""

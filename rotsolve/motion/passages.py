@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, negate, total
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, negate, total
 from rotsolve.core.directions import opposite
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.core.heading import UP, Vector
+from rotsolve.core.heading import UP, Vector, heading
 from rotsolve.core.passage import Passage, Travel, Work
-from rotsolve.core.registry import TIME
-from rotsolve.core.varying import CONSTANT, POSITION, RATE, RATES, at_any_time, running
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.varying import CONSTANT, POSITION, RATE, RATES, UNKNOWN, at_any_time, running
 from rotsolve.elements.connections import Contact, Hinge
+from rotsolve.elements.connections.connection import Orbit
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share
@@ -37,15 +39,26 @@ def passage(
         for body in midst_facts.bodies
         for travel in travels_of(body, interval, first, last, middle)
     )
-    works = tuple(
+    works = [
         work
         for body in midst_facts.bodies
         for work in works_on(body, interval, first, last, middle, duration, leads[body.name])
-    )
+    ]
+    works += inner_works(midst_facts, interval, first)
     heights = {body.name: height_pair(body.name, interval, first, last) for body in midst_facts.bodies}
     idle = tuple(words for group in groups for words in reasons(midst_facts, group))
     return Passage(
-        interval.name, start_facts, end_facts, midst_facts, travels, works, heights, duration, times, groups, idle
+        interval.name,
+        start_facts,
+        end_facts,
+        midst_facts,
+        travels,
+        summed(works, groups),
+        heights,
+        duration,
+        times,
+        groups,
+        idle,
     )
 
 
@@ -53,7 +66,9 @@ def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
     """A travel whose coordinate or rate is the one with which the forces vary."""
     if isinstance(travel.moving, Symbol) and travel.pace == RATE and travel.moving.name in rates:
         return replace(travel, leads=True)
-    if lead is None or travel.pace != POSITION or lead.rate not in (travel.moving, negate(travel.moving)):
+    if travel.arm != ONE or lead is None or travel.pace != POSITION:
+        return travel  # on a circle its weight varies with the place there
+    if lead.rate not in (travel.moving, negate(travel.moving)):
         return travel
     sense = 1 if lead.rate == travel.moving else -1
     start, end = signed(lead.start, sense), signed(lead.end, sense)
@@ -79,7 +94,7 @@ def ways(name: str, instant: Instant, component: str) -> tuple[str, str]:
     """The words for the two senses in which a body travels."""
     if component:
         return ("right", "left") if component == "x" else ("up", "down")
-    line = instant.arrangement.line(name, instant.state)
+    line = instant.line(name)
     return (line[1], opposite(line[1])) if line else ("", "")
 
 
@@ -92,6 +107,16 @@ def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formul
     """Displacement or rotation of a body from the start of a phase up to any moment in it."""
     words = ways(name, middle, component) if word == "displacement" else middle.turn_words(name)
     return middle.ask(word, name, words=words, component=component, letter="phi" if word == "rotation" else "s")
+
+
+def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle through which a body turns in a phase, or the last body of a connection against its first."""
+    item = next((item for item in instant.arrangement.connections(interval.start) if item.name == owner), None)
+    if item is None or not item.between():
+        return rotation(instant.host(owner), interval, instant)
+    first, last = (instant.host(ref.owner) for ref in item.between())
+    way = instant.sense(first) * instant.sense(last)
+    return rotation(last, interval, instant) - signed(rotation(first, interval, instant), way)
 
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
@@ -109,7 +134,7 @@ def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instan
 
 def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
     """The way of a body along its line."""
-    words = first.arrangement.line(name, interval.start)
+    words = first.line(name)
     label = words[1] if words else ""
     drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TRAVELLING]
     pace, given = (drives[0].pace, drives[0].order) if drives else (pace, None)
@@ -122,9 +147,16 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     change = displacement(name, interval, first)
     running = so_far("displacement", name, middle) if first.arrangement.runs else None
     ends = (places[0], places[1], places[2])
-    return Travel(
+    travel = Travel(
         name, "line", before, after, acceleration, change, pace, moving, *ends, initial, 1, "", given, running
     )
+    orbits = [moment.orbit(name) for moment in (first, last, middle)]
+    circle = orbits[0]
+    if given == 0 or circle is None or circle.radius is None or any(orbit != circle for orbit in orbits):
+        return travel
+    start, end, midway = (moment.place_on(circle) for moment in (first, last, middle))
+    start, end = (signed(angle, circle.way) for angle in (start, end))
+    return replace(travel, start=start, end=end, coordinate=midway, sense=circle.way, arm=circle.radius)
 
 
 def component_travel(drive: Drive, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Travel:
@@ -191,8 +223,8 @@ def height_pair(name: str, interval: Interval, first: Instant, last: Instant) ->
     """Heights of a body's reference point at both ends of a phase, from a level that stays; None where geometry does not tell."""
     if not first.arrangement.heavy:
         return (ZERO, ZERO)
-    line = first.arrangement.line(name, interval.start)
-    if first.motion(name).kind == "line" and line is not None:
+    line = first.line(name)
+    if first.orbit(name) is None and first.motion(name).kind == "line" and line is not None:
         rise = line[0].sin()
         return (ZERO, displacement(name, interval, first) * rise if rise != ZERO else ZERO)
     before, after = height(name, first), height(name, last)
@@ -204,6 +236,9 @@ def height(name: str, instant: Instant) -> Formula | None:
     arrangement = instant.arrangement
     if arrangement.pivot(name, instant.state) is not None:
         return ZERO
+    orbit = instant.orbit(name)
+    if orbit is not None:
+        return height_on(orbit, name, instant)
     for item in arrangement.connections(instant.state):
         if isinstance(item, Contact):
             ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)
@@ -214,6 +249,14 @@ def height(name: str, instant: Instant) -> Formula | None:
             base = height_of_point(carrier, instant)
             return None if base is None else base - instant.point(own).along(UP)
     return None
+
+
+def height_on(orbit: Orbit, name: str, instant: Instant) -> Formula:
+    """Height of a body's centre on its circle, ρ sin φ above that of the circle; a letter of its own on a track of unknown profile."""
+    if orbit.radius is None:
+        return instant.ask("height", name)
+    rise = heading(instant.place_on(orbit)).sin()
+    return simplify(orbit.level + orbit.radius * rise, order=instant.arrangement.order)
 
 
 def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:
@@ -236,7 +279,7 @@ def works_on(
     name = body.name
     way = Way(interval, first, last, middle, lead)
     for force in body.forces:
-        if force.internal or not force.works or force.role in ("weight", "spring"):
+        if force.internal or not force.works or force.role in ("weight", "spring", "hanging"):
             continue
         yield named_work(force.owner, work_of_force(force.vector, force.arm, body, way), (name,), interval, first)
     for couple in body.couples:
@@ -244,10 +287,54 @@ def works_on(
             power = power_of(couple.owner, middle)
             amount = Integral(power, TIME, first.time(), last.time()) if power.symbols() & {TIME} else power * duration
             yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
-        elif not couple.internal and couple.role != "torsion":
+        elif not couple.internal and couple.role not in ("torsion", "inner"):
             turned = signed(rotation(name, interval, first), first.sense(name))
             told = way.work(couple.torque, turned, body.motion.spin, name)
             yield named_work(couple.owner, told, (name,), interval, first)
+
+
+def summed(works: Sequence[Work], groups: Sequence[frozenset[str]]) -> tuple[Work, ...]:
+    """The works with those added up that stand for one letter: what acts on several bodies of a group works on each."""
+    result: list[Work] = []
+    for work in works:
+        place = next((place for place, other in enumerate(result) if shared(work, other, groups)), None)
+        if place is None:
+            result.append(work)
+            continue
+        other = result[place]
+        known = other.spelled is not None and work.spelled is not None
+        spelled = (other.spelled or ZERO) + (work.spelled or ZERO) if known else None
+        result[place] = replace(other, bodies=(*other.bodies, *work.bodies), spelled=spelled)
+    return tuple(result)
+
+
+def shared(one: Work, other: Work, groups: Sequence[frozenset[str]]) -> bool:
+    """Whether two works go by one letter and belong to one group of bodies."""
+    if one.owner != other.owner or one.amount != other.amount or not (lettered(one) and lettered(other)):
+        return False
+    return any({*one.bodies, *other.bodies} <= group for group in groups)
+
+
+def lettered(work: Work) -> bool:
+    """Whether a work goes by its own letter: asked for, or told by energy alone."""
+    own = isinstance(work.amount, Symbol) and work.amount.name.startswith(f"work{SEPARATOR}")
+    return not work.inner and (own or work.spelled is not None)
+
+
+def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Work]:
+    """Works of inner forces that nothing is said of: of what turns one body on another, of what draws riders or arms in."""
+    connections = first.arrangement.connections(interval.start)
+    for item in connections:
+        if item.between() and item.pace(first.arrangement, interval.start) == UNKNOWN:
+            bodies = tuple(first.host(ref.owner) for ref in item.between())
+            yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
+    drawn = {item.rides[0].owner: item.name for item in first.arrangement.rides(interval.start) if not item.free}
+    for body in facts.bodies:
+        members = [member.name for member in first.arrangement.cluster(body.name, interval.start)]
+        for name in (body.name, *members):
+            owner = drawn.get(name, name)
+            if first.arrangement.altered(name, interval.start, interval.end) and (name == body.name or name in drawn):
+                yield Work(owner, first.ask("work", owner, when=interval.name), owner, (body.name,), inner=True)
 
 
 def power_of(owner: str, instant: Instant) -> Formula:
@@ -268,7 +355,9 @@ def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: Way) -> For
     """F · displacement along a line plus r × F times the angle turned; None where a part is not told."""
     name, motion = body.name, body.motion
     parts: list[Formula | None] = []
-    if motion.kind == "line" and motion.heading is not None:
+    if motion.bend is not None and motion.heading is not None:
+        parts.append(way.work_round(vector.along(motion.heading), motion.velocity.along(motion.heading), name))
+    elif motion.kind == "line" and motion.heading is not None:
         speed = motion.velocity.along(motion.heading)
         parts.append(way.work(vector.along(motion.heading), displacement(name, way.interval, way.first), speed, name))
     torque = arm.cross(vector)
@@ -307,12 +396,26 @@ class Way:
             return None
         return Integral(effort * share(rate, lead.rate), lead.letter.name, lead.start, lead.end)
 
+    def work_round(self, along: Formula, speed: Formula, name: str) -> Formula | None:
+        """∫ F ρ dφ of the force along a circle that varies with the place on it alone; else as along a line."""
+        circle = self.middle.orbit(name)
+        midway = self.middle.place_on(circle).symbols() if circle is not None else frozenset[str]()
+        letters = along.symbols()
+        if circle is None or circle.radius is None or TIME in letters or not letters & midway:
+            return self.work(along, displacement(name, self.interval, self.first), speed, name)
+        if set(running(letters)) - midway:
+            return None
+        ends = (moment.place_on(circle) for moment in (self.first, self.last))
+        return Integral(signed(along * circle.radius, circle.way), next(iter(midway)), *ends)
+
 
 def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     """Why mechanical energy is conserved, in a sentence about the forces that do no work."""
     roles = {force.role for body in facts.bodies if body.name in group for force in body.forces}
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
+    if any(body.sliding for body in facts.bodies if body.name in group):
+        parts.append("there is no friction where the one slides along the other")
     if "reaction" in roles and held:
         axles = any(
             str(force.words[0]).startswith("axle")

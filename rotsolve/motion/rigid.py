@@ -52,6 +52,15 @@ class Piece:
         tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
         return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
 
+    def product(self, orientation: Heading) -> Formula | None:
+        """∫ x y dm about its centre of mass, x to the right and y up, in a body that is turned; None where that is not told."""
+        tensor = self.tensor
+        if tensor is None and self.measure is not None:  # a hole whose depth nobody says
+            tensor = turned_by(self.shape.tensor(self.mass), self.heading)
+        if tensor is None:
+            return ZERO if self.moment == ZERO else None
+        return negate(turned_by(tensor, orientation).xy)
+
     def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> Piece:
         """The piece turned in the plane and moved; with a minus sign it is cut out."""
         turned = None if self.tensor is None else turned_by(self.tensor, direction)
@@ -75,16 +84,30 @@ def turned_by(tensor: InertiaTensor, direction: Heading) -> InertiaTensor:
 
 def mass_of(body: Body) -> Formula:
     """Total mass, identical copies counted."""
-    mass = body.mass if body.mass is not None else simplify(total([piece.mass for piece in pieces(body)]))
+    if body.mass is None:
+        return simplify(total([piece.mass for piece in pieces(body)]))
+    mass = body.mass
     return Number(Fraction(body.count)) * mass if body.count > 1 else mass
 
 
 def pieces(body: Body) -> tuple[Piece, ...]:
-    """The pieces of a body: itself, its parts, and its holes with negative mass."""
+    """The pieces of a body: itself, its parts, and its holes with negative mass; all of it for each copy of `count`."""
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
     holes = tuple(piece for hole in body.holes for piece in _cut(hole, body))
-    return (*((own,) if own else ()), *parts, *holes)
+    single = (*((own,) if own else ()), *parts, *holes)
+    return single if body.count == 1 else tuple(_repeated(piece, body.count) for piece in single)
+
+
+def _repeated(piece: Piece, count: int) -> Piece:
+    """Identical pieces placed symmetrically about the body's centre: their common centre of mass lies there.
+
+    Nobody says how each of them is turned, so that only their moment about the axis is known.
+    """
+    number, arm = Number(Fraction(count)), tidy(piece.at)
+    moment = piece.moment + piece.mass * arm.dot(arm) if arm.parts else piece.moment
+    moment = number * moment if moment != ZERO else ZERO
+    return Piece(piece.name, number * piece.mass, moment, NOWHERE, piece.shape, piece.height)
 
 
 def _own_piece(body: Body) -> Piece | None:
@@ -219,3 +242,16 @@ def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...]
             shifted = shifted or piece.moment != ZERO
     whole = total(terms)
     return simplify(whole, order=order), (("parallel axes: ", whole) if shifted else ())
+
+
+def product_about(items: tuple[Piece, ...], point: Vector, orientation: Heading, offset: Formula) -> Formula | None:
+    """∫ (offset + x) y dm, x to the right and y up from a point, of a body turned by `orientation`; None where a shape does not tell."""
+    terms: list[Formula] = []
+    for piece in items:
+        own = piece.product(orientation)
+        if own is None:
+            return None
+        arm = (piece.at - point).rotated(orientation)
+        terms.append(piece.mass * (offset + arm.along(RIGHT)) * arm.along(UP))
+        terms.append(own)
+    return simplify(total(terms))

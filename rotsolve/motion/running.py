@@ -51,7 +51,7 @@ def since_first(word: str, name: str, instant: Instant) -> Formula:
 
 
 def line_words(name: str, instant: Instant) -> tuple[str, str]:
-    line = instant.arrangement.line(name, instant.state)
+    line = instant.line(name)
     return (line[1], opposite(line[1])) if line else ("", "")
 
 

@@ -25,6 +25,8 @@ def conservation(passage: Passage, section: str) -> Iterator[Equation]:
             continue
         first = [body for body in passage.start.bodies if body.name in group]
         last = [body for body in passage.end.bodies if body.name in group]
+        if any(body.sweep is not None for body in first):
+            continue  # the shaft gives energy too
         works = [work for work in passage.works if group & set(work.bodies)]
         left = [*kinetic(first), *potential(passage, group, 0), *(work.amount for work in works)]
         right = [*kinetic(last), *potential(passage, group, 1)]
@@ -54,6 +56,9 @@ def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formul
 
 def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     """Why energy balances: what does no work."""
+    inner = [work for work in passage.works if work.inner and group & set(work.bodies)]
+    if inner:
+        return (inner[0].amount, " is the work of the inner forces: kinetic energy alone is not conserved.")
     idle = [words for words in passage.idle if words]
     if works or not idle:
         return ()
@@ -61,13 +66,14 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
 
 
 def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
-    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone."""
+    """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it."""
     terms: list[Formula] = []
     for body in bodies:
         if body.motion.kind != "axis":
             terms.extend(HALF * body.mass * square(size) for size, _ in body.motion.velocity.parts)
         if body.inertia is not None:
             terms.append(HALF * body.inertia.letter * square(body.motion.spin))
+        terms.extend(HALF * mass * square(speed) for mass, speed in body.sliding)
     return [term for term in terms if term != ZERO]
 
 
@@ -91,29 +97,43 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
     connections give no power, so their forces do not occur.
     """
     bodies = [body for body in facts.bodies if body.name in group]
-    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
-    gains, supplies = (
-        [term for body in bodies for term in gain(body)],
-        [term for body in bodies for term in supply(body)],
-    )
-    spoken_of = {
-        name
-        for term in (*gains, *supplies, *(rule.velocity[0] - rule.velocity[1] for rule in rules))
-        for name in term.symbols()
-    }
-    rates = sorted({name for body in bodies for name in rates_of(body)} & spoken_of)
-    allowed = one_motion(rates, rules)
-    if allowed is None:
-        return
-    gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
-    free = next(name for name in rates if allowed.get(name) is None)
-    left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
-    if (left, right) != (ZERO, ZERO):
+    if any(body.changing or body.sweep is not None for body in bodies):
+        return  # inner forces, or the shaft, give energy too
+    balance = drive(facts, group)
+    if balance is not None and balance != (ZERO, ZERO):
         words: Words = (
             "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
         )
         label = "power and kinetic energy"
-        yield Equation(positive_first([left]), right, label, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
+        yield Equation(
+            positive_first([balance[0]]), balance[1], label, section, ENERGY, 5, words, bodies=tuple(sorted(group))
+        )
+
+
+def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:
+    """Σ F·v and Σ m a·v of a group, divided by its one free rate: what drives its motion; None where it moves in several ways."""
+    bodies = [body for body in facts.bodies if body.name in group]
+    gains, supplies = (
+        [term for body in bodies for term in gain(body)],
+        [term for body in bodies for term in supply(body)],
+    )
+    rates, allowed = freedom(facts, group, [*gains, *supplies])
+    if allowed is None:
+        return None
+    gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
+    free = next(name for name in rates if allowed.get(name) is None)
+    left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
+    return left, right
+
+
+def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[list[str], dict[str, Formula] | None]:
+    """The velocity letters of a group that the rules or `terms` speak of, and all of them by one; None where it moves in several ways."""
+    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
+    spoken_of = {
+        name for term in (*terms, *(rule.velocity[0] - rule.velocity[1] for rule in rules)) for name in term.symbols()
+    }
+    rates = sorted({name for body in facts.bodies if body.name in group for name in rates_of(body)} & spoken_of)
+    return rates, one_motion(rates, rules)
 
 
 def rates_of(body: BodyFacts) -> set[str]:
@@ -142,12 +162,14 @@ def one_motion(rates: list[str], rules: list[Rule]) -> dict[str, Formula] | None
 
 
 def gain(body: BodyFacts) -> list[Formula]:
-    """m a·v + I α ω."""
+    """m a·v + I α ω; of a body that is carried round an axis also what its pieces' m a do in the plane."""
     terms = []
     if body.motion.kind != "axis":
         terms.append(body.mass * body.motion.acceleration.dot(body.motion.velocity))
     if body.inertia is not None:
         terms.append(body.inertia.letter * unsigned_product(body.motion.spin_rate, body.motion.spin))
+    if body.sweep is not None:
+        terms.append(body.sweep.moment * body.motion.spin)
     return [term for term in terms if term != ZERO]
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.formula import Formula, Integral, Number, Symbol, add
+from rotsolve.algebra.formula import ONE, Formula, Integral, Number, Symbol, add
 from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
@@ -28,8 +28,9 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
         elif travel.pace == "position":
             yield from by_place(travel, section)
         if travel.start is not None and travel.end is not None and travel.end != add(travel.start, travel.change):
-            change = travel.end - travel.start
-            yield equation(travel.change, change, CHANGE[travel.kind], travel, section, cost=1)
+            change = travel.arm * (travel.end - travel.start)
+            words = CHANGE[travel.kind] if travel.arm == ONE else "way along the circle"
+            yield equation(travel.change, change, words, travel, section, cost=1)
         if travel.running is not None:
             yield from at_any_time(travel, passage, section)
     if passage.times[0] != passage.times[1]:
@@ -88,7 +89,7 @@ def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equa
         way = Integral(travel.moving, TIME, start, now)
         yield equation(change, way, f"{words}, at any time", travel, section)
     if travel.start is not None and travel.coordinate is not None:
-        gained = signed(travel.coordinate, travel.sense) - travel.start
+        gained = travel.arm * (signed(travel.coordinate, travel.sense) - travel.start)
         yield equation(change, gained, f"{CHANGE[travel.kind]}, at any time", travel, section, cost=1)
 
 
@@ -98,7 +99,7 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
         return
     gained = HALF * square(travel.after) - HALF * square(travel.before)
     start, end = (signed(angle, travel.sense) for angle in (travel.start, travel.end))
-    integral = Integral(signed(travel.acceleration, travel.sense), travel.coordinate.name, start, end)
+    integral = Integral(signed(travel.acceleration * travel.arm, travel.sense), travel.coordinate.name, start, end)
     if travel.given is not None:
         words = "ω dω = α dθ" if travel.kind == "turn" else "v dv = a dx"
         yield equation(gained, integral, words, travel, section)

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, Integral, negate
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
@@ -12,13 +13,16 @@ from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import at_any_time
-from rotsolve.core.writing import flat, law, moved, positive_first, spoken
+from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
+from rotsolve.motion.rigid import tidy
 from rotsolve.principles.rotation import about, response
 
 
 def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
     """dL/dt = τ of a group: about the axis of its one wheel, or about the point where a rolling or unwinding body is held."""
     bodies = [body for body in facts.bodies if body.name in group]
+    if any(body.changing for body in bodies):
+        return
     turning = [body for body in bodies if body.motion.kind == "axis"]
     if len(turning) == 1:
         yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], section)
@@ -118,6 +122,90 @@ def of_phase(effort: Formula, name: str) -> bool:
     return all(letter.rpartition(SEPARATOR)[2] in (name, "") for letter in effort.symbols() if SEPARATOR in letter)
 
 
+def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
+    """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
+    for body in passage.midst.bodies:
+        first, last = passage.start.body(body.name), passage.end.body(body.name)
+        if first is None or last is None or body.motion.kind != "plane":
+            continue
+        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
+            if all(force.vector.along(axis) == ZERO for force in body.forces):
+                before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
+                label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
+                yield Equation(before, after, label, section, ANGULAR_MOMENTUM, 3, bodies=(body.name,))
+
+
+def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
+    """L₁ + τ t = L₂ of all bodies on one axis: what they do to each other cancels, also what changes their moments of inertia."""
+    turning = [body for body in passage.midst.bodies if body.motion.turns]
+    for axis in dict.fromkeys(body.axis or body.name for body in turning):
+        members = [body for body in turning if (body.axis or body.name) == axis]
+        outside = outside_torques(members, passage)
+        if (len(members) == 1 and not members[0].changing) or outside is None:
+            continue
+        sense, names = members[0].motion.sense, tuple(body.name for body in members)
+        before, after = (angular_momenta(facts, names, sense) for facts in (passage.start, passage.end))
+        words: Words = () if outside else (undisturbed(passage, names),)
+        label = "angular momentum about the axis is conserved"
+        if outside:
+            label = "angular impulse = change of angular momentum about the axis"
+        if flat(before) or flat(after):
+            sides = positive_first([*before, *outside]), positive_first(after)
+            yield Equation(*sides, label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+        if len(members) > 1 and not outside and not any(body.changing for body in members):
+            yield from angles_turned(passage, members, before, section)
+
+
+def undisturbed(passage: Passage, names: tuple[str, ...]) -> str:
+    """Why angular momentum is conserved, in a sentence."""
+    masses = [[body.mass for body in facts.bodies if body.name in names] for facts in (passage.start, passage.end)]
+    added = "" if masses[0] == masses[1] else "; what is added brings no angular momentum"
+    return f"No outside torque acts about the axis: what the parts do to each other cancels{added}."
+
+
+def angles_turned(
+    passage: Passage, members: list[BodyFacts], momentum: list[Formula], section: str
+) -> Iterator[Equation]:
+    """Σ I θ = L t: the conserved angular momentum summed over the time."""
+    sense, names = members[0].motion.sense, tuple(body.name for body in members)
+    turned = [
+        body.inertia.letter * signed(travel.change, travel.sense * sense)
+        for body in members
+        for travel in passage.travels
+        if body.inertia is not None and (travel.body, travel.kind) == (body.name, "turn")
+    ]
+    right = [term * passage.duration for term in momentum]
+    label = "angular momentum summed over the time"
+    words: Words = ("Angular momentum is the same at every moment: its sum over the time tells the angles turned.",)
+    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 4, words, bodies=names)
+
+
+def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:
+    """I ω of each body, along a sense."""
+    bodies = [body for body in facts.bodies if body.name in names and body.inertia is not None]
+    return [body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia is not None]
+
+
+def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula] | None:
+    """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
+    by_owner: dict[str, list[Formula]] = {}
+    for body in members:
+        if any(force.role == "weight" and force.torque != ZERO for force in body.forces):
+            return None  # it depends on how far the body has turned
+        for item in body.acting:
+            by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
+    outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]
+    constant = all(
+        travel.pace == "constant" for travel in passage.travels if travel.body in {body.name for body in members}
+    )
+    if not constant and any(SEPARATOR in name for torque in outside for name in torque.symbols()):
+        return None
+    return [
+        Integral(torque, TIME, *passage.times) if TIME in torque.symbols() else torque * passage.duration
+        for torque in outside
+    ]
+
+
 def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:
     """All that an event keeps or changes: groups as wholes first, then each body with the blows on it."""
     for group in encounter.groups:
@@ -135,8 +223,9 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
     names = tuple(sorted(group))
     pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
     outside = [blow for meeting in members for blow in meeting.blows if not blow.internal]
-    if all(meeting.place is not None for meeting in members):
-        sense = next((item.body.motion.sense for item in members if item.body.motion.turns), 1)
+    alone = pivot is None and len(members) == 1  # its own angular momentum is that about its centre of mass
+    if all(meeting.place is not None for meeting in members) and not alone:
+        sense = next((item.body.motion.sense for item in members if item.body.motion.turns or item.held), 1)
         before = [term for item in members for term in spin_terms(item, sense, after=False)]
         after = [term for item in members for term in spin_terms(item, sense, after=True)]
         torque = [
@@ -148,7 +237,7 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         point = f"about the {pivot}" if pivot else "about the meeting point"
         label = (
             f"angular momentum {point} is conserved"
-            if not outside
+            if not flat(torque)
             else f"angular impulse = change of angular momentum, {point}"
         )
         words: Words = (
@@ -176,10 +265,12 @@ def linear(members: list[Meeting], outside: list[Force], section: str, names: tu
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
     """r × m v + I ω of one body about the common point, along a sense; a body on the axis has I about it."""
+    if after and item.held is not None:
+        return [item.held * signed(item.spin_after, sense)]
     velocity, spin = (item.after, item.spin_after) if after else (item.before, item.spin_before)
     terms = [item.inertia * signed(spin, sense)]
     if item.body.motion.kind != "axis" and item.place is not None:
-        terms.append(signed(item.place.cross(velocity.scaled(item.body.mass)), sense))
+        terms.append(signed(multiplied_out(item.place.cross(velocity.scaled(item.body.mass))), sense))
     return [term for term in terms if term != ZERO]
 
 
@@ -187,7 +278,7 @@ def arm_from_point(item: Meeting, blow: Force) -> Vector:
     """Arm of a blow from the common point."""
     if item.body.motion.kind == "axis" or item.place is None:
         return blow.arm
-    return item.place + blow.arm - item.body.cm
+    return tidy(item.place + blow.arm - item.body.cm)
 
 
 def single(item: Meeting, section: str) -> Iterator[Equation]:
@@ -206,5 +297,6 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
         pushes += [signed(twist, sense) for twist in item.twists]
         before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
         if flat(pushes) or flat([before, after]):
-            label = f"angular impulse = change of angular momentum, {spoken(body.name)}"
+            about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"
+            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about_centre}"
             yield Equation(*moved([*pushes, before], [after]), label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))

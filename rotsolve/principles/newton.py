@@ -15,7 +15,7 @@ from rotsolve.core.writing import law, spoken
 def second_law(facts: Facts, section: str) -> Iterator[Equation]:
     """Σ F = m a of the centre of mass, component by component; equilibrium where it does not accelerate."""
     for body in facts.bodies:
-        for axis in body.axes:
+        for axis in body.axes if not body.changing else ():  # what moves within it has an acceleration of its own
             equation = along(body, axis, section)
             if equation is not None:
                 yield equation
@@ -50,6 +50,10 @@ def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
 
 def axis_words(body: BodyFacts, axis: Heading) -> str:
     """Which component is meant, where the law has more than one."""
+    if body.along:
+        return f", {body.along[body.axes.index(axis)]}"
+    if body.motion.bend is not None:
+        return ", along the circle" if axis == body.motion.heading else ", towards the centre"
     if body.motion.kind == "line":
         path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
         if axis == body.motion.heading:

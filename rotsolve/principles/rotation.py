@@ -4,20 +4,58 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import NEWTON, Equation
-from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.core.writing import law, spoken
+from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
+from rotsolve.core.heading import Vector
+from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
+from rotsolve.motion.rigid import tidy
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
-    """Σ τ = I α about the reference point of every body that turns."""
+    """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
     for body in facts.bodies:
-        if body.motion.turns:
-            left, right = law(torques(body), response(body))
-            if (left, right) != (ZERO, ZERO):
-                label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
-                yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
+        if body.motion.turns and not body.changing:
+            yield from rotation_of(body, section)
+
+
+def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
+    """Σ τ = I α of one body."""
+    left, right = law(torques(body), response(body))
+    if (left, right) != (ZERO, ZERO):
+        label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
+        yield Equation(left, right, label, section, NEWTON, 3, carried(body), bodies=(body.name,))
+
+
+def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
+    """Σ τ = 0 of a free body in equilibrium about each point where a contact acts: its force then has no arm."""
+    for body in facts.bodies:
+        rates = [size for size, _ in body.centre_acceleration.parts]
+        if (
+            body.motion.kind == "axis"
+            or not body.motion.turns
+            or any(rate != ZERO for rate in (*rates, body.motion.spin_rate))
+        ):
+            continue
+        points = dict.fromkeys((force.arm, force.owner) for force in body.forces if force.internal)
+        if len({arm for arm, _ in points}) < 2:
+            continue
+        for point, owner in points:
+            pushes = [torque_about(point, force) for force in body.forces]
+            left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
+            label = f"balance of torques, {spoken(body.name)} about its point of contact at {spoken(owner)}"
+            yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
+
+
+def torque_about(point: Vector, force: Force) -> Formula:
+    """F times its lever about a point, counterclockwise positive; the sizes of arms are positive."""
+    arm = tidy(force.arm - point)
+    lengths = {name for size, _ in arm.parts for name in size.symbols()}
+    lever = arm.cross(force.direction)
+    if all(is_negative(term) for term in flat([lever])):
+        return negate(force.size * multiplied_out(negate(lever), lengths))
+    return force.size * multiplied_out(positive_first([lever]), lengths)
 
 
 def torques(body: BodyFacts) -> list[Formula]:
@@ -28,10 +66,25 @@ def torques(body: BodyFacts) -> list[Formula]:
 
 
 def response(body: BodyFacts) -> Formula:
-    """I α along the declared turn."""
+    """I α along the declared turn; of a body that is carried round an upright axis also Ω² ∫ x y dm."""
+    swept = ZERO if body.sweep is None else signed(body.sweep.moment, body.motion.sense)
     if body.inertia is None or body.inertia.letter == ZERO:
-        return ZERO
-    return body.inertia.letter * signed(body.motion.spin_rate, body.motion.sense)
+        return swept
+    return add(body.inertia.letter * signed(body.motion.spin_rate, body.motion.sense), swept)
+
+
+def carried(body: BodyFacts) -> Words:
+    """Why Ω² ∫ x y dm stands in the law of a body on a turning shaft."""
+    if body.sweep is None:
+        return ()
+    square_of_rate = square(body.sweep.rate)
+    return (
+        "every piece at x from the axis has the acceleration ",
+        square_of_rate,
+        " x towards it, together ",
+        square_of_rate,
+        " ∫ x y dm about the hinge",
+    )
 
 
 def about(body: BodyFacts) -> str:

@@ -51,7 +51,7 @@ def words() -> Iterator[tuple[str, str]]:
     for entry in QUANTITIES:
         yield (
             entry.word,
-            f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}; of: {', '.join(entry.owners)}{parts(entry)}",
+            f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}{owned(entry)}{parts(entry)}",
         )
     for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE)):
         for word, key in keys.items():
@@ -116,6 +116,10 @@ def element(cls: Any, kind: str) -> str:
     if getattr(cls, "words", ()):
         lines.append(f"  - in a state it can be said to be: {', '.join(cls.words)}")
     return "\n".join(lines)
+
+
+def owned(entry: QuantityKind) -> str:
+    return f"; of: {', '.join(entry.owners)}" if entry.owners else ""
 
 
 def parts(entry: QuantityKind) -> str:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, fields, is_dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
@@ -70,7 +71,7 @@ class Path:
 class Condition:
     """One line of a state, event or `where`: path = value; a word (`grip: rolls`, `string: slack`, `… : largest`) is in `word`.
 
-    `rest` = True for `at rest` (owner 'all' or one body), path None.
+    `rest` = True for `at rest` (owner 'all' or one body), path None. After `where` a quantity with its clauses is in `phrase`, path None.
     """
 
     path: Path | None
@@ -79,6 +80,7 @@ class Condition:
     rest: bool = False
     owner: str = ""
     span: Span | None = None
+    phrase: Find | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -150,7 +152,8 @@ ANY_TIME = "any time"  # in place of a state: the moment that runs through a pha
 class Term:
     """One operand of a `find`: a path with its modifier and its own time.
 
-    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest', 'period of', 'frequency of'.
+    modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest'; of the periods and frequencies of swings
+    'small swings' (`at` an equilibrium) or 'swings' (from `start`).
     A `time from A to B` has path.quantity 'time'. `at` names one state or is ANY_TIME, `during` a phase or event, `start`/`end` two states.
     """
 
@@ -266,3 +269,15 @@ class Problem:
     answers: tuple[Published, ...] = ()
     marking: object | None = None
     vary: object | None = None
+
+
+def points_of(item: object) -> Iterator[PointRef | Path]:
+    """All points and paths that a part of a scene speaks of."""
+    if isinstance(item, (PointRef, Path)):
+        yield item
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from points_of(part)
+    elif is_dataclass(item) and not isinstance(item, Formula):
+        for entry in fields(item):
+            yield from points_of(getattr(item, entry.name))

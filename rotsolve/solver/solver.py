@@ -21,7 +21,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
-from rotsolve.solver.textbook import Textbook
+from rotsolve.solver.textbook import Textbook, quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ENTANGLED = "no unknown can be told from the others"
@@ -147,7 +147,7 @@ class Solver(Textbook):
         if value is None and alone:
             roots = solve_polynomial(gap, name, order=self.order, positive=self.positive)
             choice = self.choose(name, [self.with_answers(root) for root in roots]) if roots else None
-            return (roots[choice[0]], choice[1]) if choice else None
+            return (roots[choice.root], choice.words) if choice else None
         return None if value is None else (value, ())
 
     def _check_alive(self, item: Item, names: set[str]) -> None:
@@ -187,6 +187,9 @@ class Solver(Textbook):
                     continue
                 square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
                 refs: list[Ref] = [item.ref, *item.sources]
+                if item.sources:
+                    chain = [Equality(item.left, item.right), Equality(square, value)]
+                    refs = [("step", self._keep(item, chain, "", ()).number)]
                 for other in others:
                     other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
                     other.sources.extend(ref for ref in refs if ref not in other.sources)
@@ -195,7 +198,9 @@ class Solver(Textbook):
 
     def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
         """Put values into an equation, and remember where they come from."""
-        item.left, item.right = (self.tidied(side.substitute(values)) for side in (item.left, item.right))
+        item.left, item.right = (
+            self.tidied(quarters_turned(side.substitute(values))) for side in (item.left, item.right)
+        )
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:
@@ -225,11 +230,11 @@ class Solver(Textbook):
         if not candidates:
             return self._numeric(item, asked)
         picked: Choice | None = (
-            (0, ()) if len(candidates) == 1 else self.choose(asked, [self.with_answers(c) for c in candidates])
+            Choice(0) if len(candidates) == 1 else self.choose(asked, [self.with_answers(c) for c in candidates])
         )
         if picked is None:
             raise Contradiction(item.index)
-        value = candidates[picked[0]]
+        value = self.simplify(picked.of(candidates)) if picked.turns else candidates[picked.root]
         final = self._shortest(self.with_answers(value))
         if any(isinstance(node, Integral) for node in final.walk()):
             reason = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -238,10 +243,10 @@ class Solver(Textbook):
             used = [name for name in self.solved if name in value.symbols()]
             first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
             item.sources[:0] = [("known", name) for name in used]
-            self._keep_written(item, asked, first, final, picked[1] or reason)
+            self._keep_written(item, asked, first, final, picked.words or reason)
         elif item.sources or written != final:
-            self._step(item, asked, final, picked[1] or reason, more)
-        others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked[0])
+            self._step(item, asked, final, picked.words or reason, more)
+        others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked.root)
         return Found(asked, final, None, others)
 
     def _shortest(self, value: Formula) -> Formula:
@@ -311,7 +316,7 @@ class Solver(Textbook):
                 picked = self.choose(asked, [as_formula(root) for root in roots.roots])
                 reason: Words = ("no closed form: solved numerically, with certified digits",)
                 self._keep(item, [Equality(item.left, item.right)], asked, reason)
-                return Found(asked, None, roots.roots[picked[0] if picked else 0])
+                return Found(asked, None, roots.roots[picked.root if picked else 0])
         raise NoClosedForm("no real value satisfies the equations")
 
 

@@ -4,14 +4,30 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple
 
 from rotsolve.algebra.certified.ball import Certified
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import PI, Formula, Number
 from rotsolve.core.derivation import Equality, Words
 
 # ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
 Ref = tuple[str, "int | str"]
-Choice = tuple[int, Words]
+
+
+class Choice(NamedTuple):
+    """The root that is meant, why, and the whole turns that an angle has gone beyond it."""
+
+    root: int
+    words: Words = ()
+    turns: Fraction = Fraction(0)
+
+    def of(self, roots: Sequence[Formula]) -> Formula:
+        """The root itself, with its whole turns."""
+        root = roots[self.root]
+        return root + Number(2 * self.turns) * PI if self.turns else root
+
+
 Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
 
 

@@ -13,6 +13,7 @@ from rotsolve.algebra.exact.normal import length, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral
 from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
+from rotsolve.core.heading import heading
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.solver.step import Found
 
@@ -22,6 +23,20 @@ LONGEST = 1000  # nodes under a root, beyond which no form is one that a page wo
 def is_long_root(value: Formula) -> bool:
     """Whether a formula is a root, such as the size of a vector, of something so long that squaring it out leads nowhere."""
     return isinstance(value, Call) and value.function == "sqrt" and length(value) > LONGEST
+
+
+def quarters_turned(value: Formula) -> Formula:
+    """A formula with quarter turns taken out of its sines and cosines: sin(φ + π/2) is cos φ."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Call) or node.function not in ("sin", "cos"):
+            return node
+        turn = heading(node.arguments[0])
+        if not turn.degrees or turn.degrees % 90 or not turn.terms:
+            return node
+        return turn.sin() if node.function == "sin" else turn.cos()
+
+    return value.transform(change)
 
 
 class Textbook:

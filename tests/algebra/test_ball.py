@@ -180,3 +180,26 @@ def test_rounding_is_half_away_from_zero(number: object) -> None:
     if "×10" in text:
         shown = shown.scaleb(int(text.split("×10")[1].translate(str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789"))))
     assert shown == Context(prec=5, rounding=ROUND_HALF_UP).plus(number)
+
+
+@pytest.mark.parametrize("m", ["0", "1/4", "0.9924038765", "-3", "0.999999999999"])
+def test_elliptic_integral_is_that_of_the_arithmetic_geometric_mean(m: str) -> None:
+    import mpmath
+
+    with mpmath.workdps(40):
+        exact = Fraction(m)
+        oracle = mpmath.pi / (2 * mpmath.agm(1, mpmath.sqrt(1 - mpmath.mpf(exact.numerator) / exact.denominator)))
+        assert evaluate(call("ellipk", f(m)), {}, digits=30).text(25) == mpmath.nstr(oracle, 25, strip_zeros=False)
+
+
+@pytest.mark.parametrize("m", ["1", "1.5"])
+def test_elliptic_integral_ends_at_one(m: str) -> None:
+    with pytest.raises(Undefined):
+        evaluate(call("ellipk", f(m)), {})
+
+
+def test_elliptic_integral_is_the_integral_of_its_definition() -> None:
+    turn, m = Symbol("x"), f("3/10")
+    root = call("sqrt", ONE - m * call("sin", turn) ** 2)
+    quarter = Integral(ONE / root, "x", ZERO, PI / 2)
+    assert evaluate(quarter, {}, digits=20).text(15) == evaluate(call("ellipk", m), {}, digits=20).text(15)

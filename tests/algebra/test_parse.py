@@ -21,6 +21,7 @@ from rotsolve.algebra.formula import (
     Quotient,
     Sum,
     Symbol,
+    call,
 )
 from rotsolve.algebra.notation.parse import FormulaError, parse
 from rotsolve.algebra.notation.text import to_text
@@ -280,3 +281,11 @@ def test_no_text_does_harm() -> None:
         printed = to_text(formula)
         assert to_text(parse(printed, names, paths=paths)) == printed, (text, printed)
     assert read > 1000
+
+
+def test_k_with_a_bracket_is_the_elliptic_integral_unless_it_is_a_letter() -> None:
+    argument = Symbol("m")
+    assert parse("2 K(m)", {"m"}) == 2 * call("ellipk", argument)
+    assert parse("K(m)", {"m", "K"}) == Symbol("K") * argument
+    assert parse(to_text(call("ellipk", argument)), {"m"}) == call("ellipk", argument)
+    assert parse("ellipk(m)", None) == call("ellipk", argument)

@@ -63,7 +63,7 @@ def load(path: Path) -> Problem:
 def read_all_ways(path: Path) -> tuple[History, ...]:
     """A history for every way in which the rough contacts of a scene may stick or slip."""
     arrangement = Arrangement(load(path))
-    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None]
+    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None or rub.pair is not None]
     ways = itertools.product(MODES, repeat=len(rough))
     return tuple(History(arrangement, dict(zip(rough, way, strict=True))) for way in ways)
 
@@ -121,12 +121,21 @@ def numeric(formula: Formula, values: Mapping[str, float]) -> float:
             if isinstance(result, complex):
                 raise ValueError("not real")
             return float(result)
+        case Call("ellipk", (argument,)):
+            return math.pi / 2 / mean(1.0, math.sqrt(1 - numeric(argument, values)))
         case Call(function, arguments):
             call = abs if function == "abs" else getattr(math, function)
             return float(call(*(numeric(argument, values) for argument in arguments)))
         case Integral():
             return quadrature(formula, values)
     raise TypeError(f"no value for {formula!r}")
+
+
+def mean(one: float, other: float) -> float:
+    """The arithmetic-geometric mean of Gauss."""
+    for _ in range(40):
+        one, other = (one + other) / 2, math.sqrt(one * other)
+    return one
 
 
 def quadrature(formula: Integral, values: Mapping[str, float], panels: int = 8) -> float:

@@ -23,10 +23,11 @@ from rotsolve.scene.model import Problem, State
 
 Readings = Callable[[Path], tuple[History, ...]]
 RATES = ("velocity", "angular_velocity")
-STORING = ("spring", "torsion")  # roles of forces that take their work from a potential
+STORING = ("spring", "torsion", "hanging")  # roles of forces that take their work from a potential
 CONSERVATIVE = ("weight", *STORING)
-PLACES = ("angle", "displacement", "elongation")
-LOSING = ("friction", "drive")  # roles of a connection's forces that give or take work for good
+STRETCHES = ("elongation", "length")
+PLACES = ("angle", "displacement", *STRETCHES)
+LOSING = ("friction", "drive", "inner")  # roles of a connection's forces that give or take work for good
 
 
 def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_of: Callable[[Path], Problem]) -> None:
@@ -101,7 +102,7 @@ def test_stored_energy_has_the_force_for_slope(file: Path, readings: Readings) -
         for facts in moments(history):
             rates = allowed(facts)
             for stored in facts.potentials:
-                if not stored.elongation.symbols():
+                if not any(SEPARATOR in name for name in stored.elongation.symbols()):
                     continue  # fixed at this moment: the midst of the phase has a letter for it
                 given = total([power(body, item) for body, item in items(facts) if item.owner == stored.owner])
                 growth = slope(stored.energy, stored.elongation) * stored.rate
@@ -156,13 +157,23 @@ def growth(stored: Formula, facts: Facts) -> Formula:
     for name in sorted(stored.symbols()):
         kind, owner = (*name.split(SEPARATOR), "")[:2]
         body = facts.body(owner)
-        if kind == "elongation":
+        if kind in STRETCHES:
             result = result + differentiate(stored, name) * stretch[owner]
         elif kind in PLACES:
-            assert body is not None, name
+            if body is None:  # a place on a curved surface
+                result = result + differentiate(stored, name) * turning(facts)
+                continue
             pace = body.motion.spin if kind == "angle" else body.motion.velocity.along(body.motion.heading or UP)
             result = result + differentiate(stored, name) * pace
     return result
+
+
+def turning(facts: Facts) -> Formula:
+    """Rate, counterclockwise, of the angle of the one body that is on a curved surface."""
+    (body,) = (body for body in facts.bodies if body.motion.bend is not None)
+    bend = body.motion.bend
+    assert bend is not None
+    return body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
 
 
 def known_dimensions(history: History) -> dict[str, Dimension]:

@@ -93,7 +93,7 @@ def test_random_triangular_pools_need_just_what_is_reached(seed: int) -> None:
 
 def solver(equations: list[Equation], choose: object = None) -> Solver:
     def first(name: str, roots: object) -> Choice:
-        return 0, ()
+        return Choice(0)
 
     return Solver(equations, (), frozenset({"k", "m", "g", "R"}), {}, choose or first)  # type: ignore[arg-type]
 
@@ -120,7 +120,7 @@ def test_a_square_is_solved_by_the_choice_of_root() -> None:
 
     def second(name: str, roots: list[Formula]) -> Choice:
         asked_of.append((name, len(roots)))
-        return 1, ("it falls",)
+        return Choice(1, ("it falls",))
 
     work = solver(equations, second)
     found = work.solve(plan)

@@ -19,6 +19,7 @@ Nearby = Callable[[Problem, random.Random], dict[str, float]]
 Sides = tuple[Formula, Formula]
 MOMENT = 0.7  # of the running time, where an equality holds at any
 POINTS = 3
+DISPLACED = 1e-8  # from an equilibrium: small swings hold to first order
 
 
 class Place:
@@ -26,6 +27,7 @@ class Place:
 
     def __init__(self, inquiry: Inquiry, values: dict[str, float], number: Number) -> None:
         self.values, self.number = {"time": MOMENT, **values}, number
+        self.values |= {swing.coordinate.name: DISPLACED for swing in inquiry.history.swings.values()}
         for name, found in inquiry.solver.solved.items():
             if found.formula is not None:
                 self.values[name] = number(found.formula, self.values)

@@ -123,6 +123,10 @@ class RealBalls:
             return x.log()
         if name == "atan2":
             return self._atan2(node, x, self(node.arguments[1]))
+        if name == "ellipk":
+            if x >= 1:
+                raise Undefined("the elliptic integral K of 1 or more")
+            return acb(x).elliptic_k().real
         return self._arc(node, x)
 
     def _sqrt(self, node: Call, x: Ball) -> Ball:
@@ -225,6 +229,8 @@ class ComplexBalls:
             return getattr(z, function)(analytic=self.analytic)
         if function in ("sin", "cos", "tan", "exp"):
             return getattr(z, function)()
+        if function == "ellipk":
+            return z.elliptic_k() if z.real < 1 or not self.analytic else acb(arb.nan())
         if function == "abs":
             if z.real > 0:
                 return z

@@ -278,5 +278,8 @@ class Field:
                     return [(first, 1), *self._split(common)]
         elif poly.total_degree() == 1:
             return [(poly, 1)]
-        _, parts = poly.factor()
+        try:
+            _, parts = poly.factor()
+        except OverflowError:  # FLINT's binding sorts the factors by coefficients, and can not compare huge ones
+            return [(poly, 1)]
         return [(-p if p.leading_coefficient() < 0 else p, int(e)) for p, e in parts]

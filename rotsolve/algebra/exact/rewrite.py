@@ -147,6 +147,9 @@ class Rewriter:
             return self._exp(first)
         if function == "log":
             return self._log(first)
+        if function == "ellipk":
+            shown = self.tidy(first)
+            return divide(PI, Number(Fraction(2))) if shown == ZERO else Call(function, (shown,))
         return self._inverse(function, tuple(self.tidy(argument) for argument in arguments))
 
     def tidy(self, node: Formula) -> Formula:
@@ -161,7 +164,8 @@ class Rewriter:
         vector, turns, quarters = angles.split_pi(angles.linear(argument, self.order))
         if not vector:
             return angles.turn(self._constant(turns), quarters)
-        if any(term in self.shares or _is_inverse(term) for term in vector) and not _holds(argument, TRIG):
+        whole = len(vector) == 1 and all(abs(value) == 1 for value in vector.values())  # sin(arcsin(k sin x)) = k sin x
+        if any(term in self.shares or _is_inverse(term) for term in vector) and (whole or not _holds(argument, TRIG)):
             shares = {term: lcm(self.shares.get(term, 1), value.denominator) for term, value in vector.items()}
             if all(abs(value * shares[term]) <= MULTIPLE_LIMIT for term, value in vector.items()):
                 pair: SinCos = self._constant(turns)

@@ -93,7 +93,7 @@ def solve_trig(
 ) -> list[Candidate]:
     """Roots of f = 0 where the unknown stands only in sin and cos of one linear argument; empty where it does not.
 
-    Handles A sin + B cos + C = 0 and quadratics in the sine alone or the cosine alone.
+    Handles A sin + B cos + C = 0, quadratics in the sine alone or the cosine alone, and products of these.
     """
     problem = Problem([f], order, positive)
     ring = problem.field
@@ -134,6 +134,10 @@ def _angle_roots(
         turned = ring.reduce_to_cos(num, pair)
         num = turned if not turned.degrees()[s] else num
         degrees = num.degrees()
+    if degrees[c] and degrees[s]:  # sin x (A cos x + B) = 0: each factor by itself
+        factors = [factor for factor, _ in ring.factor(num)[1] if factor.degrees()[s] or factor.degrees()[c]]
+        if len(factors) > 1:
+            return [root for factor in factors for root in _angle_roots(problem, factor, pair, order, positive)]
     for i, name in ((s, "asin"), (c, "acos")):
         if not degrees[s + c - i] and degrees[i] <= 2:
             values = _roots(problem, ring.coefficients(num, i), order, positive)

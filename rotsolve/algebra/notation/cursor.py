@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
+from dataclasses import replace
 
 from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 
@@ -93,9 +94,18 @@ class Cursor:
         token = self.token
         if token.kind != "name" or self.at_path():
             return 1
-        meanings = resolve(token, self.names, self.bound, split=not self.paths)
+        if self.at_elliptic():
+            meanings = [replace(token, kind="function", text="ellipk")]
+        else:
+            meanings = resolve(token, self.names, self.bound, split=not self.paths)
         self.tokens[self.index : self.index + 1] = meanings
         return len(meanings)
+
+    def at_elliptic(self) -> bool:
+        """Whether `K(` stands ahead where no letter is called K: the complete elliptic integral."""
+        ahead = self.tokens[self.index : self.index + 2]
+        called = [token.text for token in ahead] == ["K", "("] and ahead[0].end == ahead[1].start
+        return called and self.names is not None and "K" not in self.names and "K" not in self.bound
 
     def starts_factor(self) -> bool:
         """Whether the next token multiplies what was read, without a mark between them."""

@@ -92,6 +92,6 @@ def _call(function: str, arguments: tuple[Formula, ...], raised: str) -> Piece:
     if function == "sqrt":
         return rf"\sqrt{{{inner}}}", CALL
     name = BARE_NAMES.get(function, function)
-    command = rf"\operatorname{{{name}}}" if function == "atan2" else rf"\{name}"
+    command = {"atan2": r"\operatorname{atan2}", "ellipk": "K"}.get(function, rf"\{name}")
     bare = function in BARE and may_be_bare(arguments[0])
     return f"{command}{raised}" + (f" {inner}" if bare else rf"\left({inner}\right)"), CALL

@@ -102,7 +102,7 @@ def name_to_text(name: str) -> str:
     if match := _LETTERED.fullmatch(name):
         return _greek(match[1]) + subscripted(match[2])
     if match := _WORDED.fullmatch(name):
-        return f"{_greek(match[1])}{match[2]}_{match[3]}"
+        return f"{_greek(match[1])}{subscripted(match[2])}_{match[3]}"
     return _greek(name)
 
 

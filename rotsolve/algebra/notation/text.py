@@ -29,7 +29,7 @@ __all__ = ["name_to_latex", "name_to_text", "number_to_text", "to_latex", "to_te
 # How tightly a text binds. A call without brackets (`sin θ`, `√x`) may be a factor, but is no base of a power.
 SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
 
-BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+BARE_NAMES = {"log": "ln", "asin": "arcsin", "acos": "arccos", "atan": "arctan", "ellipk": "K"}
 BARE = frozenset(("sin", "cos", "tan", "log", "asin", "acos", "atan"))
 
 LARGEST_FRACTION_PART = 20, 100  # numerator and denominator up to which 7/10 stays a fraction and is not 0.7

@@ -216,19 +216,21 @@ def _dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension 
 
 
 def _common(terms: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
-    """The one dimension of all terms."""
+    """The one dimension of all terms; a plain number added to an angle is one too."""
     first: tuple[Formula, Dimension] | None = None
+    angle = False
     for term in terms:
         dimension = _dimension(term, symbols)
         if dimension is None:
             continue
+        angle = angle or dimension == ANGLE
         if first is None:
             first = term, dimension
         elif not dimension.matches(first[1]):
             left, right = (_say(part) for part in (first[0], term))
             there, here = describe(first[1], article=True), describe(dimension, article=True)
             raise DimensionError(f"{left} is {there}, but {right} is {here}")
-    return None if first is None else first[1]
+    return ANGLE if angle else None if first is None else first[1]
 
 
 def _say(formula: Formula) -> str:

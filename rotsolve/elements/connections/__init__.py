@@ -2,8 +2,11 @@
 
 from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
-from rotsolve.elements.connections.drives import Belt, Gear
+from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.drives import Belt, Drive, Gear
 from rotsolve.elements.connections.guides import guide as guide
+from rotsolve.elements.connections.rubbing import Clutch
+from rotsolve.elements.connections.shafts import Shaft
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Weld
@@ -11,17 +14,21 @@ from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rid
 CONNECTIONS: tuple[type[Connection], ...] = (
     Hinge,
     Axle,
+    Shaft,
     Ball,
     Clamp,
     Weld,
     Contact,
     Rolls,
     String,
+    Drapes,
     Spring,
     Torsion,
     Belt,
     Gear,
+    Drive,
+    Clutch,
     Rides,
 )
 
-__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "String", "Weld", "guide"]
+__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "Rides", "String", "Weld", "guide"]

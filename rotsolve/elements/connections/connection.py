@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule
+from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule, Turntable
 from rotsolve.core.heading import Heading
 from rotsolve.scene.model import Body, PointRef
 
@@ -15,14 +15,30 @@ if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
-Fact = Force | Couple | Rule | Requirement | Potential
+Fact = Force | Couple | Rule | Requirement | Potential | Turntable
+
+
+@dataclass(frozen=True)
+class Orbit:
+    """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
+
+    `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
+    positive travel goes counterclockwise.
+    """
+
+    owner: str
+    radius: Formula | None
+    level: Formula
+    way: int
+    words: str
 
 
 @dataclass(frozen=True)
 class Connection:
     """Base of all connections. `quantities` can be asked of it; `words` can be said of it in a state.
 
-    `independent` marks one that holds several bodies without making one move with the other.
+    `independent` marks one that holds several bodies without making one move with the other. `kept` are its quantities that an event
+    leaves as they were.
     """
 
     word: ClassVar[str] = ""
@@ -31,6 +47,7 @@ class Connection:
     words: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     independent: ClassVar[bool] = False
+    kept: ClassVar[tuple[str, ...]] = ()
     name: str = ""
 
     def touches(self) -> tuple[PointRef, ...]:
@@ -42,6 +59,14 @@ class Connection:
                 found.extend(part for part in value if isinstance(part, PointRef))
         return tuple(found)
 
+    def between(self) -> tuple[PointRef, ...]:
+        """The two bodies, if any, whose turning against each other its angles and angular velocities are."""
+        return ()
+
+    def brakes(self) -> tuple[PointRef, ...]:
+        """Bodies against whose turn it rubs, whichever way that is."""
+        return ()
+
     def fixed_points(self) -> tuple[PointRef, ...]:
         """Points of bodies that it holds to the ground, so that the body turns about them."""
         return ()
@@ -50,8 +75,16 @@ class Connection:
         """Line along which it makes a body travel, with the words for the positive sense."""
         return None
 
+    def orbit(self, body: Body, arrangement: Arrangement, state: str) -> Orbit | None:
+        """Circle along which it makes a body's centre travel."""
+        return None
+
     def hangs(self, body: Body) -> bool:
         """Whether a body hangs from it, so that it travels up and down."""
+        return False
+
+    def weighs(self, body: Body) -> bool:
+        """Whether it states the weight of a body, part by part."""
         return False
 
     def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
 from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
-from rotsolve.core.heading import NOWHERE, Heading, Vector, unit, vector
+from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.connections.connection import Connection, Fact, Orbit
 from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.surfaces import Surface
+from rotsolve.elements.surfaces import Curved, Surface
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 
@@ -35,27 +35,68 @@ class Friction:
 class Touch(Connection):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
 
-    def pair(self) -> tuple[PointRef, PointRef]:
-        """The body's point and the surface."""
+    def pair(self) -> tuple[PointRef, ...]:
+        """The body's point and the surface, or the surfaces that join smoothly."""
         raise NotImplementedError
 
     def grip(self) -> Friction:
         raise NotImplementedError
 
-    def surface(self, arrangement: Arrangement) -> Surface | None:
-        return arrangement.surfaces.get(self.pair()[1].owner)
+    def places(self) -> tuple[PointRef, ...]:
+        """The surfaces on which the body may be, in the order in which they join."""
+        return self.pair()[1:]
+
+    def surface(self, arrangement: Arrangement, state: str) -> Surface | None:
+        """The surface on which the body is: of several the curved one where the state speaks of the contact's angle."""
+        found = [surface for ref in self.places() if (surface := arrangement.surfaces.get(ref.owner)) is not None]
+        bent = [surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None]
+        if len(found) > 1 and bent and arrangement.says(state, self.name, "angle", "leaves"):
+            return bent[0]
+        return found[0] if found else None
+
+    def rests(self, body: Body) -> bool:
+        """Whether a body lies or rolls on the surface; one that leans on it with an end does not."""
+        ref = self.pair()[0]
+        rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
+        return ref.owner == body.name and (ref.point is None or ref.point in rims)
 
     def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
-        """A body that lies or rolls on a surface travels along it; one that leans on it with an end does not."""
-        ref, surface = self.pair()[0], self.surface(arrangement)
-        rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
-        if ref.owner != body.name or surface is None or not (ref.point is None or ref.point in rims):
+        """A body that lies or rolls on a flat surface travels along it."""
+        surface = self.surface(arrangement, state)
+        if surface is None or isinstance(surface, Curved) or not self.rests(body):
             return None
         return surface.travel(body.moves)
 
+    def orbit(self, body: Body, arrangement: Arrangement, state: str) -> Orbit | None:
+        """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
+        surface = self.surface(arrangement, state)
+        if not isinstance(surface, Curved) or not self.rests(body):
+            return None
+        radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
+        way, level = surface.way(body.moves), ZERO if radius is None else surface.level(radius)
+        turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
+        return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}")
+
+    def angle(self, instant: Instant) -> Formula:
+        """Angle of the touching radius of a curved surface; for a wheel on the floor the place of a corner settles it."""
+        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
+        rim = rim_radius(instant.body(ref.owner), ref.point)
+        if isinstance(surface, Curved) and rim is not None and instant.orbit(ref.owner) is None:
+            met = surface.met(rim)
+            if met is not None:
+                return met
+        return instant.ask("angle", self.name, words=("counterclockwise", "clockwise"))
+
+    def normal(self, surface: Surface, instant: Instant) -> Heading:
+        """Direction out of the surface where the body touches it."""
+        return surface.facing(heading(self.angle(instant))) if isinstance(surface, Curved) else surface.normal
+
     def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
-        track, surface = self.track(body, arrangement, state), self.surface(arrangement)
+        track, surface = self.track(body, arrangement, state), self.surface(arrangement, state)
+        orbit = self.orbit(body, arrangement, state)
+        if orbit is not None and isinstance(surface, Curved):
+            return orbit.way if surface.outside else -orbit.way
         if track is None or surface is None:
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
@@ -65,14 +106,18 @@ class Touch(Connection):
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement)
+        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
         name = instant.host(ref.owner)
-        if surface is None or instant.mode(self.name) == "leaves":
+        if surface is None:
             return
-        arm, span = contact_arm(ref, surface, instant), instant.span(name)
+        facing = self.normal(surface, instant)
+        arm, span = contact_arm(ref, facing, instant), instant.span(name)
         normal = instant.ask("normal_force", self.name, when=span)
+        if isinstance(surface, Curved) and surface.radius() is None:  # a push that no law tells
+            yield from self.friction_facts(instant, name, arm, surface, normal)
+            return
         text = ("normal force ", normal, f", {away(surface)}")
-        yield Force(self.name, "normal", name, normal, unit(surface.normal), arm, text, works=False, internal=True)
+        yield Force(self.name, "normal", name, normal, unit(facing), arm, text, works=False, internal=True)
         yield Requirement(
             self.name,
             normal,
@@ -80,26 +125,41 @@ class Touch(Connection):
             (normal, " ≥ 0: the surface can only push"),
             f"{spoken(ref.owner)} leaves the surface",
         )
-        motion = instant.motion(name)
-        if motion.kind == "plane" or motion.kind == "axis":
+        if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
-            yield slip_rule(self.name, label, name, arm, surface.normal, instant, linear=False)
+            kept = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
+            yield slip_rule(self.name, label, name, kept, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
+
+    def arm(self, instant: Instant) -> Vector:
+        """From the body's reference to its touching point."""
+        surface = self.surface(instant.arrangement, instant.state)
+        return NOWHERE if surface is None else contact_arm(self.pair()[0], self.normal(surface, instant), instant)
+
+    def course(self, instant: Instant) -> Heading | None:
+        """The body's line of travel where that runs along this surface."""
+        surface = self.surface(instant.arrangement, instant.state)
+        ahead = instant.motion(self.pair()[0].owner).heading
+        along = surface is not None and ahead is not None and (ahead - self.normal(surface, instant)).cos() == ZERO
+        return ahead if along else None
+
+    def forward(self, instant: Instant) -> Heading:
+        """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
+        surface = self.surface(instant.arrangement, instant.state)
+        return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def touching_velocity(self, instant: Instant) -> Vector:
         """Velocity of the body's touching point."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement)
-        return NOWHERE if surface is None else instant.motion(ref.owner).velocity_of(contact_arm(ref, surface, instant))
+        return instant.motion(self.pair()[0].owner).velocity_of(self.arm(instant))
 
     def grip_rule(self, instant: Instant) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement)
+        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
         if surface is None:
             return None
-        name, motion = instant.host(ref.owner), instant.motion(ref.owner)
-        forward = motion.heading or surface.normal.turned(-90)
-        arm = contact_arm(ref, surface, instant)
-        return slip_rule(self.name, f"{spoken(name)} no longer slips", name, arm, forward, instant, linear=False)
+        name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
+        label = f"{spoken(name)} no longer slips"
+        return slip_rule(self.name, label, name, arm, self.forward(instant), instant, linear=False)
 
     def friction_facts(
         self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
@@ -108,8 +168,8 @@ class Touch(Connection):
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)
         if grip.kind == "none":
             return
-        forward = motion.heading or surface.normal.turned(-90)
-        ahead, back = travel_words(motion.heading, surface, instant, name)
+        forward = self.forward(instant)
+        ahead, back = travel_words(forward, self.course(instant), instant, name)
         span = instant.span(name)
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
@@ -121,7 +181,7 @@ class Touch(Connection):
         size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))
         text = ("friction ", size, f", {back}")
         yield Force(self.name, "friction", name, size, unit(forward.turned(180)), arm, text, works=False, internal=True)
-        rolling = motion.turns
+        rolling = motion.turns and instant.is_round(name)
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield slip_rule(self.name, label, name, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
@@ -132,27 +192,27 @@ class Touch(Connection):
 
 def away(surface: Surface) -> str:
     """Direction of a surface's push in words."""
-    return {"level": "up", "slope": "square to the slope"}.get(surface.word, "away from the wall")
+    words = {"level": "up", "slope": "square to the slope", "dome": "outward", "hollow": "towards the centre"}
+    return words.get(surface.word, f"away from the {spoken(surface.word)}")
 
 
-def travel_words(direction: Heading | None, surface: Surface, instant: Instant, name: str) -> tuple[str, str]:
-    """Words for the way along a surface that a body counts as positive, and for the other way."""
-
-    if direction is None:
-        words = along_text(surface.normal.turned(-90)) or "along the surface"
+def travel_words(forward: Heading, path: Heading | None, instant: Instant, name: str) -> tuple[str, str]:
+    """Words for the way along a surface that counts as positive, and for the other way; `path` is that of the body's travel."""
+    if path is None or forward != path:
+        words = along_text(forward) or "along the surface"
     else:
-        line = instant.arrangement.line(name, instant.state)
-        words = line[1] if line else along_text(direction)
+        line = instant.line(name)
+        words = line[1] if line else along_text(forward)
     return words, opposite(words)
 
 
-def contact_arm(ref: PointRef, surface: Surface, instant: Instant) -> Vector:
+def contact_arm(ref: PointRef, facing: Heading, instant: Instant) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
 
     radius = rim_radius(instant.body(ref.owner), ref.point)
     if radius is not None and instant.is_round(ref.owner):
         centre = PointRef(ref.owner, "center")
-        return instant.point(centre) + vector(radius, surface.normal.turned(180))
+        return instant.point(centre) + vector(radius, facing.turned(180))
     if instant.motion(ref.owner).kind == "line" and not instant.motion(ref.owner).turns:
         return NOWHERE
     return instant.point(ref)
@@ -174,11 +234,11 @@ def slip_rule(
 @dataclass(frozen=True)
 class Contact(Touch):
     word = "contact"
-    about = "a body lies on, slides along or rolls on a surface or another body"
+    about = "a body lies on, slides along or rolls on a surface, or a wheel rubs on another: both on fixed axles"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
     contact: tuple[PointRef, ...] = key(
-        "points", "[body, surface]", count=(2, 2), required=True, example="[block, ramp]"
+        "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
     )
     friction: Friction = key(
         "friction",
@@ -187,9 +247,17 @@ class Contact(Touch):
         letter="mu",
         limits="nonnegative",
     )
+    press: Formula | None = key(
+        "quantity",
+        "force that presses two wheels together at their rims",
+        dimension="force",
+        letter="F",
+        limits="positive",
+        default=None,
+    )
 
-    def pair(self) -> tuple[PointRef, PointRef]:
-        return self.contact[0], self.contact[1]
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.contact
 
     def grip(self) -> Friction:
         return self.friction
@@ -205,8 +273,8 @@ class Rolls(Touch):
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
 
-    def pair(self) -> tuple[PointRef, PointRef]:
-        return self.rolls[0], self.rolls[1]
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.rolls
 
     def grip(self) -> Friction:
         return Friction("any")

@@ -6,8 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, negate
-from rotsolve.core.facts import Couple, Rule
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.facts import Couple, Rule, signed
+from rotsolve.core.varying import UNKNOWN, pace_of
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.rims import rim_radius
@@ -15,6 +16,7 @@ from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
 if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
 
@@ -59,6 +61,39 @@ class Gear(Connection):
             ("the wheels do not slip on each other", "tooth force"),
             instant,
         )
+
+
+@dataclass(frozen=True)
+class Drive(Connection):
+    word = "drives"
+    about = (
+        "a motor, or someone's legs or hands: turns the last-named body on the first, with equal and opposite torques"
+    )
+    quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
+    drives: tuple[PointRef, ...] = key("points", "[carrier, body]", count=(2, 2), required=True, example="[table, man]")
+    couple: Formula | None = key(
+        "quantity", "torque on the last-named", dimension="torque", letter="tau", varies=True, default=None
+    )
+
+    def between(self) -> tuple[PointRef, ...]:
+        return self.drives
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        if self.couple is None:
+            return UNKNOWN  # a torque that nothing is said of
+        return pace_of(self.couple)
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The torque on the body, along its positive turn, and its reaction on the carrier."""
+        carrier, body = (instant.host(ref.owner) for ref in self.drives)
+        sense = instant.sense(body)
+        if self.couple is not None:
+            size = instant.now(self.couple)
+        else:
+            size = instant.ask("torque", self.name, when=instant.span(body), words=instant.turn_words(body))
+        for name, turn in ((carrier, -sense), (body, sense)):
+            words = ("torque ", size, ", counterclockwise" if turn > 0 else ", clockwise")
+            yield Couple(self.name, "inner" if self.couple is None else "drive", name, signed(size, turn), words)
 
 
 def coupling(

@@ -89,7 +89,7 @@ class Course:
         pulled up where the string passes under it, down where it passes over.
         """
         ref, neighbour = self.points[index], self.points[other]
-        line = self.instant.arrangement.line(self.instant.host(ref.owner), self.instant.state)
+        line = self.instant.line(self.instant.host(ref.owner))
         if line is None:
             hinged = ref.point not in (None, "rim", "center") and self.instant.arrangement.heavy
             if not hinged or self.wraps(index):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
@@ -26,6 +27,7 @@ class Spring(Connection):
     word = "spring"
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
+    kept = ("elongation", "force")
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
     stiffness: Formula | None = key(
         "quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None
@@ -98,7 +100,7 @@ class Torsion(Connection):
         if len(names) == 2:
             twist = twist - instant.ask("angle", names[0], words=("counterclockwise", "clockwise"))
         if self.rest_angle is not None:
-            twist = twist - self.rest_angle
+            twist = simplify(twist - self.rest_angle)
         stiffness = self.stiffness if self.stiffness is not None else ZERO
         torque = stiffness * twist
         yield Couple(self.name, "torsion", last, negate(torque), ("torsion torque ", torque, ", turning it back"))

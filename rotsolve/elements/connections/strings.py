@@ -52,7 +52,13 @@ class String(Connection):
     )
     along: str | None = key("name", "the surface that it runs along", default=None, refers=("surface",))
     mass: Formula | None = key(
-        "quantity", "mass of the string", dimension="mass", limits="nonnegative", default=None, letter="m", later=True
+        "quantity",
+        "mass of the string (a heavy rope is a body, `shape: rope`)",
+        dimension="mass",
+        limits="nonnegative",
+        default=None,
+        letter="m",
+        later=True,
     )
 
     def hangs(self, body: Body) -> bool:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
-from rotsolve.core.facts import Couple, Force, Rule, signed
+from rotsolve.core.facts import Couple, Force, Rule, held_still, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.core.varying import combined, pace_of
@@ -52,6 +52,9 @@ class Driven(Connection):
         """The bodies that turn about it."""
         return ()
 
+    def brakes(self) -> tuple[PointRef, ...]:
+        return self.held() if self.friction_torque is not None else ()
+
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
         if self.driven and not self.fixed_points():
             span = self.held()[-1].span
@@ -83,9 +86,7 @@ class Driven(Connection):
         if mode == "holds":
             size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
             yield Couple(self.name, "friction", name, signed(size, sense), ("friction torque ", size))
-            rates = (instant.motion(name).spin, instant.motion(name).spin_rate)
-            label = f"friction holds {name.replace('_', ' ')}"
-            yield Rule(self.name, label, (name,), (rates[0], ZERO), (rates[1], ZERO))
+            yield held_still(self.name, name, instant.motion(name))
             return
         size = (self.friction_torque or ZERO).substitute({"time": instant.time()})
         against = back if mode != "turns back" else forward
@@ -190,10 +191,20 @@ class Weld(Connection):
 @dataclass(frozen=True)
 class Rides(Connection):
     word = "rides"
-    about = "a body slides along another and turns with it"
-    quantities = ("force", "normal_force", "work", "power")
-    later = True
+    about = "a particle slides along another body and turns with it, at its `radius` from the axis"
+    quantities = ("work",)
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
+    friction: str = key(
+        "choice",
+        "`none`: it is let go and slides freely; else it is held or drawn, and at rest on the bar at each state",
+        choices=("none",),
+        default="",
+    )
+
+    @property
+    def free(self) -> bool:
+        """Whether nothing holds the rider where it is."""
+        return self.friction == "none"
 
 
 def reaction(

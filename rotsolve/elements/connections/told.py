@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 def told_along(push: Vector, name: str, instant: Instant) -> str:
     """A pull along the line on which a body travels, in the words of that line: ", up the slope"."""
-    line = instant.arrangement.line(instant.host(name), instant.state)
+    line = instant.line(instant.host(name))
     if line is None or len(push.parts) != 1:
         return ""
     gap = push.parts[0][1] - line[0]

@@ -6,11 +6,12 @@ from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina, Revo
 from rotsolve.elements.shapes.round import Annulus, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.shape import WHEEL, Place, Shape
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
-from rotsolve.elements.shapes.thin import Arc, Particle, Rod
+from rotsolve.elements.shapes.thin import Arc, Particle, Rod, Rope
 
 SHAPES: tuple[type[Shape], ...] = (
     Particle,
     Rod,
+    Rope,
     Arc,
     Disc,
     Ring,
@@ -29,4 +30,4 @@ SHAPES: tuple[type[Shape], ...] = (
     Revolution,
 )
 
-__all__ = ["SHAPES", "WHEEL", "Graded", "Integrated", "Particle", "Place", "Rod", "Shape"]
+__all__ = ["SHAPES", "WHEEL", "Graded", "Integrated", "Particle", "Place", "Rod", "Rope", "Shape"]

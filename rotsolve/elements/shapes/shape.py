@@ -34,6 +34,7 @@ class Shape:
     tabled: ClassVar[bool] = True  # whether a table of moments of inertia holds it
     graded: ClassVar[bool] = False  # whether its density varies
     coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
+    rigid: ClassVar[bool] = True  # whether it keeps its form, so that it has a moment of inertia
 
     def moment(self, mass: Formula) -> Formula:
         """Moment of inertia about the centre of mass, axis square to the plane."""

@@ -17,7 +17,23 @@ from rotsolve.scene.keys import key
 @dataclass(frozen=True)
 class Particle(Shape):
     word = "particle"
-    about = "all mass in one point"
+    about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
+    radius: Formula = key(
+        "quantity",
+        "distance from the centre of its circle",
+        dimension="length",
+        letter="r",
+        limits="positive",
+        default=ZERO,
+    )
+
+    def centroid(self) -> Place:
+        return (self.radius, ZERO)
+
+    @property
+    def outer(self) -> Formula | None:
+        """A particle has no rim."""
+        return None
 
 
 @dataclass(frozen=True)
@@ -58,6 +74,15 @@ class Rod(Shape):
         if point == "at" and argument is not None:
             return (argument - half, ZERO)
         return ({"start": -half, "end": half}.get(point, ZERO), ZERO)
+
+
+@dataclass(frozen=True)
+class Rope(Shape):
+    word = "rope"
+    about = "uniform heavy rope or chain that bends freely; `drapes` says what it hangs over"
+    points = ()
+    rigid = False
+    length: Formula | None = extent("length", "L")
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,10 @@ from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
+from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Facts, Force
 from rotsolve.core.heading import heading
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry
@@ -18,11 +20,13 @@ from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.slope import slope
+from rotsolve.motion.freebody import free_bodies
 from rotsolve.scene.model import Condition, Find, Moment, Problem
 from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
 SECOND_LAW = "Newton's second law"
+UNSEEN = ("reaction", "grip")  # told in a free-body diagram only where an equation speaks of them
 WITH_FORCES = ("newton", "energy", "angular-momentum")
 
 
@@ -82,7 +86,7 @@ class Composer:
         return LawLine(
             self.numbers[("law", index)],
             equation.label,
-            Equality(self.printed(equation.left), self.printed(equation.right)),
+            Equality(self.printed(equation.left), self.printed(equation.right), equation.relation),
             self.words(remark),
         )
 
@@ -132,17 +136,26 @@ class Composer:
         """Free-body diagrams in words of the bodies whose dynamics a section uses."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
-        facts = self._facts_of(draft.key)
+        facts = self._facts_of(draft)
         if facts is None:
             return ()
         needed = {name for equation in equations for name in equation.symbols()}
         return tuple(
-            self._force_line(body.name, facts, needed, draft.laws) for body in facts.bodies if body.name in names
+            self._force_line(body.name, facts, needed, draft.laws) for body in facts.diagrams if body.name in names
         )
 
-    def _facts_of(self, key: str) -> Facts | None:
-        """The facts that a section is about: of its state, or of its phase; none of an event."""
-        timeline = self.history.arrangement.timeline
+    def _facts_of(self, draft: Draft) -> Facts | None:
+        """The facts that a section is about: of its state, of its phase, or of swings; none of an event.
+
+        Where the section of a phase writes Newton's laws at one state alone, they are those of that state.
+        """
+        timeline, key = self.history.arrangement.timeline, draft.key
+        for swing in self.history.swings.values():
+            if key in (swing.section, swing.balanced):
+                return free_bodies(swing.near if key == swing.section else swing.rest)
+        moments = {self.pool[index].section for index in draft.laws if self.pool[index].family == NEWTON}
+        if len(moments) == 1 and moments <= set(timeline.order):
+            key = moments.pop()
         interval = timeline.interval(key)
         if interval is not None:
             if interval.event is not None:
@@ -162,7 +175,7 @@ class Composer:
             size = item.size if isinstance(item, Force) else item.torque
             if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
-            elif item.role != "reaction" or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
+            elif item.role not in UNSEEN or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
                 spoken_of.append(self.words(item.words))
         return ForceLine(spoken(name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent))))
 
@@ -180,8 +193,11 @@ class Composer:
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
         chosen: dict[str, str] = {}
-        for answered in self.inquiry.wholes():
-            chosen.setdefault(answered.asked.letter, self._named(answered.asked.find))
+        for answered in self.inquiry.answered:
+            if (
+                not answered.asked.whole and SEPARATOR not in answered.asked.find.name
+            ):  # else it keeps its quantity's letter
+                chosen.setdefault(answered.asked.letter, self._named(answered.asked.find))
         taken = frozenset(given.name for given in self.problem.givens)
         every = [part for item in self.inquiry.answered for part in (item, *item.parts)]
         for part in (item for item in every if item.asked.whole and not item.asked.direct):
@@ -256,11 +272,11 @@ class Composer:
         """Letters of the forces that a free-body diagram names, supports left out."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
-        facts = self._facts_of(draft.key)
-        for body in facts.bodies if facts is not None else ():
+        facts = self._facts_of(draft)
+        for body in facts.diagrams if facts is not None else ():
             if body.name in names:
                 for item in body.acting:
-                    if item.role != "reaction":
+                    if item.role not in UNSEEN:
                         yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
 
     @cached_property
@@ -294,7 +310,11 @@ class Composer:
         if arrangement.functions:
             first = arrangement.timeline.states[0].name
             said.append((self.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time"))
-        return tuple(said)
+        for swing in self.history.swings.values():
+            what = "angle turned" if swing.turns else "displacement"
+            said.append((self.printed(swing.coordinate), f": {what} from the equilibrium"))
+            said += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
+        return tuple(dict.fromkeys(said))
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
@@ -335,8 +355,11 @@ def state_words(name: str, conditions: Sequence[Condition], bare: str) -> Words:
         elif line.path is not None:
             value = stated(line.value) if line.value is not None else line.word or ""
             owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            what = " ".join(filter(None, (owner, spoken(line.path.quantity), line.path.component)))
-            parts.append(f"{what} {value}".strip())
+            quantity, component = spoken(line.path.quantity), line.path.component or ""
+            said = OSCILLATING.get(line.path.quantity)
+            what = f"{said} of small swings" if said else quantity
+            kind, axis = ("", component) if component in ("x", "y") else (component, "")
+            parts.append(" ".join(word for word in (owner, kind, what, axis, value) if word))
     return (f"{spoken(name)}: " + (", ".join(parts) if parts else bare),)
 
 

@@ -25,25 +25,38 @@ class Draft:
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
     """Laws and steps by section, the sections in the order of time."""
     drafts: dict[str, Draft] = {}
-    homes: dict[str, str] = {}
     order = {key: place for place, key in enumerate(moments(inquiry.history))}
+    homes = homes_of(inquiry, order)
     placed: set[int] = set()
-    for answered in inquiry.answered:
-        laws = [index for index in answered.used if is_law(index, inquiry)]
-        key = home(answered, laws, inquiry) or latest(answered.asked.formula.symbols() & set(homes), homes, order)
+    for answered in sorted(inquiry.answered, key=lambda item: order.get(homes[item.asked.letter], len(order))):
+        laws, key = laws_of(answered, inquiry), homes[answered.asked.letter]
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
             index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
         )
         placed.update(laws)
         draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
-        homes.setdefault(answered.asked.letter, key)
     for chosen in inquiry.chosen:
         letters = {side.asked.letter for side in chosen.sides} & set(homes) or set(homes)
         last = latest(letters, homes, order)
         drafts.setdefault(last, Draft(last)).choices.append(chosen)
     filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
-    return sorted(filled, key=lambda draft: order.get(draft.key, -1))
+    return sorted(filled, key=lambda draft: order.get(draft.key, len(order)))
+
+
+def homes_of(inquiry: Inquiry, order: Mapping[str, int]) -> dict[str, str]:
+    """The sections of all answers: where their weightiest law is; of what is made of earlier answers, that of the last of them."""
+    homes: dict[str, str] = {}
+    for answered in inquiry.answered:
+        made_of = answered.asked.formula.symbols() & set(homes)
+        own = "" if made_of and not answered.asked.find.terms else home(answered, laws_of(answered, inquiry), inquiry)
+        homes.setdefault(answered.asked.letter, own or latest(made_of, homes, order))
+    return homes
+
+
+def laws_of(answered: Answered, inquiry: Inquiry) -> list[int]:
+    """The equations behind an answer that are printed as laws."""
+    return [index for index in answered.used if is_law(index, inquiry)]
 
 
 def latest(letters: Collection[str], homes: Mapping[str, str], order: Mapping[str, int]) -> str:
@@ -57,9 +70,9 @@ def is_law(index: int, inquiry: Inquiry) -> bool:
 
 
 def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
-    """Laws first, then definitions and rules, as they were written."""
+    """Laws and what approximates them first, then definitions and rules, as they were written."""
     equation = inquiry.planner.pool[index]
-    return (0 if equation.family else 1, index)
+    return (0 if equation.family or equation.relation != "=" else 1, index)
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
@@ -77,13 +90,20 @@ def moments(history: History) -> list[str]:
     result = [timeline.states[0].name]
     for interval in timeline.intervals:
         result += [interval.name, interval.end]
-    return result
+    for swing in history.swings.values():
+        result += [swing.balanced] * swing.found + [swing.section, swing.harmonic]
+    return list(dict.fromkeys(result))
 
 
 def title(key: str, history: History) -> str:
     """Heading of a section."""
     timeline = history.arrangement.timeline
     interval = timeline.interval(key)
+    swings = history.swings.values()
+    for swing in swings:
+        if swing.title(key):
+            several = len({other.body for other in swings}) > 1
+            return swing.title(key) + (f", {spoken(swing.body)}" if several else "")
     if interval is None:
         return f"At {spoken(key)}" if key else ""
     if interval.event is not None:

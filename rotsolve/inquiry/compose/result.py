@@ -15,7 +15,7 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.tensor import ENTRIES, ONE_AXIS
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.courses import phases_of
 from rotsolve.inquiry.questions import Asked, component
@@ -23,6 +23,9 @@ from rotsolve.scene.model import ANY_TIME, Find, Moment
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
+
+
+NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
 
 
 @dataclass(frozen=True)
@@ -176,7 +179,7 @@ class Results:
         """A formula with all letters of the laws worked out, as far as they can be."""
         value = self.inquiry.solver.with_answers(self._solved(value))
         if any(SEPARATOR in name for name in value.symbols()):
-            value = Inquiry(self.inquiry.history, families_for(None)).settled(value) or value
+            value = self.inquiry.apart().settled(value) or value
         return self.inquiry.solver.simplify(value)
 
     def _slope(self, parts: tuple[Answer, ...]) -> Certified | None:
@@ -260,4 +263,4 @@ def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
 
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:
     """The unit that the field uses for a dimension; none for a pure number."""
-    return None if dimension is None else unit_for(dimension, quantity if quantity in ("torque", "impulse") else None)
+    return None if dimension is None else unit_for(dimension, quantity if quantity in NAMING else None)

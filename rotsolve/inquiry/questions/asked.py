@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import Dimension
@@ -11,6 +12,9 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.scene.model import Find, Path
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.swings.swing import Swing
 
 
 @dataclass(frozen=True)
@@ -39,6 +43,7 @@ class Asked:
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
     laws: tuple[Equation, ...] = ()
+    swings: tuple[tuple[Swing, str], ...] = ()  # with what is asked of each: its period or frequency
 
     @property
     def direct(self) -> bool:

@@ -10,12 +10,13 @@ from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
@@ -36,18 +37,17 @@ class OfBodies(Moment):
             case "angular_velocity" | "angular_acceleration":
                 return self._rate(path.quantity, name)
             case "velocity" | "acceleration":
-                if component in ("x", "y"):
-                    motion = instant.motion(name)
-                    vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
-                    return vector.along(RIGHT if component == "x" else UP)
-                line = instant.arrangement.line(host, instant.state)
-                return instant.travel(path.quantity, host, line[1] if line else "")
+                return self._travel(path, host)
+            case "height":
+                return self._height(name, host)
             case "speed":
                 return size_of(instant.motion(name).velocity)
             case "kinetic_energy":
                 return self._kinetic(name, component)
             case "mass" if shape_of(instant.body(name)).tabled:
                 return mass_of(instant.body(name))
+            case "radius":
+                return self._radius(name)
             case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
                 return OfInertias(instant, self.facts).meaning(path, term)
             case "angular_momentum" if component is not None:
@@ -79,6 +79,28 @@ class OfBodies(Moment):
         label = f"instantaneous centre of {path.owner.replace('_', ' ')}, v + ω × r = 0, from its centre of mass"
         return Meaning(place, BY_WORD["instantaneous_centre"].dimension, label=label)
 
+    def _travel(self, path: Path, host: str) -> Formula:
+        """Velocity or acceleration along a body's line, a component of it, or its part towards the centre of a circle."""
+        motion, orbit = self.instant.motion(path.owner), self.instant.orbit(host)
+        vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component == "normal" and path.quantity == "acceleration" and orbit is not None:
+            if motion.bend is None:
+                raise NotYet(f"how `{path.owner}` bends off its way, the scene does not tell")
+            return vector.along(motion.bend.outward.turned(180))
+        if path.component == "normal":
+            return ZERO
+        line = self.instant.line(host)
+        return self.instant.travel(path.quantity, host, line[1] if line else "")
+
+    def _height(self, name: str, host: str) -> Formula:
+        """Height above the level that the scene counts from."""
+        above = height(host, self.instant)
+        if above is None:
+            raise NotYet(f"how high `{name}` is, the scene does not tell")
+        return above
+
     def _rate(self, word: str, name: str) -> Formula:
         """Angular velocity or acceleration of a body that turns."""
         if not self.instant.motion(name).turns:
@@ -90,7 +112,9 @@ class OfBodies(Moment):
         if self._joined(name) and component is None:
             motion = self.instant.motion(name)
             if motion.kind == "axis":
-                return HALF * self._own_moment(name) * square(motion.spin)
+                own = HALF * self._own_moment(name) * square(motion.spin)
+                outward = HALF * mass_of(self.instant.body(name)) * square(self.instant.outward(name))
+                return total([part for part in (own, outward) if part != ZERO])
             velocity = self.instant.velocity(PointRef(name, "cm"))
             own = self._own_moment(name, about_axis=False)
             return total(
@@ -118,6 +142,14 @@ class OfBodies(Moment):
             return own
         arm = self.instant.point(PointRef(name, "cm"))
         return simplify(own + mass_of(self.instant.body(name)) * arm.dot(arm), order=order)
+
+    def _radius(self, name: str) -> Formula:
+        """Radius of a round body; of a particle, its distance from the axis."""
+        body = self.instant.body(name)
+        radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
+        if radius is None or radius == ZERO:
+            raise NotYet(f"`{name}` has no radius")
+        return radius
 
     def _angular_momentum(self, name: str, term: Term | None) -> Formula:
         """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""

@@ -9,7 +9,9 @@ from rotsolve.core.facts import BodyFacts, Force, signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.strings import String
+from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
@@ -52,7 +54,15 @@ class OfElements(Moment):
                 return total([_plain(part) for part in parts if part != ZERO])
             case "elongation":
                 return self.instant.ask("elongation", path.owner)
+            case "length":
+                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
+                    return stored.elongation
+            case "angle" if (contact := self._contact(path.owner)) is not None:
+                return contact.angle(self.instant)
             case "angle" | "angular_velocity" | "angular_acceleration":
+                if path.quantity != "angle" and (pair := self._between(path.owner)):
+                    return self._relative(path.quantity, *pair)
                 name = self._turned_by(path.owner)
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
@@ -62,6 +72,25 @@ class OfElements(Moment):
         """The power of a motor that is told by its power."""
         item = next(item for item in self.instant.arrangement.actions(self.instant.state) if item.name == owner)
         return item.now(self.instant)
+
+    def _contact(self, owner: str) -> Touch | None:
+        """The contact of a body with a curved surface that a path names."""
+        state = self.instant.state
+        items = (item for item in self.instant.arrangement.connections(state) if item.name == owner)
+        item = next((item for item in items if isinstance(item, Touch)), None)
+        surface = item.surface(self.instant.arrangement, state) if item is not None else None
+        return item if isinstance(surface, Curved) else None
+
+    def _between(self, owner: str) -> tuple[str, ...]:
+        """The two bodies of a connection that turn against each other."""
+        items = self.instant.arrangement.connections(self.instant.state)
+        return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
+
+    def _relative(self, word: str, first: str, last: str) -> Formula:
+        """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
+        instant = self.instant
+        way = instant.sense(first) * instant.sense(last)
+        return instant.rate(word, last) - signed(instant.rate(word, first), way)
 
     def _absent(self, owner: str) -> bool:
         """Whether an action or connection has ended or been cut by this moment."""
@@ -80,7 +109,7 @@ class OfElements(Moment):
             tension = item.tension_at(path.point, self.instant)
             if tension is not None:
                 return tension
-        sizes = {force.size: None for force in forces}
+        sizes = {force.size: None for force in forces if force.role == "tension"}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:

@@ -53,6 +53,8 @@ class OfInertias(Moment):
         return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
 
     def _told(self, path: Path, term: Term | None) -> Told:
+        if not shape_of(self.instant.body(path.owner)).rigid:
+            raise NotYet(f"`{path.owner}` is no rigid body: it has no `{path.quantity}`")
         if path.quantity == "cm":
             return self._centre(path, term)
         if path.quantity == "mass":

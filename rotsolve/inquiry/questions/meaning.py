@@ -6,14 +6,18 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import square
 from rotsolve.core.faults import Span
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
+from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import Path, Term
+
+POINT_WORDS = [entry.word for entry in QUANTITIES if POINT in entry.owners]
 
 
 class NotYet(ValueError):
@@ -86,7 +90,8 @@ def label_of(path: Path, term: Term | None) -> str:
     """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
     word = spoken(path.quantity)
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    owner = spoken_point(path) if path.point else spoken(path.owner)
+    of_point = path.point is not None and path.quantity in POINT_WORDS
+    owner = spoken_point(path) if of_point else spoken(path.owner)
     about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
     if named and owner:
         return f"{word} {named} on {owner}{about}"
@@ -101,5 +106,6 @@ def path_text(path: Path) -> str:
 def spoken_point(path: Path) -> str:
     """The owner and point of a path in words."""
     name = spoken(path.owner)
-    point = {"cm": "centre of mass", None: ""}.get(path.point, path.point)
+    at = f"point at {to_text(path.argument)}" if path.argument is not None else path.point
+    point = {"cm": "centre of mass", None: ""}.get(path.point, at)
     return f"the {name}'s {point}" if point else name

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, add
 from rotsolve.core.facts import Motion, signed, square
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector, unit
+from rotsolve.core.quantity import BY_WORD, INSIDE
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length
@@ -18,7 +18,7 @@ class OfPoints(Moment):
 
     def at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("position", "velocity", "speed", "acceleration") and (
+        return path.quantity in ("position", "velocity", "speed", "acceleration", *INSIDE) and (
             path.point is not None or path.component in NATURAL or not self._travels(path)
         )
 
@@ -28,6 +28,11 @@ class OfPoints(Moment):
 
     def of_point(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: as a vector with its size, or a component."""
+        if path.quantity in INSIDE:
+            return self._inside(path)
+        ride = self.instant.arrangement.ride(path.owner, self.instant.state)
+        if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
+            return self._of_rider(path)
         ref = PointRef(path.owner, path.point or "cm", path.argument)
         motion, arm = self.instant.motion(path.owner), self.instant.point(ref)
         if path.quantity == "position":
@@ -53,6 +58,40 @@ class OfPoints(Moment):
         instant = self.instant
         first = instant.arrangement.timeline.states[0].name == instant.state and not instant.generic
         return first or path.point in STILL or instant.angle(instant.host(path.owner)) is not None
+
+    def _inside(self, path: Path) -> Meaning:
+        """What acts at a cut through a rod."""
+        same = (path.owner, path.point, path.argument)
+        cuts = self.instant.arrangement.cuts.items()
+        index = next(index for index, cut in cuts if (cut.owner, cut.point, cut.argument) == same)
+        cut = next((cut for cut in self.facts().cuts if cut.index == index), None)
+        if cut is not None and cut.jumps and path.quantity != "bending_moment":
+            raise NotYet(
+                f"`{path.quantity}` jumps there, where something acts on `{path.owner}`",
+                help="ask for it a little before or beyond",
+            )
+        if cut is None:
+            raise NotYet(
+                f"what acts inside `{path.owner}` there is not solved yet",
+                help="in a uniform rod whose loads act at named points, certainly on this or that side: give lengths numbers",
+            )
+        letter = self.instant.ask(path.quantity, path.owner, when=self.instant.span(path.owner), component=index)
+        return Meaning(letter, BY_WORD[path.quantity].dimension)
+
+    def _of_rider(self, path: Path) -> Meaning:
+        """Velocity of what slides along another body: ω r across, and its speed along that body."""
+        instant, name, dimension = self.instant, path.owner, BY_WORD[path.quantity].dimension
+        motion = instant.motion(name)
+        along, radius = instant.outward(name), getattr(instant.body(name).shape, "radius", None) or ZERO
+        if path.component == "radial":
+            return Meaning(along, dimension, words=("outwards", "inwards"))
+        if path.component == "tangential":
+            return Meaning(radius * signed(motion.spin, motion.sense), dimension)
+        outward = unit(motion.orientation).times(along)
+        vector = unit(motion.orientation.turned(90)).times(radius * motion.spin) + outward
+        if path.component in ("x", "y"):
+            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
+        return Meaning(size_of(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
 
     def _place(self, path: Path, arm: Vector) -> Meaning:
         """A component of a point's place: that of the body's reference, and from there to the point."""

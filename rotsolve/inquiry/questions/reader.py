@@ -31,6 +31,8 @@ class Reader(Moment):
     def meaning(self, path: Path, term: Term | None = None) -> Meaning:
         """The meaning of a path at this instant."""
         arrangement = self.instant.arrangement
+        if path.component == "radial" and arrangement.ride(path.owner, self.instant.state) is None:
+            raise NotYet(f"`{path.owner}` slides along no other body: it has no radial velocity")
         if path.owner in arrangement.bodies:
             points = OfPoints(self.instant, self.facts)
             bodies = OfBodies(self.instant, self.facts)

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import Unit, UnitError, parse_unit
-from rotsolve.scene.model import ANY_TIME, Condition, Path, PointRef, Term
-from rotsolve.scene.phrase.paths import read_path
+from rotsolve.scene.model import ANY_TIME, Condition, PointRef, Term
 from rotsolve.scene.reader.points import read_point
-from rotsolve.scene.reader.states import EXTREMES, dimension_word
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.pieces import Piece
@@ -24,12 +23,13 @@ METHODS = ("integration",)
 
 
 class Clauses:
-    """The clauses of one phrase, checked; `applied` puts them into a term."""
+    """The clauses of one phrase, checked; `applied` puts them into a term. `condition` reads what follows `where`."""
 
-    def __init__(self, scope: Scope, node: Text, outer: bool) -> None:
+    def __init__(self, scope: Scope, node: Text, outer: bool, condition: Callable[[Text], Condition | None]) -> None:
         self.scope = scope
         self.node = node
         self.outer = outer
+        self.condition = condition
         self.words: dict[str, Any] = {}
         self.where: Condition | None = None
         self.unit: Unit | None = None
@@ -120,7 +120,7 @@ class Clauses:
         return None
 
     def read_where(self, part: Text) -> Condition | None:
-        self.where = condition_phrase(self.scope, part)
+        self.where = self.condition(part)
         return self.where
 
     def read_in(self, part: Text) -> Unit | None:
@@ -145,34 +145,3 @@ class Clauses:
             for name in ("at", "during", "start", "end"):
                 changes.pop(name, None)
         return replace(term, **changes)
-
-
-def condition_phrase(scope: Scope, part: Text) -> Condition | None:
-    """`base sticks`, `Q is smallest`, `rod.angle = 30 deg`."""
-    text = part.value
-    words = text.split()
-    if len(words) in (2, 3) and scope.kinds.get(words[0]) == "connection" and (len(words) == 2 or words[1] == "is"):
-        cls = scope.elements.get(words[0])
-        allowed: tuple[str, ...] = getattr(cls, "words", ())
-        if words[-1] in allowed:
-            return Condition(Path(words[0], "", span=part.span), word=words[-1], owner=words[0], span=part.span)
-        scope.fault(part, f"`{words[0]}` can't be {quoted(words[-1])}", hint(words[-1], allowed, "it can be"), "choice")
-        return None
-    if len(words) == 3 and words[1] == "is" and words[2] in EXTREMES:
-        path = read_path(scope, part, text.index(words[0]), text.index(words[0]) + len(words[0]))
-        return None if path is None else Condition(path, word=words[2], span=part.span)
-    left, sign, right = text.partition("=")
-    if sign:
-        name = left.strip()
-        start = text.index(name) if name else 0
-        path = read_path(scope, part, start, start + len(name))
-        if path is None:
-            return None
-        shift = len(left) + 1 + len(right) - len(right.lstrip())
-        written = Text(right.strip(), part.part(shift, len(text)), True, part.exact)
-        found = value(scope, written, Want(name, dimension_word(path.quantity), "x", path.owner))
-        return None if found is None else Condition(path, found, span=part.span)
-    scope.fault(
-        part, f"{quoted(text)} is no condition", "write `contact sticks`, `path is smallest` or `path = value`", "find"
-    )
-    return None

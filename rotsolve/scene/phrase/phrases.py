@@ -17,7 +17,9 @@ from rotsolve.algebra.units.quantities import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
+from rotsolve.scene.phrase.conditions import read_condition
 from rotsolve.scene.phrase.paths import read_path
+from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.expressions import expression
@@ -28,10 +30,10 @@ from rotsolve.scene.words import quoted
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
 ALONE = ("lost", "total", "mean", "largest", "smallest")
-LATER = ("period of", "frequency of", "angular_frequency of", "angle of")
+LATER = ("angle of",)
 WHICH = "which of"
 WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
-MODIFIERS = ("size of", "change of", *ALONE, *LATER, WHICH)
+MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER, WHICH)
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
 
@@ -112,16 +114,23 @@ class Reader:
         if not words:
             self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
             return None
+        return self.quantity(words, outer)
+
+    def quantity(self, words: list[Piece], outer: bool) -> Formula | None:
+        """[modifier] EXPRESSION [clauses], given in pieces."""
+        given = words
         modifier, words = self.modifier(words)
         if modifier is None:
             return None
+        if modifier in SWINGS:
+            return self.swings(modifier, words, outer)
         cut = next((index for index, piece in at_top(words) if piece.text in CLAUSES), len(words))
         if cut == 0:
-            place = words[0] if words else found[-1]
+            place = words[0] if words else given[-1]
             self.scope.fault(self.node.part(place.start, place.end), "a quantity is missing here", HELP, "find")
             return None
         first = len(self.phrase.terms)
-        clauses = Clauses(self.scope, self.node, outer)
+        clauses = Clauses(self.scope, self.node, outer, self.condition)
         if not clauses.read(words[cut:]):
             return None
         formula = self.formula(words[0].start, words[cut - 1].end)
@@ -133,6 +142,35 @@ class Reader:
         for index in own:
             self.phrase.terms[index] = clauses.applied(self.phrase.terms[index])
         return self.modified(formula, modifier, first, outer, words[0])
+
+    def condition(self, part: Text) -> Condition | None:
+        """What follows `where`; the phrase that it speaks of is read like any other."""
+        phrase = Phrase()
+        reader = Reader(self.scope, part, phrase, self.answers)
+
+        def quantity(words: list[Piece]) -> tuple[Find, Any] | None:
+            formula = reader.quantity(words, False)
+            if formula is None:
+                return None
+            text = part.value[words[0].start : words[-1].end]
+            dimension = dimension_found(self.scope, part, formula, phrase, self.answers)
+            return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
+
+        return read_condition(self.scope, part, quantity)
+
+    def swings(self, modifier: str, words: list[Piece], outer: bool) -> Formula | None:
+        """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
+        found = read_swings(self.scope, self.node, words, modifier)
+        if found is None:
+            return None
+        term, rest = found
+        clauses = Clauses(self.scope, self.node, outer, self.condition)
+        if rest and not (outer and rest[0].text == "in" and clauses.read(rest)):
+            trailing(self.scope, self.node, rest)
+            return None
+        self.phrase.unit = clauses.unit or self.phrase.unit
+        self.phrase.terms.append(term)
+        return Symbol(f"#{len(self.phrase.terms) - 1}")
 
     def modifier(self, words: list[Piece]) -> tuple[str | None, list[Piece]]:
         """The modifier in front and the rest; None after a fault."""

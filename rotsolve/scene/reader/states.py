@@ -5,6 +5,7 @@ from __future__ import annotations
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Path, Phase, State
 from rotsolve.scene.phrase.paths import read_path
+from rotsolve.scene.phrase.swings import swings_path, swings_said
 from rotsolve.scene.reader.declared import read_value
 from rotsolve.scene.sections import PHASE
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
@@ -42,8 +43,6 @@ def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
 
 def flag(scope: Scope, key: Text, node: Node) -> bool:
     if isinstance(node, Text) and node.value.strip() == "true":
-        if key.value == "steady":
-            scope.later(key, "steady")
         return True
     scope.fault(node, f"`{key.value}` can only be `true`", "leave the line out otherwise", "choice")
     return False
@@ -71,7 +70,7 @@ def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Conditio
     start = line.value.index(text)
     if scope.kinds.get(text) == "connection":
         return connection_word(scope, text, line, node)
-    path = read_path(scope, line, start, start + len(text))
+    path = swings_path(scope, line) if swings_said(text) else read_path(scope, line, start, start + len(text))
     if path is None:
         return []
     word = node.value.strip() if isinstance(node, Text) else ""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula, Negative, Sum, Symbol
 from rotsolve.algebra.units.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
 
 
@@ -34,6 +34,11 @@ def infer(
         return None
     if formula == Symbol(missing[0]):
         return wanted
+    if isinstance(formula, Negative):
+        return infer(formula.operand, missing, known, wanted)
+    if isinstance(formula, Sum):  # every term has the dimension of the whole
+        holders = [term for term in formula.terms if missing[0] in term.symbols()]
+        return infer(holders[0], missing, known, wanted) if len(holders) == 1 else None
     others = {name: found for name in formula.symbols() if (found := known.get(name)) is not None}
     try:
         plain = dimension_of(formula, {**others, missing[0]: NONE})

@@ -3,12 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
-CALLS = {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos}
+CALLS: dict[str, Callable[[float], float]] = {}
+CALLS |= {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos}
 CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": math.fabs}
+
+
+def elliptic(m: float) -> float:
+    """K(m) = π/(2 M(1, √(1 − m))) by the arithmetic-geometric mean M."""
+    one, other = 1.0, math.sqrt(1 - m)
+    while abs(one - other) > 1e-15 * one:
+        one, other = (one + other) / 2, math.sqrt(one * other)
+    return math.pi / (2 * one)
+
+
+CALLS["ellipk"] = elliptic
 
 
 def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:

@@ -1,0 +1,164 @@
+"""Drapes: a heavy rope over a wheel, a peg or the edge of a table, or wound on a drum.
+
+All of the rope moves along itself with one speed, so it is one body that travels to the side on which its end goes down. Its weight
+drives it by the parts that hang: m g b/L for the length b on the side of its travel, less that of the part on the other side.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import PI, ZERO, Formula, negate, total
+from rotsolve.core.facts import Force, Potential, Requirement, Rule, square
+from rotsolve.core.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.shapes import Rope
+from rotsolve.scene.keys import key
+from rotsolve.scene.model import Body, PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.instant import Instant
+
+
+@dataclass(frozen=True)
+class Drapes(Connection):
+    """A rope on what carries it, and the body that is tied to its end, if there is one."""
+
+    word = "drapes"
+    about = (
+        "a heavy rope over a wheel (it does not slip), a small smooth peg (`ground`) or the edge of a smooth table, "
+        "or wound on a drum; a third body is tied to its hanging end"
+    )
+    quantities = ("length", "tension")
+    kept = ("length",)
+    drapes: tuple[PointRef, ...] = key(
+        "points",
+        "[rope, what carries it], and what is tied to its end",
+        count=(2, 3),
+        required=True,
+        example="[rope, pulley]",
+    )
+    wound: bool = key("flag", "the rest of the rope is wound on the wheel and does not hang", default=False)
+
+    def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
+        """The rope travels to the side where it runs down: right, or left where its body says so."""
+        if body.name != self.drapes[0].owner:
+            return None
+        return (LEFT, "left") if body.moves == "left" else (RIGHT, "right")
+
+    def hangs(self, body: Body) -> bool:
+        return any(ref.owner == body.name for ref in self.drapes[2:])
+
+    def weighs(self, body: Body) -> bool:
+        return body.name == self.drapes[0].owner
+
+    def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
+        """A rope that goes over to the right turns its wheel clockwise."""
+        if body.name != self.drapes[1].owner:
+            return 0
+        track = self.track(arrangement.bodies[self.drapes[0].owner], arrangement, state)
+        return 1 if track is not None and track[0] == LEFT else -1
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The weights of the parts that hang, the energy that they store, the grip of a wheel, the pull of what is tied on."""
+        hanging = instant.ask("length", self.name, letter="x")
+        rest = self.other_length(hanging, instant)
+        if rest != ZERO:
+            words = (rest, " ≥ 0: the rope still reaches back")
+            yield Requirement(self.name, rest, ZERO, words, "the rope's other end has run off")
+        if instant.arrangement.heavy:
+            yield from self.weights(hanging, rest, instant)
+        if self.drapes[1].owner in instant.arrangement.bodies:
+            yield from self.grip(instant)
+        for load in self.drapes[2:]:
+            yield from self.tied(load, instant)
+
+    def rope(self, instant: Instant) -> Body:
+        return instant.body(self.drapes[0].owner)
+
+    def heading(self, instant: Instant) -> tuple[Heading, str]:
+        track = self.track(self.rope(instant), instant.arrangement, instant.state)
+        assert track is not None
+        return track
+
+    def other_length(self, hanging: Formula, instant: Instant) -> Formula:
+        """What neither hangs on the side of the travel nor lies on the rim: L − b − π R."""
+        shape, over = self.rope(instant).shape, self.drapes[1]
+        length = shape.length if isinstance(shape, Rope) and shape.length is not None else ZERO
+        rest = length - hanging
+        if not self.wound and over.owner in instant.arrangement.bodies:
+            rest = rest - PI * (rim_radius(instant.body(over.owner), over.point) or ZERO)
+        return simplify(rest, order=instant.arrangement.order)
+
+    def weights(self, hanging: Formula, rest: Formula, instant: Instant) -> Iterator[Fact]:
+        """λ g b forward and λ g a back, with the energies −½ λ g b² and −½ λ g a² below the top."""
+        rope, forward = self.rope(instant), self.heading(instant)[0]
+        shape, gravity = rope.shape, instant.arrangement.problem.gravity or ZERO
+        assert isinstance(shape, Rope) and shape.length is not None
+        over = self.drapes[1].owner
+        lies = self.wound or (over in instant.arrangement.surfaces and over != "ground")
+        parts = [(hanging, forward, "of the part that hangs, forward")]
+        if not lies:
+            parts.append((rest, forward.turned(180), "of the part on the other side, back"))
+        mass = rope.mass or ZERO
+        for length, direction, what in parts:
+            size = mass * gravity * length / shape.length
+            yield Force(self.name, "hanging", rope.name, size, unit(direction), NOWHERE, ("weight ", size, f" {what}"))
+        whole, weight = shape.length, mass * gravity
+        energies = [weight * x / 2 if x == whole else weight * square(x) / (2 * whole) for x, *_ in parts]
+        energy = negate(total(energies))
+        rate = instant.motion(rope.name).velocity.along(forward)
+        words = ("hanging rope ", energy)
+        yield Potential(
+            self.name, energy, hanging, rate, (rope.name,), words, "the hanging part grows by what the rope moves"
+        )
+
+    def grip(self, instant: Instant) -> Iterator[Fact]:
+        """The wheel's rim goes with the rope: its grip pulls the rope back and the rim on; how the rope presses is left open."""
+        rope, over = self.rope(instant).name, self.drapes[1]
+        forward, side = self.heading(instant)
+        wheel, radius = instant.host(over.owner), rim_radius(instant.body(over.owner), over.point) or ZERO
+        top, span = vector(radius, UP), instant.span(rope)
+        size = instant.ask("force", self.name, when=span)
+        back = unit(forward.turned(180))
+        yield Force(self.name, "grip", rope, size, back, NOWHERE, ("grip of the rim ", size, ", back"), internal=True)
+        pull = ("grip of the rope ", size, f", along the rim to the {side}")
+        yield Force(self.name, "grip", wheel, size, unit(forward), top, pull, internal=True)
+        for axis, direction in (("x", RIGHT), ("y", DOWN)):
+            press = instant.ask("force", self.name, when=span, component=axis)
+            words = ("press of the rope ", press, "")
+            yield Force(self.name, "reaction", wheel, press, unit(direction), NOWHERE, words, internal=True)
+        rim = instant.motion(wheel)
+        yield Rule(
+            self.name,
+            f"the rope does not slip, {spoken(wheel)}",
+            (rope, wheel),
+            (instant.motion(rope).velocity.along(forward), rim.velocity_of(top).along(forward)),
+            (instant.motion(rope).acceleration.along(forward), rim.acceleration_of(top).along(forward)),
+        )
+
+    def tied(self, load: PointRef, instant: Instant) -> Iterator[Fact]:
+        """A body at the end of the rope goes down as fast as the rope goes on."""
+        rope, name = self.rope(instant).name, instant.host(load.owner)
+        forward = self.heading(instant)[0]
+        size = instant.ask("tension", self.name, when=instant.span(rope))
+        yield Requirement(self.name, size, ZERO, (size, " ≥ 0: the rope stays taut"), "the rope goes slack")
+        yield Force(self.name, "tension", name, size, unit(UP), NOWHERE, ("tension ", size, ", up"), internal=True)
+        words = ("tension of its end ", size, ", forward")
+        yield Force(self.name, "tension", rope, size, unit(forward), NOWHERE, words, internal=True)
+        yield Rule(
+            self.name,
+            f"the rope does not stretch, {spoken(name)}",
+            (rope, name),
+            (instant.motion(name).velocity.along(DOWN), instant.motion(rope).velocity.along(forward)),
+            (instant.motion(name).acceleration.along(DOWN), instant.motion(rope).acceleration.along(forward)),
+        )

@@ -1,0 +1,175 @@
+"""Rubbing: two turning bodies pressed together, which slip on each other until they turn as one or their rims run equally fast."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.formula import ZERO, Formula, Number, negate
+from rotsolve.core.facts import Couple, Force, Rule
+from rotsolve.core.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.core.writing import balance
+from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.connections.contacts import Friction
+from rotsolve.elements.rims import rim_radius
+from rotsolve.scene.keys import key
+from rotsolve.scene.model import PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.instant import Instant
+
+TWO_THIRDS = Number(Fraction(2, 3))
+
+
+@dataclass(frozen=True)
+class Rubbing(Connection):
+    """Base of what lets two bodies slip on each other, by friction that opposes their slip, or holds them together."""
+
+    def rubs(self) -> bool:
+        """Whether it can slip at all."""
+        return True
+
+    def names(self, instant: Instant) -> tuple[str, str]:
+        first, second = self.touches()
+        return instant.host(first.owner), instant.host(second.owner)
+
+    def slip(self, instant: Instant, *, acceleration: bool = False) -> Formula:
+        """How fast the second body slips on the first, or the rate of that."""
+        first, second = self.sides(instant, acceleration=acceleration)
+        return second - first
+
+    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+        """The rates of the two bodies that become equal."""
+        raise NotImplementedError
+
+    def grip_rule(self, instant: Instant) -> Rule:
+        """No slip at this moment, for a state that says so, and while it sticks."""
+        rates = [self.sides(instant, acceleration=later) for later in (False, True)]
+        velocity, acceleration = (balance([(first, 1), (second, -1)]) for first, second in rates)
+        return Rule(self.name, self.held(), self.names(instant), velocity, acceleration)
+
+    def held(self) -> str:
+        """What it is called that they no longer slip."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class Clutch(Rubbing):
+    word = "clutch"
+    about = "two bodies on one axis pressed together: friction brings them to one angular velocity"
+    quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
+    words = ("slips", "sticks")
+    clutch: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[plate, disc]")
+    friction_torque: Formula | None = key(
+        "quantity", "friction torque between them", dimension="torque", letter="tau", limits="positive", default=None
+    )
+    press: Formula | None = key(
+        "quantity",
+        "force that presses plates together, with `friction`: torque ⅔ μ F R, R the radius of the smaller plate named first",
+        dimension="force",
+        letter="F",
+        limits="positive",
+        default=None,
+    )
+    friction: Formula | None = key(
+        "quantity", "coefficient of friction", dimension="number", letter="mu", limits="positive", default=None
+    )
+
+    def between(self) -> tuple[PointRef, ...]:
+        return self.clutch
+
+    def torque(self, instant: Instant) -> Formula:
+        """The torque given, or that of flat plates under uniform pressure, ∫ μ p r dA = ⅔ μ F R."""
+        if self.friction_torque is not None:
+            return self.friction_torque
+        ref = self.clutch[0]
+        radius = rim_radius(instant.body(ref.owner), ref.point)
+        return TWO_THIRDS * (self.friction or ZERO) * (self.press or ZERO) * (radius or ZERO)
+
+    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+        motions = [instant.motion(name) for name in self.names(instant)]
+        first, second = ((motion.spin_rate if acceleration else motion.spin) for motion in motions)
+        return first, second
+
+    def held(self) -> str:
+        return "the clutch no longer slips"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The friction torque against the slip of each body on the other; while they stick, as large as it takes."""
+        first, second = self.names(instant)
+        mode = instant.mode(self.name)
+        sticks = not mode.startswith("slips")
+        size = instant.ask("torque", self.name, when=instant.span(second)) if sticks else self.torque(instant)
+        turn = 1 if sticks or mode.startswith("slips back") else -1
+        for name, way in ((first, -turn), (second, turn)):
+            words = ("friction torque ", size, ", counterclockwise" if way > 0 else ", clockwise")
+            torque = size if way > 0 else negate(size)
+            yield Couple(self.name, "friction", name, torque, words, internal=sticks)
+        if sticks:
+            yield self.grip_rule(instant)
+
+
+@dataclass(frozen=True)
+class Rims(Rubbing):
+    """Two wheels on fixed axles side by side, the second on the right, whose rims are pressed together by a force."""
+
+    word = "contact"
+    quantities = ("force", "normal_force", "friction_force", "torque", "work", "power", "impulse", "angular_impulse")
+    wheels: tuple[PointRef, ...] = ()
+    press: Formula = ZERO
+    friction: Friction = field(default_factory=Friction)
+
+    def rubs(self) -> bool:
+        return self.friction.kind == "coefficient"
+
+    def arms(self, instant: Instant) -> list[tuple[str, Vector, Heading]]:
+        """Each wheel, where it touches the other from its axle, and the way in which it is pushed."""
+        found = []
+        for ref, side in zip(self.wheels, (RIGHT, LEFT), strict=True):
+            radius = rim_radius(instant.body(ref.owner), ref.point) or ZERO
+            found.append((instant.host(ref.owner), vector(radius, side), side.turned(180)))
+        return found
+
+    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+        rates = []
+        for name, arm, _ in self.arms(instant):
+            motion = instant.motion(name)
+            rate = motion.spin_rate if acceleration else motion.spin
+            rates.append(arm.turned(90).times(rate).along(UP))
+        return rates[0], rates[1]
+
+    def held(self) -> str:
+        return "the rims no longer slip on each other"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """The push on each wheel, and friction along the rims: against the slip, or as large as it takes."""
+        mode, arms = instant.mode(self.name), self.arms(instant)
+        for name, arm, push in arms:
+            yield Force(
+                self.name,
+                "normal",
+                name,
+                self.press,
+                unit(push),
+                arm,
+                ("push ", self.press),
+                works=False,
+                internal=True,
+            )
+        if self.friction.kind == "none":
+            return
+        sticks = not mode.startswith("slips")
+        if sticks:
+            size = instant.ask("friction_force", self.name, when=instant.span(arms[1][0]))
+        else:
+            size = ((self.friction.static if mode.endswith("at most") else self.friction.kinetic) or ZERO) * self.press
+        up = sticks or mode.startswith("slips back")
+        for (name, arm, _), upward in zip(arms, (not up, up), strict=True):
+            along = unit(UP if upward else UP.turned(180))
+            turn = "counterclockwise" if upward == (arm.parts[0][1] == RIGHT) else "clockwise"
+            words = ("friction " if sticks else "kinetic friction ", size, f", turning it {turn}")
+            yield Force(self.name, "friction", name, size, along, arm, words, works=not sticks, internal=sticks)
+        if sticks:
+            yield self.grip_rule(instant)

@@ -1,0 +1,40 @@
+"""Steady: of the angles at which a body may stand on a turning shaft, those to which it comes back when it is displaced."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.swings.equilibrium import sign
+from rotsolve.principles import energy
+
+OUTWARDS = ("out from the axis, where the shaft turns fast enough for it",)
+STABLE = ("the stable one: a body displaced from it comes back",)
+
+
+def on_shaft(name: str, history: History) -> list[tuple[BodyFacts, Formula, Facts]]:
+    """Bodies that stand steadily on a turning shaft at an angle that depends on a letter, with that angle and the facts there."""
+    found = []
+    for state in history.arrangement.timeline.states:
+        if not state.steady:
+            continue
+        facts = history.facts(state.name, virtual=True)
+        for body in facts.bodies:
+            angle = history.instant(state.name).angle(body.name)
+            if body.sweep is not None and angle is not None and name in angle.symbols():
+                found.append((body, angle, facts))
+    return found
+
+
+def stable_roots(name: str, roots: Sequence[Formula], history: History, values: Mapping[str, Formula]) -> list[int]:
+    """Places of the stable ones among values of a letter that the angle of a body on a turning shaft depends on."""
+    for body, angle, facts in on_shaft(name, history):
+        balance = energy.drive(facts, frozenset((body.name,)))
+        if balance is not None:
+            slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)
+            back = signed(slope, body.motion.sense)
+            return [place for place, root in enumerate(roots) if sign(back.substitute({name: root}), values) == -1]
+    return []

@@ -1,0 +1,65 @@
+"""Conclusions: answers that follow from a condition on other answers, each with its one line of algebra."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.core.derivation import Equality, Words
+from rotsolve.core.equation import Equation
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.questions import Asked
+from rotsolve.solver import Found, Ref, Step
+
+
+def by_equation(
+    inquiry: Inquiry, asked: Asked, found: Found, equation: Equation, line: Equality, reason: Words, *, aside: bool
+) -> Answered:
+    """An answer that solves an equation of its own, which holds for it alone."""
+    index = inquiry.planner.extend(equation)
+    inquiry.retired.add(index)
+    steps = write(inquiry, asked, ("law", index), (), (line,), reason)
+    return take(inquiry, Answered(asked, found, (index,), steps, aside=aside))
+
+
+def by_answers(
+    inquiry: Inquiry, asked: Asked, found: Found, line: Sequence[Equality], sources: Sequence[Answered]
+) -> None:
+    """An answer that puts answers before into the first of them."""
+    refs = [ref_of(source, inquiry) for source in sources]
+    take(inquiry, Answered(asked, found, (), write(inquiry, asked, refs[0], refs[1:], line, ())))
+
+
+def write(
+    inquiry: Inquiry, asked: Asked, target: Ref, sources: Sequence[Ref], chain: Sequence[Equality], reason: Words
+) -> tuple[int, int]:
+    """The line of algebra, and where it stands among the steps."""
+    steps = inquiry.solver.steps
+    steps.append(Step(len(steps) + 1, target, tuple(sources), tuple(chain), asked.letter, asked.section, reason))
+    return len(steps) - 1, len(steps)
+
+
+def take(inquiry: Inquiry, answered: Answered) -> Answered:
+    """Remember an answer for the next question."""
+    inquiry.solver.solved[answered.asked.letter] = answered.found
+    inquiry.known.add(answered.asked.letter)
+    inquiry.answered.append(answered)
+    return answered
+
+
+def ref_of(answered: Answered, inquiry: Inquiry) -> Ref:
+    """The step that gave an answer, or its one law where it needed none."""
+    steps = inquiry.solver.steps[slice(*answered.steps)]
+    return ("step", steps[-1].number) if steps else ("law", answered.used[0])
+
+
+def forget(answered: Answered, inquiry: Inquiry) -> None:
+    """Let a quantity be settled anew from its closed form, since a letter in that has got a value."""
+    letter, formula = answered.asked.letter, answered.found.formula
+    del inquiry.solver.solved[letter]
+    inquiry.known.discard(letter)
+    if formula is not None:
+        result = Equation(Symbol(letter), formula, "", answered.asked.section, "", 1)
+        inquiry.solver.derived.append((result, ref_of(answered, inquiry)))
+        inquiry.remember()

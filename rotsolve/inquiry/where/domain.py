@@ -1,0 +1,36 @@
+"""Domains: between which values a letter of the scene can lie, and the signs of what the givens settle."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotsolve.algebra.certified import sign
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.elements.shapes import Rod
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.motion.positive import is_angle
+from rotsolve.scene.model import points_of
+
+
+@dataclass(frozen=True)
+class Domain:
+    """From `low` to `high`, both ends included; None where there is no end on that side."""
+
+    low: Formula | None
+    high: Formula | None
+
+
+def domain_of(letter: str, inquiry: Inquiry) -> Domain:
+    """A place along a rod lies between its ends, an angle may be any, everything else with a dimension is positive."""
+    arrangement = inquiry.history.arrangement
+    for ref in points_of(arrangement.problem):
+        body = arrangement.bodies.get(ref.owner)
+        if ref.argument == Symbol(letter) and body is not None and isinstance(body.shape, Rod):
+            return Domain(ZERO, body.shape.extent())
+    given = inquiry.givens[letter]
+    return Domain(None if given.dimension is None or is_angle(given) else ZERO, None)
+
+
+def sign_of(value: Formula, inquiry: Inquiry) -> int | None:
+    """The certified sign of a formula at the givens; None where they do not tell."""
+    return sign.sign_of(value, inquiry.values, inquiry.solver.positive)

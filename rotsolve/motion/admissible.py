@@ -1,0 +1,122 @@
+"""Admissible: what connections and actions ask of the bodies that they name; what breaks it is refused by name."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.elements.actions import Action, Press
+from rotsolve.elements.connections import Connection, Contact, Rides
+from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes import Particle
+from rotsolve.scene.model import Body, PointRef, Problem
+
+
+def check(problem: Problem) -> None:
+    """Raises Unsolvable at the place of the first name that can't be meant so."""
+    bodies = {body.name: body for body in problem.bodies}
+    held = {ref.owner: item.name for item in problem.connections for ref in item.fixed_points()}
+    check_points(problem, bodies)
+    check_ropes(problem, bodies)
+    for item in problem.connections:
+        if isinstance(item, Rides):
+            check_ride(item, bodies, held)
+            check_free(item, problem)
+        elif isinstance(item, Contact):
+            check_contact(item, bodies, held)
+        elif item.between():
+            check_one_axis(item.between(), item.word, held)
+    for action in problem.actions:
+        if isinstance(action, Press) and action.on is not None:
+            check_wheel(action.on, "a brake block is solved for a wheel on a fixed axle only", bodies, held)
+
+
+def check_wheel(ref: PointRef, message: str, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
+    """A round body on an axle or hinge of its own."""
+    if ref.owner not in held or rim_radius(bodies[ref.owner], ref.point) is None:
+        lacks = "turns on no axle" if ref.owner not in held else "has no radius"
+        raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
+
+
+def check_contact(item: Contact, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
+    """A body on a surface, or two wheels side by side."""
+    if item.contact[1].owner in bodies:
+        for ref in item.contact:
+            check_wheel(ref, "a contact of two bodies is solved for two wheels on fixed axles only", bodies, held)
+    elif item.press is not None:
+        help = "a force that presses a body on a surface stands among the actions"
+        raise Unsolvable(f"`press` of `{item.name}` is for two wheels", span=item.contact[1].span, help=help)
+
+
+def check_one_axis(pair: tuple[PointRef, ...], word: str, held: Mapping[str, str]) -> None:
+    """Two bodies that share an axle."""
+    first, second = pair
+    if held.get(first.owner, first.owner) != held.get(second.owner):
+        help = f"give `axle: [{first.owner}, {second.owner}]`"
+        raise Unsolvable(f"`{word}` is solved for two bodies on one axle only", span=second.span, help=help)
+
+
+def check_ride(item: Rides, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
+    """What rides is a particle, on a body that an axle or hinge holds."""
+    rider, carrier = item.rides
+    if not isinstance(shape_of(bodies[rider.owner]), Particle):
+        help = "leave out its `shape`: its mass is at its `radius` from the axis"
+        raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
+    if carrier.owner not in held or rider.owner in held:
+        help = f"give `axle: {carrier.owner}`"
+        raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
+
+
+def check_free(item: Rides, problem: Problem) -> None:
+    """Of what slides freely each state says where it is, and no event happens meanwhile."""
+    rider = item.rides[0]
+    said = {
+        state.name
+        for state in problem.states
+        for line in state.conditions
+        if line.path is not None and (line.path.owner, line.path.quantity) == (rider.owner, "radius")
+    }
+    silent = next((state for state in problem.states[1:] if state.name not in said), None)
+    if item.free and silent is not None:
+        help = f"give `{rider.owner}.radius`"
+        raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{silent.name}`", span=silent.span, help=help)
+    if item.free and problem.events:
+        raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
+
+
+def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
+    for item in problem.connections:
+        for ref in item.touches():
+            body = bodies.get(ref.owner)
+            if body is None:
+                continue
+            shape = shape_of(body)
+            if item.word == "hinge" and ref.point is None and "start" in shape.points:
+                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
+                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
+            if item.word == "string" and ref.point in ("top", "bottom"):
+                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
+                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+
+def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
+    level = {surface.name for surface in problem.surfaces if surface.word == "level"} | {"ground"}
+    ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
+    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
+    held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]
+    holders: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
+    for item in holders:
+        for index, ref in enumerate(item.touches()):
+            if (ref.owner in ropes) != (isinstance(item, Drapes) and index == 0):
+                help = "write `drapes: [rope, pulley]`, with a body of `shape: rope` first"
+                raise Unsolvable(f"`{item.word}` can not hold `{ref.owner}`", span=ref.span, help=help)
+    for rope, over, *_ in held:
+        if over.owner not in (turning if over.owner in bodies else level):
+            help = "it hangs over a wheel on an `axle`, a smooth peg (`ground`) or the edge of a level table"
+            raise Unsolvable(f"`{rope.owner}` can not hang over `{over.owner}`", span=over.span, help=help)
+    for name in sorted(ropes - {points[0].owner for points in held}):
+        help = f"say what it hangs over, as in `drapes: [{name}, pulley]`"
+        raise Unsolvable(f"`{name}` is a rope that nothing holds", span=bodies[name].span, help=help)

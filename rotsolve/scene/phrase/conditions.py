@@ -1,0 +1,66 @@
+"""Conditions: what follows `where`: `base sticks`, `upright is stable`, `Q is largest`, `pin.impulse.x = 0 during hit`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.scene.model import Condition, Find, Path
+from rotsolve.scene.phrase.clauses import CLAUSES
+from rotsolve.scene.reader.states import EXTREMES
+from rotsolve.scene.tree.nodes import Text
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.pieces import Piece, pieces
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
+from rotsolve.scene.words import hint, quoted
+
+FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
+Quantity = Callable[[list[Piece]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
+
+
+def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | None:
+    """The condition that `part` writes; None after a fault."""
+    words = [piece for piece in pieces(part.value, scope.givens) if piece.kind != "space"]
+    texts = [piece.text for piece in words]
+    if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
+        return contact_word(scope, part, texts)
+    if texts[1:] == ["is", "stable"] and scope.kinds.get(texts[0]) == "state":
+        return Condition(Path("", "swing_period"), word="stable", owner=texts[0], span=part.span)
+    if "=" in texts:
+        return equality(scope, part, words, texts.index("="), quantity)
+    place = next((k for k, text in enumerate(texts[:-1]) if text == "is" and texts[k + 1] in EXTREMES), 0)
+    if place:
+        found = quantity([*words[:place], *words[place + 2 :]])
+        return None if found is None else Condition(None, word=texts[place + 1], span=part.span, phrase=found[0])
+    scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
+    return None
+
+
+def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None:
+    """`base sticks`, `rope is slack`."""
+    owner, word = texts[0], texts[-1]
+    allowed: tuple[str, ...] = getattr(scope.elements.get(owner), "words", ())
+    if word in allowed:
+        return Condition(Path(owner, "", span=part.span), word=word, owner=owner, span=part.span)
+    scope.fault(part, f"`{owner}` can't be {quoted(word)}", hint(word, allowed, "it can be"), "choice")
+    return None
+
+
+def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: Quantity) -> Condition | None:
+    """`path = value [clauses]`; the clauses belong to the path."""
+    end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
+    if sign == 0 or end == sign + 1:
+        scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
+        return None
+    read = quantity([*words[:sign], *words[end:]])
+    if read is None:
+        return None
+    find, dimension = read
+    start, stop = words[sign + 1].start, words[end - 1].end
+    right = Text(part.value[start:stop], part.part(start, stop), True, part.exact)
+    word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
+    owner = find.terms[0].path.owner if find.terms else ""
+    found = value(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
+    return None if found is None else Condition(None, found, span=part.span, phrase=find)

@@ -1,0 +1,162 @@
+"""Swings by another way: the full equation of motion stepped in time (Runge-Kutta), and elliptic integrals by quadrature.
+
+The moments of inertia, torques and springs are written out here by hand; nothing of the solver is used but its answers.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import mpmath
+import pytest
+
+from rotsolve.pipeline import solve
+
+PROBLEMS = Path(__file__).parent.parent.parent / "problems"
+G = 9.8
+Acceleration = Callable[[float], float]
+
+
+def answer(problem: str, name: str) -> float:
+    value = solve(PROBLEMS / f"{problem}.yaml").answers[name].float
+    assert value is not None
+    return value
+
+
+def step(place: float, rate: float, time: float, acceleration: Acceleration) -> tuple[float, float]:
+    """One Runge-Kutta step of the fourth order."""
+    k1, l1 = rate, acceleration(place)
+    k2, l2 = rate + time / 2 * l1, acceleration(place + time / 2 * k1)
+    k3, l3 = rate + time / 2 * l2, acceleration(place + time / 2 * k2)
+    k4, l4 = rate + time * l3, acceleration(place + time * k3)
+    return place + time / 6 * (k1 + 2 * k2 + 2 * k3 + k4), rate + time / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+
+
+def quarter(acceleration: Acceleration, amplitude: float, time: float) -> float:
+    """The time from rest at the amplitude to the equilibrium; the last step is halved down to the crossing."""
+    place, rate, passed = amplitude, 0.0, 0.0
+    while time > 1e-13:
+        further = step(place, rate, time, acceleration)
+        if further[0] > 0:
+            (place, rate), passed = further, passed + time
+        else:
+            time /= 2
+    return passed
+
+
+def period(acceleration: Acceleration, amplitude: float, time: float) -> float:
+    """Twice the quarter swings from either side."""
+    return 2 * (quarter(acceleration, amplitude, time) + quarter(lambda q: -acceleration(-q), amplitude, time))
+
+
+TINY = 1e-4
+ROD_WITH_NUT = 0.3 * 0.8**2 / 3 + 1.2 * 0.8**2 + 0.15 * 0.3**2
+SMALL: dict[tuple[str, str], Acceleration] = {
+    ("swinging-rod", "T"): lambda q: -1.5 * G * 0.45 * math.sin(q) / (1.5 * 0.9**2 / 3),
+    ("disc-and-ring-on-nails", "T1"): lambda q: -0.8 * G * 0.25 * math.sin(q) / (1.5 * 0.8 * 0.25**2),
+    ("disc-and-ring-on-nails", "T2"): lambda q: -0.3 * G * 0.25 * math.sin(q) / (2 * 0.3 * 0.25**2),
+    ("clock-pendulum-nut", "T"): lambda q: -G * (0.3 * 0.4 + 1.2 * 0.8 + 0.15 * 0.3) * math.sin(q) / ROD_WITH_NUT,
+    ("spring-pulley-swings", "T"): lambda q: (1.5 * G - 60 * (1.5 * G / 60 + q)) / (2 + 1.5 + 0.5),
+    ("rolling-on-a-spring", "T"): lambda q: -200 * q / (3 + 1.5),
+    ("slanting-boom-on-a-spring", "T"): lambda q: (
+        (400 * (6 * G / 800 - 2 * (math.sin(math.pi / 6 + q) - 0.5)) * 2 - 6 * G)
+        * math.cos(math.pi / 6 + q)
+        / (6 * 2**2 / 3)
+    ),
+    # it turns about its touching point, (R − r)/r times as fast as its place goes round
+    ("marble-swings-in-bowl", "T"): lambda q: -G * 0.02 * math.sin(q) / (1.4 * 0.02**2) * 0.02 / 0.38,
+    # an upright spring keeps upright where it is long: its foot moves along with the rod
+    ("rod-held-level-swings", "T"): lambda q: (
+        (-2 * G * 0.6 - 300 * (-2 * G * 0.6 / (300 * 0.9) + 0.9 * math.sin(q)) * 0.9) * math.cos(q) / (2 * 1.2**2 / 3)
+    ),
+}
+
+
+@pytest.mark.parametrize(("problem", "name"), SMALL)
+def test_small_swings_take_as_long_as_the_full_motion(problem: str, name: str) -> None:
+    assert period(SMALL[problem, name], TINY, 1e-3) == pytest.approx(answer(problem, name), rel=1e-7)
+
+
+def test_measured_swings_take_the_time_that_was_measured() -> None:
+    kappa, inertia = (answer("torsion-wire-measures-inertia", name) for name in ("kappa", "I"))
+    assert period(lambda q: -kappa * q / (0.5 * 1.2 * 0.08**2), TINY, 1e-3) == pytest.approx(2.4, rel=1e-9)
+    assert period(lambda q: -kappa * q / inertia, TINY, 1e-3) == pytest.approx(3.1, rel=1e-9)
+    g = answer("rod-measures-gravity", "g")
+    fall = period(lambda q: -g * 0.3 * math.sin(q) / (1 / 12 + 0.3**2), TINY, 1e-3)
+    assert fall == pytest.approx(1.525, rel=1e-7)
+
+
+LARGE: dict[tuple[str, str], tuple[Acceleration, float]] = {
+    ("swing-from-60-degrees", "T"): (lambda q: -1.5 * G / 1.2 * math.sin(q), math.radians(60)),
+    ("swing-from-170-degrees", "T"): (lambda q: -G / 0.75 * math.sin(q), math.radians(170)),
+    ("torsion-pendulum-any-size", "T"): (lambda q: -0.03 * q / (0.6 * 0.5**2 / 12), math.radians(140)),
+}
+
+
+@pytest.mark.parametrize(("problem", "name"), LARGE)
+def test_large_swings_take_as_long_as_the_full_motion(problem: str, name: str) -> None:
+    acceleration, amplitude = LARGE[problem, name]
+    assert period(acceleration, amplitude, 1e-3) == pytest.approx(answer(problem, name), rel=1e-9)
+
+
+@pytest.mark.parametrize("degrees", [60, 170])
+def test_ratio_of_large_to_small_swings_by_the_arithmetic_geometric_mean(degrees: int) -> None:
+    ratio = 1 / mpmath.agm(1, mpmath.cos(mpmath.radians(degrees) / 2))
+    assert answer(f"swing-from-{degrees}-degrees", "n") == pytest.approx(float(ratio), rel=1e-12)
+
+
+def test_conical_pendulum_by_the_forces_in_the_turning_frame() -> None:
+    """String, weight and centrifugal force hold the bob: F sin θ = m ω² L sin θ and F cos θ = m g, solved by halving."""
+    mass, length, angle = 0.5, 1.2, math.radians(40)
+    rate = bisect(lambda w: mass * w**2 * length * math.sin(angle) / math.tan(angle) - mass * G, 0.1, 50)
+    assert rate == pytest.approx(answer("conical-pendulum", "omega"), rel=1e-10)
+    assert math.hypot(mass * G, mass * rate**2 * length * math.sin(angle)) == pytest.approx(
+        answer("conical-pendulum", "F"), rel=1e-10
+    )
+
+
+def test_swing_ride_by_the_forces_in_the_turning_frame() -> None:
+    mass, reach = 60, 3 + 4 * math.sin(math.radians(30))
+    rate = bisect(lambda w: w**2 * reach - G * math.tan(math.radians(30)), 0.1, 50)
+    assert rate == pytest.approx(answer("swing-ride", "omega"), rel=1e-10)
+    assert math.hypot(mass * G, mass * rate**2 * reach) == pytest.approx(answer("swing-ride", "F"), rel=1e-10)
+
+
+def shaft_torque(angle: float, rate: float) -> float:
+    """Torque about the hinge per mass of the rod of 1.2 m, outwards: centrifugal force and weight summed over its pieces."""
+    length = 1.2
+    outwards = mpmath.quad(lambda s: rate**2 * s * mpmath.sin(angle) * s * mpmath.cos(angle), [0, length]) / length
+    return float(outwards - G * length / 2 * mpmath.sin(angle))
+
+
+def test_rod_on_a_turning_shaft_by_the_pieces_of_the_rod() -> None:
+    angle = bisect(lambda theta: -shaft_torque(theta, 6), 0.1, math.pi / 2)
+    assert math.degrees(angle) == pytest.approx(answer("rod-on-turning-shaft", "theta"), rel=1e-10)
+    assert 2 * 36 * 0.6 * math.sin(angle) == pytest.approx(-answer("rod-on-turning-shaft", "Fx"), rel=1e-10)
+
+
+def test_rod_hangs_straight_down_until_a_small_angle_grows() -> None:
+    limit = bisect(lambda rate: shaft_torque(1e-6, rate), 0.1, 50)
+    assert limit == pytest.approx(answer("rod-on-shaft-stands-out", "omega"), rel=1e-9)
+    per_angle = shaft_torque(1e-6, 2) / 1e-6 / (1.2**2 / 3)
+    assert math.sqrt(-per_angle) == pytest.approx(answer("rod-on-slow-shaft-swings", "omega0"), rel=1e-9)
+
+
+def test_upright_rod_stays_up_while_its_energy_is_least_there() -> None:
+    """U = M g (L/2) cos φ + κ φ²/2 curves upwards at φ = 0 from the limit on."""
+    stiffness, small = answer("upright-rod-on-torsion-spring", "kappa"), 1e-3
+
+    def rise(kappa: float) -> float:
+        return 1.5 * G * 0.4 * (math.cos(small) - 1) + kappa * small**2 / 2
+
+    assert rise(stiffness * 1.001) > 0 > rise(stiffness * 0.999)
+
+
+def bisect(gap: Acceleration, low: float, high: float) -> float:
+    """The place between where a growing function passes zero."""
+    for _ in range(200):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap(middle) > 0 else (middle, high)
+    return (low + high) / 2

@@ -1,0 +1,153 @@
+"""What rubs, whichever way it turns: brakes, clutches and rims against plain arithmetic; own data under outside torques."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.pipeline import solve
+
+FIRST, SECOND, TAU = 2.0, 3.0, 6.0
+SENSES = ("counterclockwise", "clockwise")
+
+
+def values(text: str) -> dict[str, float]:
+    found = {name: answer.float for name, answer in solve(text).answers.items()}
+    return {name: number for name, number in found.items() if number is not None}
+
+
+@pytest.mark.parametrize("sense", SENSES)
+@pytest.mark.parametrize(("w", "u"), [(10.0, 4.0), (4.0, 10.0), (-6.0, 5.0), (-2.0, -9.0), (3.0, 0.0)])
+def test_a_clutch_brings_both_to_the_mean_weighted_by_inertia(w: float, u: float, sense: str) -> None:
+    sign = 1 if sense == "counterclockwise" else -1
+    found = values(f"""
+title: Clutch
+plane: horizontal
+given: {{I: {FIRST} kg m^2, J: {SECOND} kg m^2, tau: {TAU} N m}}
+bodies: {{one: {{inertia: I}}, two: {{inertia: J, turns: {sense}}}}}
+connections: {{axle: {{axle: [one, two]}}, grip: {{clutch: [one, two], friction_torque: tau}}}}
+states: {{start: {{one.angular_velocity: {w} rad/s, two.angular_velocity: {sign * u} rad/s}}, end: {{grip: sticks}}}}
+find: {{t: time from start to end, v: two.angular_velocity at end, Q: lost kinetic_energy from start to end}}
+""")
+    together = (FIRST * w + SECOND * u) / (FIRST + SECOND)
+    assert found["t"] == pytest.approx(FIRST * SECOND / (FIRST + SECOND) * abs(w - u) / TAU)
+    assert found["v"] == pytest.approx(sign * together)
+    assert found["Q"] == pytest.approx(FIRST * SECOND / (FIRST + SECOND) * (w - u) ** 2 / 2)
+
+
+@pytest.mark.parametrize("sense", SENSES)
+@pytest.mark.parametrize(("w", "u"), [(10.0, 4.0), (4.0, -20.0), (-6.0, 5.0), (3.0, 0.0), (0.0, -8.0)])
+def test_rims_slip_until_they_run_equally_fast(w: float, u: float, sense: str) -> None:
+    sign = 1 if sense == "counterclockwise" else -1
+    found = values(f"""
+title: Two wheels
+plane: horizontal
+given: {{I: {FIRST} kg m^2, J: {SECOND} kg m^2, R: 0.5 m, r: 0.2 m, F: 10 N, mu: 0.3}}
+bodies: {{one: {{inertia: I, radius: R, turns: {sense}}}, two: {{inertia: J, radius: r}}}}
+connections: {{left: {{axle: one}}, right: {{axle: two}}, touch: {{contact: [one, two], friction: mu, press: F}}}}
+states: {{start: {{one.angular_velocity: {sign * w} rad/s, two.angular_velocity: {u} rad/s}}, end: {{touch: rolls}}}}
+find: {{t: time from start to end, w1: one.angular_velocity at end, w2: two.angular_velocity at end}}
+""")
+    slip = 0.5 * w + 0.2 * u
+    blow = slip / (0.5**2 / FIRST + 0.2**2 / SECOND)  # the impulse of friction at the rims
+    assert found["t"] == pytest.approx(abs(blow) / 3)
+    assert found["w1"] == pytest.approx(sign * (w - 0.5 * blow / FIRST))
+    assert found["w2"] == pytest.approx(u - 0.2 * blow / SECOND)
+
+
+@pytest.mark.parametrize("sense", SENSES)
+@pytest.mark.parametrize("w", [9.0, -9.0])
+def test_a_brake_block_acts_against_the_turn_whichever_way(w: float, sense: str) -> None:
+    found = values(f"""
+title: Brake
+plane: horizontal
+given: {{I: {FIRST} kg m^2, R: 0.5 m, F: 10 N, mu: 0.3}}
+bodies: {{wheel: {{inertia: I, radius: R, turns: {sense}}}}}
+connections: {{axle: {{axle: wheel}}}}
+actions: {{block: {{press: F, on: wheel.rim, friction: mu}}}}
+states: {{start: {{wheel.angular_velocity: {w} rad/s}}, end: at rest}}
+find: {{t: time from start to end, n: wheel.rotation from start to end, W: block.work from start to end}}
+""")
+    assert found["t"] == pytest.approx(9 * FIRST / 1.5)
+    assert found["n"] == pytest.approx(w * 9 * FIRST / 3)
+    assert found["W"] == pytest.approx(-FIRST * 81 / 2)
+
+
+@pytest.mark.parametrize("press", [30.0, 60.0])
+def test_a_brake_block_holds_against_a_motor_if_it_is_strong_enough(press: float) -> None:
+    found = values(f"""
+title: Brake and motor
+plane: horizontal
+given: {{I: {FIRST} kg m^2, R: 0.5 m, F: {press} N, mu: 0.3, M: 6 N m}}
+bodies: {{wheel: {{inertia: I, radius: R}}}}
+connections: {{axle: {{axle: wheel}}}}
+actions: {{block: {{press: F, on: wheel.rim, friction: mu}}, motor: {{couple: M, on: wheel, direction: clockwise}}}}
+states: {{start: at rest, end: {{time: 2 s}}}}
+find: {{w: wheel.angular_velocity at end, f: block.friction_force at start}}
+""")
+    excess = max(0.0, 6 - 0.3 * press * 0.5)
+    assert found["w"] == pytest.approx(-excess)
+    assert abs(found["f"]) == pytest.approx(min(0.3 * press, 12))
+
+
+def test_a_slip_that_an_earlier_phase_leaves_goes_on() -> None:
+    found = values(f"""
+title: Clutch watched half way
+plane: horizontal
+given: {{I: {FIRST} kg m^2, J: {SECOND} kg m^2, tau: {TAU} N m}}
+bodies: {{one: {{inertia: I}}, two: {{inertia: J}}}}
+connections: {{axle: {{axle: [one, two]}}, grip: {{clutch: [one, two], friction_torque: tau}}}}
+states:
+  start: {{one.angular_velocity: 0, two.angular_velocity: 10 rad/s}}
+  half:  {{time: 1 s}}
+  end:   {{grip: sticks}}
+find: {{u: two.angular_velocity at half, v: one.angular_velocity at end, t: time from half to end}}
+""")
+    assert found["u"] == pytest.approx(8)
+    assert found["v"] == pytest.approx(6)
+    assert found["t"] == pytest.approx(1)
+
+
+def test_without_numbers_letters_stand_for_positive_sizes() -> None:
+    solution = solve("""
+title: Clutch in letters
+plane: horizontal
+given: {I: kg m^2, J: kg m^2, w: rad/s, tau: N m}
+bodies: {one: {inertia: I}, two: {inertia: J}}
+connections: {axle: {axle: [one, two]}, grip: {clutch: [one, two], friction_torque: tau}}
+states: {start: {one.angular_velocity: w, two.angular_velocity: 0}, end: {grip: sticks}}
+find: {t: time from start to end}
+""")
+    formula = solution.answers["t"].formula
+    assert formula is not None
+    assert equal(formula, parse("I*J*w/(tau*(I + J))", formula.symbols()), formula.symbols())
+
+
+def test_own_data_change_under_a_constant_friction_torque() -> None:
+    """Angular impulse of the axle: I₂ ω₂ = I₁ ω₁ − τ t; the rest of the energy comes from the inner forces."""
+    found = values("""
+title: Skater on a rubbing axle
+plane: horizontal
+given: {I: 4 kg m^2, J: 1.5 kg m^2, w: 5 rad/s, tau: 0.8 N m}
+bodies: {skater: {inertia: I}}
+connections: {axle: {axle: skater, friction_torque: tau}}
+states: {wide: {skater.angular_velocity: w}, narrow: {skater.inertia: J, time: 2 s}}
+find: {u: skater.angular_velocity at narrow}
+""")
+    assert found["u"] == pytest.approx((4 * 5 - 0.8 * 2) / 1.5)
+
+
+def test_sand_that_falls_on_a_turning_disc() -> None:
+    found = values("""
+title: Sand
+plane: horizontal
+given: {M: 6 kg, R: 0.5 m, r: 0.4 m, m: 1 kg, w: 5 rad/s}
+bodies: {disc: {shape: disc, mass: M, radius: R}, sand: {mass: 0, radius: r, count: 3}}
+connections: {axle: {axle: disc}, heap: {rides: [sand, disc]}}
+states: {empty: {disc.angular_velocity: w}, full: {sand.mass: m}}
+find: {u: disc.angular_velocity at full, q: sand.radius at full}
+""")
+    own = 6 * 0.25 / 2
+    assert found["u"] == pytest.approx(own * 5 / (own + 3 * 0.16))
+    assert found["q"] == pytest.approx(0.4)

@@ -1,0 +1,114 @@
+"""Questions with a condition: one more equation, and extrema over a letter, inside its range and at the ends of it."""
+
+from __future__ import annotations
+
+import pytest
+
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.core.faults import Unsolvable
+from rotsolve.pipeline import solve
+from rotsolve.solution import Solution
+
+BAR = """
+title: Bar with a load at its end
+given: {{M: {M}, m: {m}, L: {L}, x: {x}}}
+bodies: {{bar: {{shape: rod, mass: M, length: L}}, load: {{mass: m}}}}
+connections: {{joint: {{weld: [bar.end, load]}}}}
+find: {find}
+"""
+NUMBERS = {"M": "2 kg", "m": "1 kg", "L": "90 cm"}
+LETTERS = {"M": "kg", "m": "kg", "L": "m"}
+
+
+def bar(find: str, *, x: str = "m", letters: dict[str, str] = NUMBERS) -> Solution:
+    return solve(BAR.format(find=find, x=x, **letters))
+
+
+def same(solution: Solution, name: str, expected: str) -> bool:
+    formula = solution.answers[name].formula
+    names = {"M", "m", "L", "x"}
+    return formula is not None and equal(formula, parse(expected, names), frozenset(names))
+
+
+@pytest.mark.parametrize("letters", [NUMBERS, LETTERS])
+def test_the_least_inertia_is_about_the_common_centre_of_mass(letters: dict[str, str]) -> None:
+    find = "{I: bar.inertia about bar.at(x), y: x where I is smallest, low: smallest I}"
+    solution = bar(find, letters=letters)
+    assert same(solution, "y", "L*(M + 2*m)/(2*(M + m))")
+    assert same(solution, "low", "M*L^2/12 + M*m/(M + m)*L^2/4")
+
+
+def test_an_unknown_letter_takes_the_place_and_the_quantity_its_value_there() -> None:
+    find = "{x: x where bar.inertia about bar.at(x) is smallest, low: smallest bar.inertia about bar.at(x), I: bar.inertia about bar.at(x)}"
+    solution = bar(find, x="unknown")
+    assert same(solution, "x", "L*(M + 2*m)/(2*(M + m))")
+    for name in ("low", "I"):
+        assert same(solution, name, "M*L^2/12 + M*m/(M + m)*L^2/4")
+
+
+def test_the_largest_value_is_found_at_an_end_of_the_range() -> None:
+    solution = bar("{y: x where bar.inertia about bar.at(x) is largest, high: largest bar.inertia about bar.at(x)}")
+    assert same(solution, "y", "0") and same(solution, "high", "M*L^2/3 + m*L^2")
+    assert "an end of the range" in solution.to("text")
+
+
+def test_which_end_is_further_can_not_be_told_without_numbers() -> None:
+    with pytest.raises(Unsolvable, match="depends on the givens"):
+        solve(
+            """
+title: Bar between two loads
+given: {M: kg, m1: kg, m2: kg, L: m, x: m}
+bodies: {bar: {shape: rod, mass: M, length: L}, one: {mass: m1}, two: {mass: m2}}
+connections: {a: {weld: [bar.end, one]}, b: {weld: [bar.start, two]}}
+find: {y: x where bar.inertia about bar.at(x) is largest}
+"""
+        )
+
+
+def test_an_angle_is_sought_over_a_full_turn() -> None:
+    solution = solve(
+        """
+title: Torque of the weight on a hinged bar
+given: {M: 2 kg, L: 90 cm, theta: rad}
+bodies: {bar: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: bar.start}}
+states: {now: {bar.angle: theta, at rest: all}}
+find:
+  most: theta where bar.torque.gravity is largest
+  least: theta where bar.torque.gravity is smallest
+"""
+    )
+    assert solution.answers["most"].float == pytest.approx(3.141592653589793)
+    assert solution.answers["least"].float == pytest.approx(0)
+
+
+def test_a_condition_is_printed_with_the_laws() -> None:
+    text = solve(
+        """
+title: Push that lifts the front of a bar off its prop
+given: {M: 2 kg, L: 90 cm, F: unknown}
+bodies: {bar: {shape: rod, mass: M, length: L}}
+surfaces: {floor: level}
+connections: {prop: {hinge: bar.start}, end: {contact: [bar.end, floor]}}
+actions: {lift: {force: F, on: bar.at(2*L/3), direction: up}}
+states: {now: {bar.angle: 0, balance: true}}
+find: {F: F where end.normal_force = 0}
+"""
+    ).to("text")
+    assert "the condition, normal force of end" in text and "F = ¾ M g" in text
+
+
+@pytest.mark.parametrize(("start", "spin", "reached"), [("150 deg", "-4", 114.747), ("30 deg", "4", 65.253)])
+def test_of_two_angles_the_first_on_the_way_is_meant(start: str, spin: str, reached: float) -> None:
+    solution = solve(
+        f"""
+title: Rod swung up to where it is slow
+given: {{M: 2 kg, L: 1 m, theta: unknown, w: {spin} rad/s, u: {spin}/2 rad/s}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+states: {{low: {{rod.angle: {start}, rod.angular_velocity: w}}, high: {{rod.angle: theta}}}}
+find: {{theta: theta where rod.angular_velocity = u at high in deg}}
+"""
+    )
+    assert solution.answers["theta"].float == pytest.approx(reached, abs=0.01)
