@@ -35,6 +35,16 @@ from rotsolve.solution import AnswerView, Solution
 ROOT = Path(__file__).resolve().parents[2]
 RECORDS = Path(os.environ.get("SEED_ANSWERS", ROOT.parent / "shared" / "seed-answers.yaml"))
 ACCURACY = Fraction(1, 10**9)
+IN_SPACE = {
+    "k-finite-rotations",
+    "k-euler-theorem",
+    "k-euler-angles",
+    "k-kinematic-pairs",
+    "k-rotating-frame",
+    "i-rotate-tensor",
+    "i-axis-direction",
+    "i-cube-corner",
+}  # beside all of `r-…`: rotation in space
 COMMENT = re.compile(r"^# (id|ask|given): *(.+?) *$", re.MULTILINE)
 PAIR = re.compile(r"(\w+) *= *(.+)")
 DOTTED = re.compile(r"([A-Za-z]\w*)\.([A-Za-z]\w*)")
@@ -265,8 +275,8 @@ def test_a_function_of_time_is_compared_at_the_time_of_the_record() -> None:
 
 
 def test_table_of_what_is_done_and_missing() -> None:
-    """Prints the table (`pytest -s`); what is missing is no failure."""
-    rows = []
+    """Prints the table (`pytest -s`); only what needs rotation in space may be missing."""
+    rows, incomplete = [], set()
     for record in records():
         asks = [ask["name"] for ask in record["asks"]]
         files = [item for item in tied() if item.id == record["id"]]
@@ -277,7 +287,9 @@ def test_table_of_what_is_done_and_missing() -> None:
         }
         missing = [name for name in asks if name not in done]
         state = "missing" if not done else "done" if not missing else f"without {', '.join(missing)}"
+        if missing:
+            incomplete.add(record["id"])
         rows.append(f"{record['id']:28} {len(done):3} of {len(asks):3}   {state}")
-    complete = sum(row.endswith("done") for row in rows)
-    print("\n".join(["", *rows, f"{complete} of {len(rows)} complete"]))
+    print("\n".join(["", *rows, f"{len(rows) - len(incomplete)} of {len(rows)} complete"]))
     assert len(rows) == 98
+    assert {name for name in incomplete if not name.startswith("r-")} <= IN_SPACE

@@ -12,7 +12,9 @@ from rotsolve.scene.describe import BEGIN, describe, generate, words
 from rotsolve.scene.read import read_text
 from rotsolve.scene.schema import json_schema
 
-DOC = (Path(__file__).parent.parent.parent / "docs" / "language.md").read_text(encoding="utf-8")
+ROOT = Path(__file__).parent.parent.parent
+DOC = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
+FINDING = (ROOT / "docs" / "finding.md").read_text(encoding="utf-8")
 SCENES = re.findall(r"```yaml\n(.*?)```", DOC, re.DOTALL)
 LATER = """title: Words that come later
 up: z
@@ -74,6 +76,14 @@ def test_the_schema_refuses_unknown_words() -> None:
 def test_the_reference_is_that_of_the_tables() -> None:
     """Renew it with: python -c 'from rotsolve.scene.describe import renew; renew("docs/language.md")'"""
     assert DOC[DOC.index(BEGIN) :] == generate()
+
+
+def test_the_finding_page_names_files_that_are_there() -> None:
+    rows = [line.split("|")[-2] for line in FINDING.splitlines() if line.startswith("|")][2:]
+    named = [name.strip() for cell in rows for name in cell.split(",") if name.strip()]
+    assert len(named) > 40
+    bundled = {file.stem for file in (ROOT / "problems").rglob("*.yaml")}
+    assert [name for name in named if name not in bundled] == []
 
 
 def test_every_word_can_be_described() -> None:
