@@ -212,7 +212,7 @@ def facts_text(history: History) -> str:
             lines.append(f"  {spoken(body.name)}: {body.motion.kind}; positive: {body.positive or 'none'}")
             lines += [f"    {words_to_text(item.words, letters)}" for item in body.acting]
         for rule in facts.rules:
-            left, right = (to_text(side.substitute(letters)) for side in rule.acceleration)
+            left, right = (to_text(side.substitute(letters)) for side in rule.acceleration or rule.velocity)
             lines.append(f"  {rule.label}: {left} = {right}")
     return "\n".join(lines)
 

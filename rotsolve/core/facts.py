@@ -107,14 +107,15 @@ class Couple:
 class Rule:
     """A rate rule: left = right, for velocities and for accelerations.
 
-    `linear` says that the coefficients never change, so that the rule holds for displacements and angles turned as well.
+    `linear` says that the coefficients never change, so that the rule holds for displacements and angles turned as well. There is no
+    rule for accelerations where sizes change on the way.
     """
 
     owner: str
     label: str
     bodies: tuple[str, ...]
     velocity: tuple[Formula, Formula]
-    acceleration: tuple[Formula, Formula]
+    acceleration: tuple[Formula, Formula] | None
     linear: bool = True
     remark: Words = ()
 
@@ -206,6 +207,7 @@ class BodyFacts:
     along: tuple[str, ...] = ()  # what the axes are called, where that is not plain
     sweep: Sweep | None = None
     axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
+    lays: bool = False  # it lays itself out, layer by layer
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
     sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
 

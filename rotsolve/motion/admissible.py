@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.actions import Action, Press
 from rotsolve.elements.connections import Connection, Contact, Rides
+from rotsolve.elements.connections.contacts import Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
@@ -25,6 +26,8 @@ def check(problem: Problem) -> None:
             check_free(item, problem)
         elif isinstance(item, Contact):
             check_contact(item, bodies, held)
+        elif isinstance(item, Unrolls):
+            check_roll(item, problem, bodies)
         elif item.between():
             check_one_axis(item.between(), item.word, held)
     for action in problem.actions:
@@ -47,6 +50,27 @@ def check_contact(item: Contact, bodies: Mapping[str, Body], held: Mapping[str, 
     elif item.press is not None:
         help = "a force that presses a body on a surface stands among the actions"
         raise Unsolvable(f"`press` of `{item.name}` is for two wheels", span=item.contact[1].span, help=help)
+
+
+def check_roll(item: Unrolls, problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """A uniform roll on a level surface, that nothing else touches."""
+    roll, floor = item.unrolls
+    body = bodies[roll.owner]
+    if not shape_of(body).wound or body.parts or body.holes or body.inertia or body.gyration or body.count > 1:
+        help = "give it `shape: cylinder`, a mass and a radius"
+        raise Unsolvable(f"`{roll.owner}` is no roll of a thin sheet", span=roll.span, help=help)
+    if floor.owner not in level_surfaces(problem):
+        raise Unsolvable(
+            "a carpet that unrolls down a slope is not solved yet", span=floor.span, help="solved is a level floor"
+        )
+    others: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
+    for ref in (ref for other in others if other is not item for ref in other.touches() if ref.owner == roll.owner):
+        raise Unsolvable(f"what else acts on `{roll.owner}`, which unrolls, is not solved yet", span=ref.span)
+
+
+def level_surfaces(problem: Problem) -> set[str]:
+    """The names of all that is level."""
+    return {surface.name for surface in problem.surfaces if surface.word == "level"} | {"ground"}
 
 
 def check_one_axis(pair: tuple[PointRef, ...], word: str, held: Mapping[str, str]) -> None:
@@ -103,7 +127,7 @@ def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
 
 def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:
     """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
-    level = {surface.name for surface in problem.surfaces if surface.word == "level"} | {"ground"}
+    level = level_surfaces(problem)
     ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
     turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
     held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]

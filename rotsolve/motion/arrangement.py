@@ -78,7 +78,12 @@ class Arrangement:
 
     @cached_property
     def _versions(self) -> dict[str, dict[str, Version]]:
-        return versions(self.problem.bodies, self.timeline.states)
+        laid = [body.name for body in self.problem.bodies if self.laid(body.name)]
+        return versions(self.problem.bodies, self.timeline.states, laid)
+
+    def laid(self, name: str) -> bool:
+        """Whether a body lays itself out along a surface."""
+        return any(item.lays(self.bodies[name]) for item in self.problem.connections)
 
     def body(self, name: str, state: str) -> Body:
         """A body with the mass, size and moment of inertia that it has at a state."""
@@ -98,7 +103,7 @@ class Arrangement:
     def changing(self, name: str, state: str) -> bool:
         """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
         phase = self.timeline.phase_of(state)
-        if any(item.free and item.rides[1].owner == name for item in self.rides(state)):
+        if any(item.free and item.rides[1].owner == name for item in self.rides(state)) or self.laid(name):
             return True
         return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
 

@@ -52,7 +52,10 @@ def completed(problem: Problem) -> Problem:
     check_holding(problem)
     letters = _Letters(problem)
     wheels = {
-        ref.owner for item in problem.connections if item.word in ("belt", "gear", "rolls") for ref in item.touches()
+        ref.owner
+        for item in problem.connections
+        if item.word in ("belt", "gear", "rolls", "unrolls")
+        for ref in item.touches()
     }
     wheels |= {
         ref.owner

@@ -123,6 +123,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         instant.is_round(body.name),
         period=instant.ask("period", body.name) if instant.arrangement.asks(body.name, "period") else None,
         axis=instant.arrangement.axis(body.name, instant.state),
+        lays=instant.arrangement.laid(body.name),
         changing=instant.arrangement.changing(body.name, instant.state),
         sliding=sliding(body.name, instant),
     )

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Container, Sequence
 from dataclasses import dataclass, replace
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Unsolvable
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.scene.model import Body, Condition, State
 
 OWN = ("mass", "inertia", "gyration", "radius", "length")
@@ -21,8 +22,11 @@ class Version:
     since: str = ""
 
 
-def versions(bodies: Sequence[Body], states: Sequence[State]) -> dict[str, dict[str, Version]]:
-    """By state and name: what a state says of a body's own data holds from there on."""
+def versions(
+    bodies: Sequence[Body], states: Sequence[State], laid: Container[str] = ()
+) -> dict[str, dict[str, Version]]:
+    """By state and name: what a state says of a body's own data holds from there on; bodies `laid` out lose mass with their radius."""
+    whole = {body.name: body for body in bodies}
     current = {body.name: Version(body) for body in bodies}
     result = {}
     for number, state in enumerate(states):
@@ -31,10 +35,21 @@ def versions(bodies: Sequence[Body], states: Sequence[State]) -> dict[str, dict[
                 assert line.path is not None and line.value is not None
                 name = line.path.owner
                 changed = with_data(current[name].body, line.path.quantity, line.value, line)
+                if name in laid:
+                    changed = wound_up(changed, whole[name], line)
                 if changed != current[name].body:
                     current[name] = Version(changed, state.name if number else "")
         result[state.name] = dict(current)
     return result
+
+
+def wound_up(roll: Body, whole: Body, line: Condition) -> Body:
+    """The roll with the mass M (r/R)² that it still has at its radius r."""
+    radius, first = rim_radius(roll, None), rim_radius(whole, None)
+    if line.path is None or line.path.quantity != "radius" or radius is None or first is None or whole.mass is None:
+        message = f"of `{whole.name}`, which unrolls, a state can only give the `radius`"
+        raise Unsolvable(message, span=line.span, help="its mass is as the square of that")
+    return replace(roll, mass=simplify(whole.mass * (radius / first) ** 2))
 
 
 def is_own(line: Condition, bodies: Container[str]) -> bool:

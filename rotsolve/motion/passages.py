@@ -14,8 +14,9 @@ from rotsolve.core.heading import UP, Vector, heading
 from rotsolve.core.passage import Passage, Travel, Work
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import CONSTANT, POSITION, RATE, RATES, UNKNOWN, at_any_time, running
-from rotsolve.elements.connections import Contact, Hinge
+from rotsolve.elements.connections import Hinge
 from rotsolve.elements.connections.connection import Orbit
+from rotsolve.elements.connections.contacts import Touch
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share
@@ -224,7 +225,8 @@ def height_pair(name: str, interval: Interval, first: Instant, last: Instant) ->
     if not first.arrangement.heavy:
         return (ZERO, ZERO)
     line = first.line(name)
-    if first.orbit(name) is None and first.motion(name).kind == "line" and line is not None:
+    straight = first.motion(name).kind == "line" and first.orbit(name) is None and not first.arrangement.laid(name)
+    if straight and line is not None:
         rise = line[0].sin()
         return (ZERO, displacement(name, interval, first) * rise if rise != ZERO else ZERO)
     before, after = height(name, first), height(name, last)
@@ -240,10 +242,10 @@ def height(name: str, instant: Instant) -> Formula | None:
     if orbit is not None:
         return height_on(orbit, name, instant)
     for item in arrangement.connections(instant.state):
-        if isinstance(item, Contact):
-            ref, surface = item.contact[0], arrangement.surfaces.get(item.contact[1].owner)
+        if isinstance(item, Touch):
+            ref, surface = item.pair()[0], arrangement.surfaces.get(item.pair()[1].owner)
             if ref.owner == name and surface is not None and surface.word == "level":
-                return negate(instant.point(ref).along(UP))
+                return negate(item.arm(instant).along(UP))
         if isinstance(item, Hinge) and len(item.hinge) == 2 and item.hinge[1].owner == name:
             carrier, own = item.hinge
             base = height_of_point(carrier, instant)
@@ -333,7 +335,8 @@ def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Wo
         members = [member.name for member in first.arrangement.cluster(body.name, interval.start)]
         for name in (body.name, *members):
             owner = drawn.get(name, name)
-            if first.arrangement.altered(name, interval.start, interval.end) and (name == body.name or name in drawn):
+            own = name in drawn or (name == body.name and not first.arrangement.laid(name))
+            if own and first.arrangement.altered(name, interval.start, interval.end):
                 yield Work(owner, first.ask("work", owner, when=interval.name), owner, (body.name,), inner=True)
 
 
@@ -425,6 +428,10 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
         )
         parts.append(
             "the axle does no work (it is at rest)" if axles else "the pivot does no work (its point is at rest)"
+        )
+    if any(body.lays for body in facts.bodies if body.name in group):
+        parts.append(
+            "what is laid down comes to rest without a jolt (the mass still rolled up is as its radius squared)"
         )
     if "tension" in roles:
         parts.append("the string's tension gives one body what it takes from the other")

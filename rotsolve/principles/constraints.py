@@ -13,7 +13,8 @@ from rotsolve.core.facts import Facts, Rule
 def for_accelerations(facts: Facts, section: str) -> Iterator[Equation]:
     """The rules for accelerations."""
     for rule in facts.rules:
-        yield written(rule, rule.acceleration, section)
+        if rule.acceleration is not None:
+            yield written(rule, rule.acceleration, section)
 
 
 def for_velocities(facts: Facts, section: str) -> Iterator[Equation]:

@@ -305,3 +305,22 @@ def test_a_load_on_a_brake_that_is_too_weak_or_strong_enough() -> None:
     assert found["omega"] == pytest.approx(slower[0], rel=1e-9)
     holding = answers("action-press-holds", SCENES)
     assert holding["f"] == pytest.approx(8 * G * hub / radius, rel=1e-9) and holding["f"] < 0.4 * 150
+
+
+def test_a_carpet_that_unrolls_by_lagranges_equation() -> None:
+    """L = ¾ m ẋ² − m g r with r² = R² (1 − x/ℓ), m = M (1 − x/ℓ), stepped in time; its length ℓ does not matter for the speeds."""
+    whole, radius, length = 24.0, 0.2, 7.0
+
+    def rate(_: float, state: State) -> Sequence[float]:
+        speed, way = state
+        left = 1 - way / length
+        push = 0.75 * speed**2 / length + 1.5 * G * radius * math.sqrt(left) / length
+        return push / (1.5 * left), speed
+
+    found = answers("carpet-unrolls")
+    for name, turn, now in (("v", "omega", 0.15), ("v_h", None, 0.1)):
+        _, state = until(rate, (0.0, 0.0), lambda state, now=now: length * (1 - (now / radius) ** 2) - state[1])
+        assert found[name] == pytest.approx(state[0], rel=1e-6)
+        assert turn is None or found[turn] == pytest.approx(state[0] / now, rel=1e-6)
+    assert found["m"] == whole / 4
+    assert found["K"] == pytest.approx(0.75 * whole / 4 * found["v_h"] ** 2, rel=1e-12)

@@ -1,7 +1,7 @@
 """Connections: what touches what. Each states facts (forces, rate rules); no law is written here."""
 
 from rotsolve.elements.connections.connection import Connection as Connection
-from rotsolve.elements.connections.contacts import Contact, Friction, Rolls
+from rotsolve.elements.connections.contacts import Contact, Friction, Rolls, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Drive, Gear
 from rotsolve.elements.connections.guides import guide as guide
@@ -20,6 +20,7 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     Weld,
     Contact,
     Rolls,
+    Unrolls,
     String,
     Drapes,
     Spring,

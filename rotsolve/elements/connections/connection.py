@@ -83,6 +83,10 @@ class Connection:
         """Whether a body hangs from it, so that it travels up and down."""
         return False
 
+    def lays(self, body: Body) -> bool:
+        """Whether a body lays itself out along it, layer by layer, so that less and less of it is left to move."""
+        return False
+
     def weighs(self, body: Body) -> bool:
         """Whether it states the weight of a body, part by part."""
         return False

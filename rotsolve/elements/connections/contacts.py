@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, call, negate
@@ -278,3 +278,32 @@ class Rolls(Touch):
 
     def grip(self) -> Friction:
         return Friction("any")
+
+
+@dataclass(frozen=True)
+class Unrolls(Touch):
+    word = "unrolls"
+    about = "a roll, of a carpet say, lays itself out on a level surface; a state says how large its `radius` is still"
+    quantities = ("force", "normal_force", "friction_force", "torque")
+    unrolls: tuple[PointRef, ...] = key(
+        "points", "[roll, surface]", count=(2, 2), required=True, example="[carpet, floor]"
+    )
+
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.unrolls
+
+    def grip(self) -> Friction:
+        return Friction("any")
+
+    def lays(self, body: Body) -> bool:
+        return self.unrolls[0].owner == body.name
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"
+
+    def friction_facts(
+        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
+    ) -> Iterator[Fact]:
+        """As of a wheel that rolls, with v = r ω at any moment; for accelerations there is no such rule, since r changes."""
+        for fact in super().friction_facts(instant, name, arm, surface, normal):
+            yield replace(fact, acceleration=None, linear=False) if isinstance(fact, Rule) else fact

@@ -21,6 +21,7 @@ class Disc(Shape):
     spread = "surface"
     about = "uniform solid disc"
     points = WHEEL
+    wound = True
     coordinates: ClassVar[tuple[str, ...]] = ("r",)
     radius: Formula | None = extent("radius", "R")
 

@@ -34,6 +34,7 @@ class Shape:
     tabled: ClassVar[bool] = True  # whether a table of moments of inertia holds it
     graded: ClassVar[bool] = False  # whether its density varies
     coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
+    wound: ClassVar[bool] = False  # whether a sheet can be rolled up to it, so that its mass is as its radius squared
     rigid: ClassVar[bool] = True  # whether it keeps its form, so that it has a moment of inertia
 
     def moment(self, mass: Formula) -> Formula:
