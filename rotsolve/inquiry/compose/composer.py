@@ -2,17 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Facts, Force
-from rotsolve.core.heading import heading
-from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry
@@ -20,8 +17,9 @@ from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.slope import slope
+from rotsolve.inquiry.compose.states import state_words
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.scene.model import Condition, Find, Moment, Problem
+from rotsolve.scene.model import Find, Moment, Problem
 from rotsolve.solver import Ref, Step
 
 SENTENCES = ("energy", "angular-momentum")  # the remarks of these laws are sentences of their own
@@ -56,9 +54,7 @@ class Composer:
                 given for given in self.problem.givens if given.value is not None and self._spoken_of(given.name)
             ),
             finds=tuple(dict.fromkeys((Symbol(item.find.group),) for item in self.inquiry.in_order())),
-            states=tuple(
-                state_words(state.name, state.conditions, self._reached(state.name)) for state in self.problem.states
-            ),
+            states=tuple(state_words(state, self._reached(state.name)) for state in self.problem.states),
             conventions=self._conventions(),
             sections=tuple(sections),
             answers=self.results.answers(),
@@ -344,26 +340,3 @@ def without_torque(silent: list[str]) -> tuple[Words, ...]:
     support = "axle" if any(name.startswith("axle") for name in silent) else "pivot"
     verb = "act" if len(silent) > 1 else "acts"
     return ((f"{listed} {verb} at the {support}: no torque about it",),)
-
-
-def state_words(name: str, conditions: Sequence[Condition], bare: str) -> Words:
-    """What the scene says of a state, on one line; `bare` where it says nothing."""
-    parts = []
-    for line in conditions:
-        if line.rest:
-            parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
-        elif line.path is not None:
-            value = stated(line.value) if line.value is not None else line.word or ""
-            owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
-            quantity, component = spoken(line.path.quantity), line.path.component or ""
-            said = OSCILLATING.get(line.path.quantity)
-            what = f"{said} of small swings" if said else quantity
-            kind, axis = ("", component) if component in ("x", "y") else (component, "")
-            parts.append(" ".join(word for word in (owner, kind, what, axis, value) if word))
-    return (f"{spoken(name)}: " + (", ".join(parts) if parts else bare),)
-
-
-def stated(value: Formula) -> str:
-    """A value as a state says it: angles that are multiples of π in degrees."""
-    turned = heading(value)
-    return f"{turned.degrees}°".replace("-", "−") if turned.degrees and not turned.terms else to_text(value)
