@@ -39,5 +39,7 @@ def stated(value: Formula) -> str:
         return to_text(value)
     if not turned.terms:
         return f"{turned.degrees}°".replace("-", "−")
-    rest = simplify(value - Number(Fraction(turned.degrees, 180)) * PI)
-    return f"{to_text(rest)} {'−' if turned.degrees < 0 else '+'} {abs(turned.degrees)}°"
+    rest = to_text(simplify(value - Number(Fraction(turned.degrees, 180)) * PI))
+    if rest.startswith("−") and turned.degrees > 0:
+        return f"{turned.degrees}° − {rest[1:]}"
+    return f"{rest} {'−' if turned.degrees < 0 else '+'} {abs(turned.degrees)}°"
