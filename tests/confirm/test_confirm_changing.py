@@ -55,6 +55,31 @@ def test_man_with_weights_by_a_growing_moment_of_inertia() -> None:
     assert found["delta_K"] == pytest.approx(final[1], rel=1e-9)
 
 
+def test_beads_drawn_in_by_their_coriolis_force_until_the_bar_turns_twice_as_fast() -> None:
+    """Drawn in evenly, they push the bar round with 2 m ṙ ω each, less what they take up themselves."""
+    bar, mass, start, turn, inward = 0.06, 2 * 0.2, 0.45, 4.0, 0.1
+
+    def rate(time: float, state: State) -> State:
+        radius = start - inward * time
+        return (2 * mass * radius * inward * state[0] / (bar + mass * radius**2),)
+
+    time, _ = until(rate, (turn,), lambda _, state: state[0] - 2 * turn)
+    assert answers("beads-to-double-speed")["r"] == pytest.approx(start - inward * time, rel=1e-9)
+
+
+def test_sand_on_a_turntable_grain_by_grain() -> None:
+    """A grain dm that falls on the disc is rubbed up to its speed: that brakes with r² ω dm, and half the rubbing's power is heat."""
+    disc, radius = 3.0 * 0.25**2 / 2, 0.2
+
+    def rate(fallen: float, state: State) -> State:
+        return -(radius**2) * state[0] / (disc + fallen * radius**2), (radius * state[0]) ** 2 / 2
+
+    turn, heat = run(rate, (4.0, 0.0), 0.8)
+    found = answers("sand-on-a-turntable")
+    assert found["omega"] == pytest.approx(turn, rel=1e-9)
+    assert found["Q"] == pytest.approx(heat, rel=1e-9)
+
+
 def test_bead_flung_along_a_bar_in_the_turning_frame() -> None:
     """r̈ = r ω² on the smooth bar, whose push −2 m ṙ ω − m r α turns the bar back."""
     bar, mass = 1.2 * 0.8**2 / 3, 0.5
@@ -181,6 +206,21 @@ def test_ball_with_back_spin_by_steps() -> None:
     second, rolling = until(rate, start, lambda _, state: state[0] - radius * state[1])
     found = answers("ball-with-back-spin")
     expected = {"t1": first, "x1": turning[2], "t2": second, "v": rolling[0], "x2": rolling[2]}
+    for key, value in expected.items():
+        assert found[key] == pytest.approx(value, rel=1e-9), key
+
+
+def test_bowling_ball_by_steps() -> None:
+    """Friction slows it and turns it until it rolls; the heat is friction times the length slipped."""
+    mass, radius, mu, speed = 6.0, 0.11, 0.2, 7.0
+    slide = sliding(0.4, mu, radius, 1.0)
+
+    def rate(time: float, state: State) -> State:
+        return *slide(time, state[:4]), mu * mass * G * (state[0] - radius * state[1])
+
+    time, final = until(rate, (speed, 0.0, 0.0, 0.0, 0.0), lambda _, state: state[0] - radius * state[1])
+    found = answers("bowling-ball")
+    expected = {"t": time, "v": final[0], "x": final[2], "share": final[4] / (mass * speed**2 / 2)}
     for key, value in expected.items():
         assert found[key] == pytest.approx(value, rel=1e-9), key
 
