@@ -11,7 +11,7 @@ from collections.abc import Callable
 import mpmath
 import pytest
 
-from stepping import G, answer, bisect, reach
+from stepping import G, answer, bisect, motion, reach, run
 
 Acceleration = Callable[[float], float]
 
@@ -81,6 +81,42 @@ def test_large_swings_take_as_long_as_the_full_motion(problem: str, name: str) -
 def test_ratio_of_large_to_small_swings_by_the_arithmetic_geometric_mean(degrees: int) -> None:
     ratio = 1 / mpmath.agm(1, mpmath.cos(mpmath.radians(degrees) / 2))
     assert answer(f"swing-from-{degrees}-degrees", "n") == pytest.approx(float(ratio), rel=1e-12)
+
+
+RINGS = [((k + 0.5) / 4000, 2 * (k + 0.5) / 4000**2) for k in range(4000)]  # of a disc: radii and masses as shares
+
+
+def test_torsion_pendulum_by_steps_from_rest() -> None:
+    start = math.pi / 3
+    inertia = sum(5 * share * (0.12 * radius) ** 2 for radius, share in RINGS)
+
+    def rate(_: float, angle: float, spin: float) -> float:
+        return -0.09 * angle / inertia
+
+    *_, half = reach(rate, start, 0.0, lambda _, angle, spin: angle - start / 2)
+    *_, middle = reach(rate, start, 0.0, lambda _, angle, spin: angle)
+    assert answer("torsion-pendulum", "alpha") == pytest.approx(rate(0, start, 0), rel=1e-6)
+    assert answer("torsion-pendulum", "omega1") == pytest.approx(half, rel=1e-6)
+    assert answer("torsion-pendulum", "omega2") == pytest.approx(middle, rel=1e-6)
+
+
+def test_clock_pendulum_by_steps_from_the_level() -> None:
+    """The force of the hinge by the height of the centre of mass a moment before and after the lowest place."""
+    (stick, bob), length, radius, moment = (1.0, 2.0), 0.6, 0.1, 1e-4
+    inertia = sum(stick / 4000 * ((k + 0.5) / 4000 * length) ** 2 for k in range(4000))
+    inertia += sum(bob * share * (length**2 + (radius * part) ** 2) for part, share in RINGS)
+    lever = stick * length / 2 + bob * length
+
+    def rate(_: float, angle: float, spin: float) -> float:
+        return -G * lever * math.cos(angle) / inertia
+
+    _, angle, spin = reach(rate, 0.0, 0.0, lambda _, angle, spin: angle + math.pi / 2)
+    places = [run(motion(rate), (angle, spin), time, 1)[0] for time in (-moment, 0.0, moment)]
+    before, now, after = (lever * math.sin(place) / (stick + bob) for place in places)
+    force = (stick + bob) * (G + (before - 2 * now + after) / moment**2)
+    expected = {"I": inertia, "alpha": rate(0, 0, 0), "omega": spin, "F": force}
+    for name, value in expected.items():
+        assert answer("clock-pendulum", name) == pytest.approx(value, rel=1e-6), name
 
 
 def test_conical_pendulum_by_the_forces_in_the_turning_frame() -> None:

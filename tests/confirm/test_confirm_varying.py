@@ -8,7 +8,7 @@ from math import cos, pi, sin, sqrt
 import pytest
 
 from rotsolve.pipeline import solve
-from stepping import G, answers, numbers, reach
+from stepping import G, answers, numbers, reach, run
 
 
 def check(found: Mapping[str, float], **expected: float) -> None:
@@ -89,6 +89,12 @@ def test_pulley_driven_by_a_force_of_time() -> None:
     check(answers("pulley-driven-force"), omega_max=fastest[2], t_reverse=back[0], theta_reverse=back[1])
     then = reach(push, 0, 0, lambda t, x, v: t - 3, 0.001)
     check(answers("pulley-driven-force", at="3 s"), omega=then[2], theta=then[1])
+
+
+def test_flywheel_under_a_torque_that_grows_with_time() -> None:
+    inertia = 40 * 0.5**2 / 2
+    omega, phi, work = run(lambda t, s: (6 * t / inertia, s[0], 6 * t * s[0]), (0.0, 0.0, 0.0), 5)
+    check(answers("flywheel-growing-torque"), omega=omega, phi=phi, W=work, P=6 * 5 * omega)
 
 
 def test_string_between_blocks_goes_slack() -> None:
