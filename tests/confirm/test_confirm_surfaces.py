@@ -251,6 +251,27 @@ def test_rod_slides_down_on_ice() -> None:
     assert answer("rod-slips-on-ice", "v") == pytest.approx(-half * rate, rel=1e-9)
 
 
+def test_ladder_let_go_at_a_smooth_wall_by_elimination() -> None:
+    """Pushes of floor and wall, accelerations of the centre and of the turn: forces, torques and two ends kept on their surfaces."""
+    mass, length, theta = 12.0, 4.0, math.radians(60)
+    right, up = length / 2 * math.cos(theta), length / 2 * math.sin(theta)  # from the centre to the head
+    inertia = sum(mass / 2 * (s - length / 2) ** 2 for s in spread(length))
+    floor, wall, ahead, rise, turn = linear(
+        [
+            (0.0, 1.0, mass, 0.0, 0.0, 0.0),  # the wall pushes to the left
+            (1.0, 0.0, 0.0, -mass, 0.0, mass * G),
+            (-right, up, 0.0, 0.0, -inertia, 0.0),  # counterclockwise
+            (0.0, 0.0, 0.0, 1.0, -right, 0.0),  # the foot keeps its height
+            (0.0, 0.0, 1.0, 0.0, -up, 0.0),  # the head keeps to the wall
+        ]
+    )
+    assert answer("ladder", "N1") == pytest.approx(floor, rel=1e-9)
+    assert answer("ladder", "N2") == pytest.approx(wall, rel=1e-9)
+    assert answer("ladder", "alpha") == pytest.approx(turn, rel=1e-9)
+    assert answer("ladder", "a") == pytest.approx(math.hypot(ahead, rise), rel=1e-9)
+    assert answer("ladder", "a_foot") == pytest.approx(abs(ahead + turn * up), rel=1e-9)
+
+
 def test_ladder_leaves_the_wall_where_its_push_ends() -> None:
     length = 4.0
 
