@@ -4,26 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from pathlib import Path
 
 import pytest
-from mpmath import mp, quad
+from mpmath import fp
 
 from rotsolve.pipeline import solve
-from rotsolve.solution import Solution
+from stepping import answers, numbers
 
-PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
-mp.dps = 20
-
-
-def numbers(solution: Solution) -> dict[str, float]:
-    """All answers as numbers, the entries of a matrix or vector by their own names."""
-    found = {}
-    for name, answer in solution.answers.items():
-        for part in answer.answer.components or (answer.answer,):
-            assert part.value is not None
-            found[name if part is answer.answer else f"{name}.{part.name}"] = part.value.float
-    return found
+quad = fp.quad  # in double precision, which is fast
 
 
 def plate(
@@ -45,14 +33,14 @@ def plate(
 
 
 def test_annulus_with_a_hole() -> None:
-    found = numbers(solve(PROBLEMS / "annulus-with-a-hole.yaml"))
+    found = answers("annulus-with-a-hole")
     M, R, r, q, c = 1.8, 0.3, 0.1, 0.04, 0.2
 
     def over(low: float, high: float, shift: float, part: Callable[[float, float], float]) -> float:
         """The integral over a ring with its centre at x = shift."""
         return float(
             quad(
-                lambda d: quad(lambda t: d * part(shift + d * mp.cos(t), d * mp.sin(t)), [0, math.pi, 2 * math.pi]),
+                lambda d: quad(lambda t: d * part(shift + d * math.cos(t), d * math.sin(t)), [0, math.pi, 2 * math.pi]),
                 [low, high],
             )
         )
@@ -70,7 +58,7 @@ def test_annulus_with_a_hole() -> None:
 
 
 def test_door_with_a_window() -> None:
-    found = numbers(solve(PROBLEMS / "door-with-a-window.yaml"))
+    found = answers("door-with-a-window")
     M, w, h, p, d = 24, 0.9, 2.0, 0.5, 0.4
     whole = plate(0, w, lambda x: -h / 2, lambda x: h / 2, lambda x, y: 1)
     hole = plate(w / 2 - p / 2, w / 2 + p / 2, lambda x: d - p / 2, lambda x: d + p / 2, lambda x, y: 1)
@@ -83,7 +71,7 @@ def test_door_with_a_window() -> None:
 
 def test_bucket_on_a_pulley_with_spokes_by_energy() -> None:
     """The bucket falls by 1 m: v from energy with the pulley cut into small pieces, a from v² = 2 a s."""
-    found = numbers(solve(PROBLEMS / "pulley-with-spokes.yaml"))
+    found = answers("pulley-with-spokes")
     M, R, m_s, M_h, r, m_b, g, pieces = 2, 0.4, 0.25, 1.5, 0.1, 3, 9.8, 20000
     middles = [(k + 0.5) / pieces for k in range(pieces)]
     spoke = math.fsum(m_s / pieces * (u * R) ** 2 for u in middles)
@@ -96,7 +84,7 @@ def test_bucket_on_a_pulley_with_spokes_by_energy() -> None:
 
 
 def test_hemisphere_in_spherical_coordinates() -> None:
-    found = numbers(solve(PROBLEMS / "hemisphere.yaml"))
+    found = answers("hemisphere")
     M, R = 3, 0.2
 
     def total(part: Callable[[float, float], float]) -> float:
@@ -104,7 +92,8 @@ def test_hemisphere_in_spherical_coordinates() -> None:
         return float(
             quad(
                 lambda d: quad(
-                    lambda t: 2 * math.pi * d * d * mp.sin(t) * part(d * mp.sin(t), d * mp.cos(t)), [0, math.pi / 2]
+                    lambda t: 2 * math.pi * d * d * math.sin(t) * part(d * math.sin(t), d * math.cos(t)),
+                    [0, math.pi / 2],
                 ),
                 [0, R],
             )
@@ -118,9 +107,9 @@ def test_hemisphere_in_spherical_coordinates() -> None:
 
 
 def test_semicircular_plate_in_cartesian_coordinates() -> None:
-    found = numbers(solve(PROBLEMS / "semicircular-plate.yaml"))
+    found = answers("semicircular-plate")
     M, R = 3, 0.2
-    got = plate(-R, R, lambda x: 0, lambda x: mp.sqrt(R * R - x * x), lambda x, y: 1)
+    got = plate(-R, R, lambda x: 0, lambda x: math.sqrt(R * R - x * x), lambda x, y: 1)
     y = got["y"] / got["m"]
     polar = M * (got["xx"] + got["yy"]) / got["m"]
     assert found["cm.x"] == 0
@@ -130,7 +119,7 @@ def test_semicircular_plate_in_cartesian_coordinates() -> None:
 
 
 def test_disc_that_grows_thinner_by_particles() -> None:
-    found = numbers(solve(PROBLEMS / "disc-thinner-outwards.yaml"))
+    found = answers("disc-thinner-outwards")
     sigma, R, pieces = 5, 0.3, 20000
     radii = [(k + 0.5) * R / pieces for k in range(pieces)]
     masses = [2 * math.pi * d * R / pieces * sigma * (1 - d / R) for d in radii]
@@ -193,5 +182,5 @@ bodies: {plate: {shape: lamina, mass: M, region: {x: [0, a], y: [0, b*exp(-x^3/a
 find: {I: plate.inertia along y about plate.center}
 """
     solution = solve(scene)
-    got = plate(0, 0.5, lambda x: 0, lambda x: 0.3 * mp.exp(-((x / 0.5) ** 3)), lambda x, y: 1)
+    got = plate(0, 0.5, lambda x: 0, lambda x: 0.3 * math.exp(-((x / 0.5) ** 3)), lambda x, y: 1)
     assert numbers(solution)["I"] == pytest.approx(3 * got["xx"] / got["m"], rel=1e-9)

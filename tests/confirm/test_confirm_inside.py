@@ -3,59 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from fractions import Fraction
+from collections.abc import Callable
 from functools import cache
-from pathlib import Path
 
 import mpmath
 import pytest
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.formula import Number
-from rotsolve.pipeline import solve
-from rotsolve.solution import Solution
+from stepping import G, State, answer, bisect, given, reach, run, until
 
-PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
-G = 9.8
 PIECES = 4000
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(PROBLEMS / f"{name}.yaml")
-
-
-def given(name: str, letter: str) -> float:
-    problem = solved(name).problem
-    values = {item.name: item.value for item in problem.givens if item.value is not None}
-    return evaluate(values[letter], values, digits=15).float
-
-
-def answer(name: str, asked: str, **places: float) -> float:
-    """An answer as a number; letters that the scene leaves free have the value of `places`."""
-    solution = solved(name)
-    values = {item.name: item.value for item in solution.problem.givens if item.value is not None}
-    values |= {letter: Number(Fraction(value)) for letter, value in places.items()}
-    found = solution.answers[asked].formula
-    assert found is not None
-    return evaluate(found, values, digits=15).float
-
-
-def steps(
-    rate: Callable[[float, list[float]], list[float]], start: list[float], end: float, number: int
-) -> Iterator[tuple[float, list[float]]]:
-    """Runge and Kutta's fourth-order steps."""
-    time, state, h = 0.0, list(start), end / number
-    yield time, state
-    for _ in range(number):
-        a = rate(time, state)
-        b = rate(time + h / 2, [x + h / 2 * k for x, k in zip(state, a, strict=True)])
-        c = rate(time + h / 2, [x + h / 2 * k for x, k in zip(state, b, strict=True)])
-        d = rate(time + h, [x + h * k for x, k in zip(state, c, strict=True)])
-        state = [x + h / 6 * (p + 2 * q + 2 * r + s) for x, p, q, r, s in zip(state, a, b, c, d, strict=True)]
-        time += h
-        yield time, state
 
 
 def inside(mass: float, length: float, angle: float, spin: float, rate: float, x: float) -> tuple[float, float, float]:
@@ -79,16 +35,11 @@ def fall(length: float, down_to: float) -> tuple[float, float]:
     arms = [(k + 0.5) / 200 * length for k in range(200)]
     inertia, moment = sum(arm**2 for arm in arms), sum(arms)
 
-    def rate(_: float, state: list[float]) -> list[float]:
-        return [state[1], -moment * G * math.cos(state[0]) / inertia]
+    def rate(_: float, angle: float, spin: float) -> float:
+        return -moment * G * math.cos(angle) / inertia
 
-    before = (math.pi / 2, 0.0)
-    for _, (angle, spin) in steps(rate, [math.pi / 2 - 1e-5, 0.0], 60.0, 60000):
-        if angle <= down_to:
-            share = (before[0] - down_to) / (before[0] - angle)
-            return before[1] + share * (spin - before[1]), rate(0, [down_to, 0])[1]
-        before = (angle, spin)
-    raise AssertionError("it never comes down")
+    *_, spin = reach(rate, math.pi / 2 - 1e-5, 0.0, lambda _, angle, spin: angle - down_to, 1e-2)
+    return spin, rate(0, down_to, spin)
 
 
 @pytest.mark.parametrize("part", [0.0, 0.2, 1 / 3, 0.7])
@@ -159,13 +110,13 @@ def test_a_short_strong_push_gives_the_hinge_the_impulse_of_a_blow(place: float)
     mass, length, blow = (given(name, letter) for letter in ("M", "L", "J"))
     inertia = mass * sum(((k + 0.5) / PIECES * length) ** 2 for k in range(PIECES)) / PIECES
 
-    def rate(_: float, state: list[float]) -> list[float]:
+    def rate(_: float, state: State) -> State:
         angle, spin, _ = state
         turned = (blow / short * place * math.cos(angle) - mass * G * length / 2 * math.sin(angle)) / inertia
         sideways = mass * length / 2 * (turned * math.cos(angle) - spin**2 * math.sin(angle))
-        return [spin, turned, sideways - blow / short]
+        return spin, turned, sideways - blow / short
 
-    *_, (_, (_, spin, hinge)) = steps(rate, [0.0, 0.0, 0.0], short, 100)
+    _, spin, hinge = run(rate, (0.0, 0.0, 0.0), short, 100)
     assert answer(name, "omega", x=place) == pytest.approx(spin, rel=1e-3)
     assert answer(name, "J_pin", x=place) == pytest.approx(hinge, rel=1e-3, abs=1e-3)
 
@@ -175,11 +126,8 @@ def test_the_point_of_a_struck_rod_that_stays_is_found_by_bisection() -> None:
     mass, length, place, blow = (given(name, letter) for letter in ("M", "L", "a", "J"))
     arms = [(k + 0.5) / PIECES * length - length / 2 for k in range(PIECES)]
     spin = blow * (place - length / 2) / (mass * sum(arm**2 for arm in arms) / PIECES)
-    low, high = 0.0, length
-    for _ in range(60):
-        middle = (low + high) / 2
-        low, high = (middle, high) if blow / mass + spin * (middle - length / 2) < 0 else (low, middle)
-    assert answer(name, "y_0") == pytest.approx(low, rel=1e-6)
+    still = bisect(lambda y: blow / mass + spin * (y - length / 2), 0.0, length)
+    assert answer(name, "y_0") == pytest.approx(still, rel=1e-6)
     assert answer(name, "omega") == pytest.approx(spin, rel=1e-6)
 
 
@@ -189,17 +137,13 @@ def test_a_ball_that_bounces_like_a_spring_leaves_the_hand_alone_at_the_sweet_sp
     place, inertia, lever = answer(name, "x"), (mass / 3 + lump) * length**2, (mass / 2 + lump) * length
     stiff = 1e7
 
-    def rate(_: float, state: list[float]) -> list[float]:
+    def rate(_: float, state: State) -> State:
         pressed, closing = state[0], state[1] - place * state[2]
         push = max(0.0, stiff * pressed * (1 if closing > 0 else bounce**2))  # gives back e² of the energy
         turned = push * place / inertia
-        return [closing, -push / ball, turned, lever * turned - push]
+        return closing, -push / ball, turned, lever * turned - push
 
-    final = [0.0, speed, 0.0, 0.0]
-    for _, state in steps(rate, final, 1e-3, 40000):
-        final = state
-        if state[0] < 0:
-            break
+    _, final = until(rate, (0.0, speed, 0.0, 0.0), lambda _, state: state[0], 1e-7)
     assert answer(name, "v") == pytest.approx(final[1], rel=1e-3)
     assert answer(name, "omega") == pytest.approx(final[2], rel=1e-3)
     assert abs(final[3]) < 1e-9 * ball * speed
@@ -226,28 +170,23 @@ def test_a_rod_swung_with_that_spin_pulls_at_nothing_when_it_is_upright() -> Non
     name = "rod-over-the-top"
     length = given(name, "L")
 
-    def rate(_: float, state: list[float]) -> list[float]:
-        return [state[1], -1.5 * G * math.cos(state[0]) / length]
-
-    spin = 0.0
-    for _, state in steps(rate, [-math.pi / 2, answer(name, "omega_0")], 2.0, 20000):
-        if state[0] >= math.pi / 2:
-            spin = state[1]
-            break
-    assert answer(name, "omega") == pytest.approx(spin, rel=1e-4)
-    assert spin**2 * length / 2 == pytest.approx(G, rel=1e-4)  # weight alone bends the way of its centre
+    *_, spin = reach(
+        lambda _, angle, spin: -1.5 * G * math.cos(angle) / length,
+        -math.pi / 2,
+        answer(name, "omega_0"),
+        lambda _, angle, spin: angle - math.pi / 2,
+    )
+    assert answer(name, "omega") == pytest.approx(spin, rel=1e-8)
+    assert spin**2 * length / 2 == pytest.approx(G, rel=1e-8)  # weight alone bends the way of its centre
 
 
 def test_a_plank_tips_where_its_boards_and_the_child_balance_on_the_right_trestle() -> None:
     name = "plank-tips"
     mass, child, length, back = (given(name, letter) for letter in ("M", "m", "L", "c"))
     boards = [((k + 0.5) / PIECES * length, mass / PIECES) for k in range(PIECES)]
-    low, high = 0.0, length
-    for _ in range(60):
-        middle = (low + high) / 2
-        tips = sum(m * (x - length + back) for x, m in boards) + child * (middle - length + back) > 0
-        low, high = (low, middle) if tips else (middle, high)
-    assert answer(name, "a") == pytest.approx(low, rel=1e-9)
+    planks = sum(m * (x - length + back) for x, m in boards)
+    tips = bisect(lambda x: planks + child * (x - length + back), 0.0, length)
+    assert answer(name, "a") == pytest.approx(tips, rel=1e-9)
     assert answer(name, "N") == pytest.approx((mass + child) * G, rel=1e-12)
 
 
@@ -285,13 +224,9 @@ def beads(number: int, mass: float, length: float, hanging: float, rim: float, *
 
 
 def slide(inertia: float, force: Callable[[float], float], start: float, end: float) -> float:
-    """The speed at the end of a way from rest, step by step: v grows by a dt."""
-    place, speed, tick = start, 0.0, 1e-3
-    while place < end:
-        rate = force(place) / inertia
-        place, speed, before = place + speed * tick + rate * tick**2 / 2, speed + rate * tick, (place, speed)
-    share = (end - before[0]) / (place - before[0])
-    return before[1] + share * (speed - before[1])
+    """The speed at the end of a way from rest."""
+    *_, speed = reach(lambda _, x, v: force(x) / inertia, start, 0.0, lambda _, x, v: x - end, 4e-3)
+    return speed
 
 
 def test_beads_run_over_a_pulley_as_the_rope_does() -> None:
@@ -302,7 +237,8 @@ def test_beads_run_over_a_pulley_as_the_rope_does() -> None:
     def force(x: float) -> float:
         return beads(200, mass, length, x, rim, rest_hangs=True)
 
-    assert answer(name, "a") == pytest.approx(force(hanging) / inertia, rel=2e-2)
+    fine = beads(PIECES, mass, length, hanging, rim, rest_hangs=True)
+    assert answer(name, "a") == pytest.approx(fine / inertia, rel=1e-3)
     assert answer(name, "v") == pytest.approx(slide(inertia, force, hanging, length - math.pi * rim), rel=5e-3)
     assert answer(name, "omega") * rim == pytest.approx(answer(name, "v"))
 

@@ -7,96 +7,46 @@ systems of linear equations for the impulses. Nothing here uses the solver's for
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
-from functools import cache
+from collections.abc import Sequence
 from itertools import product
-from pathlib import Path
 
 import pytest
 
 from rotsolve.pipeline import solve
-from rotsolve.solution import Solution
-
-PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
-G = 9.8
-State = tuple[float, float]  # angle and its rate
-
-
-@cache
-def solved(name: str) -> Solution:
-    return solve(PROBLEMS / f"{name}.yaml")
-
-
-def answer(name: str, find: str) -> float:
-    """The printed number, in the unit in which it is printed."""
-    value = solved(name).answers[find].float
-    assert value is not None
-    return value
-
-
-def advance(state: State, force: Callable[[float, float], float], step: float) -> State:
-    """One step of Runge and Kutta for x'' = force(x, x')."""
-    x, v = state
-    k1 = (v, force(x, v))
-    k2 = (v + step / 2 * k1[1], force(x + step / 2 * k1[0], v + step / 2 * k1[1]))
-    k3 = (v + step / 2 * k2[1], force(x + step / 2 * k2[0], v + step / 2 * k2[1]))
-    k4 = (v + step * k3[1], force(x + step * k3[0], v + step * k3[1]))
-    mean = [(a + 2 * b + 2 * c + d) / 6 for a, b, c, d in zip(k1, k2, k3, k4, strict=True)]
-    return x + step * mean[0], v + step * mean[1]
-
-
-def until(state: State, force: Callable[[float, float], float], end: Callable[[float, float], float]) -> State:
-    """The motion up to the first place where `end` changes its sign; the last step is halved until it hits that place."""
-    step, sign = 1e-3, math.copysign(1, end(*state))
-    for _ in range(200_000):
-        trial = advance(state, force, step)
-        if end(*trial) * sign > 0:
-            state = trial
-        elif step < 1e-14:
-            return state
-        else:
-            step /= 2
-    raise AssertionError("the end is never reached")
-
-
-def linear(rows: Sequence[Sequence[float]]) -> list[float]:
-    """Gauss elimination; each row ends with its right side."""
-    table = [list(row) for row in rows]
-    for k in range(len(table)):
-        pivot = max(range(k, len(table)), key=lambda i: abs(table[i][k]))
-        table[k], table[pivot] = table[pivot], table[k]
-        for i in range(len(table)):
-            if i != k:
-                factor = table[i][k] / table[k][k]
-                table[i] = [a - factor * b for a, b in zip(table[i], table[k], strict=True)]
-    return [row[-1] / row[k] for k, row in enumerate(table)]
+from stepping import Course, G, answer, linear, numbers, reach
 
 
 def test_sphere_rolls_off_the_sphere_where_the_push_ends() -> None:
     big, small = 1.0, 0.1
     path, start = big + small, 1e-5
 
-    def force(phi: float, rate: float) -> float:
+    def force(_: float, phi: float, rate: float) -> float:
         return 5 / 7 * G * math.sin(phi) / path
 
     rate = math.sqrt(5 / 7 * G / path) * start  # as it creeps away from the top
-    phi, rate = until((start, rate), force, lambda phi, rate: G * math.cos(phi) - path * rate**2)
-    assert answer("sphere-off-sphere", "phi") == pytest.approx(math.degrees(phi), rel=1e-8)
+    _, phi, rate = reach(force, start, rate, lambda _, phi, rate: G * math.cos(phi) - path * rate**2)
+    assert answer("sphere-off-sphere", "phi") == pytest.approx(phi, rel=1e-8)
     assert answer("sphere-off-sphere", "v") == pytest.approx(path * rate, rel=1e-8)
     assert answer("sphere-off-sphere", "omega") == pytest.approx(path * rate / small, rel=1e-8)
 
 
 def test_block_leaves_the_dome_where_the_push_ends() -> None:
     radius, speed, mass = 3.0, 2.0, 2.0
-    phi, rate = until(
-        (0.0, speed / radius),
-        lambda phi, rate: G * math.sin(phi) / radius,
-        lambda phi, rate: G * math.cos(phi) - radius * rate**2,
+    _, phi, rate = reach(
+        lambda _, phi, rate: G * math.sin(phi) / radius,
+        0,
+        speed / radius,
+        lambda _, phi, rate: G * math.cos(phi) - radius * rate**2,
     )
     assert answer("block-off-dome", "N") == pytest.approx(mass * (G - speed**2 / radius))
-    assert answer("block-off-dome", "theta") == pytest.approx(90 - math.degrees(phi), rel=1e-9)
+    assert answer("block-off-dome", "theta") == pytest.approx(math.pi / 2 - phi, rel=1e-9)
     assert answer("block-off-dome", "v") == pytest.approx(radius * rate, rel=1e-9)
     assert answer("block-off-dome", "d") == pytest.approx(radius * (1 - math.cos(phi)), rel=1e-9)
+
+
+def hollow(path: float) -> Course:
+    """A ball that rolls in a hollow: acceleration of its angle from the lowest place, its centre on a circle of this radius."""
+    return lambda _, phi, rate: -5 / 7 * G * math.sin(phi) / path
 
 
 @pytest.mark.parametrize("more", [-0.01, 0.0, 0.01])
@@ -104,7 +54,7 @@ def test_ball_stays_on_the_loop_from_the_height_found_on(more: float) -> None:
     path = 0.40 - 0.02
     height = answer("loop-the-loop", "h") + more
     rate = math.sqrt(10 / 7 * G * height) / path  # at the bottom, angles counted from there
-    _, rate = until((0.0, rate), lambda phi, rate: -5 / 7 * G * math.sin(phi) / path, lambda phi, rate: phi - math.pi)
+    *_, rate = reach(hollow(path), 0, rate, lambda _, phi, rate: phi - math.pi)
     push = path * rate**2 - G
     assert math.isclose(push, 0, abs_tol=1e-9) if not more else (push > 0) == (more > 0)
     if not more:
@@ -114,11 +64,9 @@ def test_ball_stays_on_the_loop_from_the_height_found_on(more: float) -> None:
 def test_marble_in_the_bowl_step_by_step() -> None:
     path, small, mass, beta = 0.30 - 0.02, 0.02, 0.02, math.radians(60)
 
-    def force(phi: float, rate: float) -> float:
-        return -5 / 7 * G * math.sin(phi) / path
-
-    _, rate = until((beta, 0.0), force, lambda phi, rate: phi)
-    start = -force(beta, 0) * path
+    force = hollow(path)
+    *_, rate = reach(force, beta, 0.0, lambda _, phi, rate: phi)
+    start = -force(0, beta, 0) * path
     assert answer("marble-in-bowl", "a") == pytest.approx(start)
     assert answer("marble-in-bowl", "f") == pytest.approx(mass * (G * math.sin(beta) - start))
     assert answer("marble-in-bowl", "v") == pytest.approx(-path * rate, rel=1e-9)
@@ -173,10 +121,10 @@ def test_ball_rolls_over_the_step_from_the_speed_found_on(factor: float) -> None
         (radius - height) / radius
     )  # of the radius to the edge from the vertical; it shrinks on the way up
 
-    def force(phi: float, rate: float) -> float:
+    def force(_: float, phi: float, rate: float) -> float:
         return 5 / 7 * G * math.sin(phi) / radius
 
-    phi, _ = until((begin, -turn), force, lambda phi, rate: phi if factor > 1 else rate)
+    _, phi, _ = reach(force, begin, -turn, lambda _, phi, rate: phi if factor > 1 else rate)
     assert (phi < 1e-9) == (factor > 1)
     if factor > 1:
         assert answer("ball-rolls-over-step", "omega") * factor == pytest.approx(turn)
@@ -229,11 +177,11 @@ def test_block_falls_over_the_ridge_from_the_speed_found_on(factor: float) -> No
     turn = answer("block-trips-over-ridge", "u") * factor * sum(m * y for m, _, y in masses) / inertia  # clockwise
     arm = side / math.sqrt(2)
 
-    def force(phi: float, rate: float) -> float:
+    def force(_: float, phi: float, rate: float) -> float:
         """Of the angle of the diagonal from the vertical, which shrinks while the block tips."""
         return mass * G * arm * math.sin(phi) / inertia
 
-    phi, _ = until((math.pi / 4, -turn), force, lambda phi, rate: phi if factor > 1 else rate)
+    _, phi, _ = reach(force, math.pi / 4, -turn, lambda _, phi, rate: phi if factor > 1 else rate)
     assert (phi < 1e-9) == (factor > 1)
     assert answer("block-trips-over-ridge", "omega") * factor == pytest.approx(-turn)
 
@@ -263,20 +211,21 @@ find: {{theta: touch.angle at off in deg, v: ball.speed at off}}
 def test_places_on_a_circle_are_the_first_on_the_way(way: str, sign: int) -> None:
     """The same motion to both sides; angles run on from where the body starts."""
     path = 3 - 0.2
-    high, _ = until((0.0, 2 / path), lambda phi, rate: -5 / 7 * G * math.sin(phi) / path, lambda phi, rate: rate)
-    found = {name: item.float for name, item in solve(SHOT.format(way=way)).answers.items()}
-    assert found["theta"] == pytest.approx(-90 + sign * math.degrees(high), rel=1e-8)
-    assert found["beta"] == pytest.approx(sign * math.degrees(high), rel=1e-8)
+    _, high, _ = reach(hollow(path), 0, 2 / path, lambda _, phi, rate: rate)
+    found = numbers(solve(SHOT.format(way=way)))
+    assert found["theta"] == pytest.approx(-math.pi / 2 + sign * high, rel=1e-8)
+    assert found["beta"] == pytest.approx(sign * high, rel=1e-8)
     assert found["s"] == pytest.approx(path * high, rel=1e-8)
 
     start = math.sqrt(10 / 7 * G * 5.5) / path
-    off, rate = until(
-        (0.0, start),
-        lambda phi, rate: -5 / 7 * G * math.sin(phi) / path,
-        lambda phi, rate: path * rate**2 + G * math.cos(phi),
+    _, off, rate = reach(
+        hollow(path),
+        0,
+        start,
+        lambda _, phi, rate: path * rate**2 + G * math.cos(phi),
     )
-    found = {name: item.float for name, item in solve(LOST.format(way=way)).answers.items()}
-    assert found["theta"] == pytest.approx(-90 + sign * math.degrees(off), rel=1e-8)
+    found = numbers(solve(LOST.format(way=way)))
+    assert found["theta"] == pytest.approx(-math.pi / 2 + sign * off, rel=1e-8)
     assert found["v"] == pytest.approx(path * rate, rel=1e-8)
 
 
@@ -290,44 +239,65 @@ def test_rod_slides_down_on_ice() -> None:
     mass, length, theta = 2.0, 1.2, math.radians(60)
     half, inertia = length / 2, 2.0 * 1.2**2 / 12
 
-    def force(angle: float, rate: float) -> float:
+    def force(_: float, angle: float, rate: float) -> float:
         """Lagrange's equation of the height ½ L sin θ: the centre goes straight down."""
         own = inertia + mass * half**2 * math.cos(angle) ** 2
         return (mass * half**2 * math.sin(angle) * math.cos(angle) * rate**2 - mass * G * half * math.cos(angle)) / own
 
-    _, rate = until((theta, 0.0), force, lambda angle, rate: angle)
-    falls = half * math.cos(theta) * force(theta, 0.0)
+    *_, rate = reach(force, theta, 0.0, lambda _, angle, rate: angle)
+    falls = half * math.cos(theta) * force(0, theta, 0)
     assert answer("rod-slips-on-ice", "N") == pytest.approx(mass * (G + falls))
     assert answer("rod-slips-on-ice", "omega") == pytest.approx(-rate, rel=1e-9)
     assert answer("rod-slips-on-ice", "v") == pytest.approx(-half * rate, rel=1e-9)
 
 
+def test_ladder_let_go_at_a_smooth_wall_by_elimination() -> None:
+    """Pushes of floor and wall, accelerations of the centre and of the turn: forces, torques and two ends kept on their surfaces."""
+    mass, length, theta = 12.0, 4.0, math.radians(60)
+    right, up = length / 2 * math.cos(theta), length / 2 * math.sin(theta)  # from the centre to the head
+    inertia = sum(mass / 2 * (s - length / 2) ** 2 for s in spread(length))
+    floor, wall, ahead, rise, turn = linear(
+        [
+            (0.0, 1.0, mass, 0.0, 0.0, 0.0),  # the wall pushes to the left
+            (1.0, 0.0, 0.0, -mass, 0.0, mass * G),
+            (-right, up, 0.0, 0.0, -inertia, 0.0),  # counterclockwise
+            (0.0, 0.0, 0.0, 1.0, -right, 0.0),  # the foot keeps its height
+            (0.0, 0.0, 1.0, 0.0, -up, 0.0),  # the head keeps to the wall
+        ]
+    )
+    assert answer("ladder", "N1") == pytest.approx(floor, rel=1e-9)
+    assert answer("ladder", "N2") == pytest.approx(wall, rel=1e-9)
+    assert answer("ladder", "alpha") == pytest.approx(turn, rel=1e-9)
+    assert answer("ladder", "a") == pytest.approx(math.hypot(ahead, rise), rel=1e-9)
+    assert answer("ladder", "a_foot") == pytest.approx(abs(ahead + turn * up), rel=1e-9)
+
+
 def test_ladder_leaves_the_wall_where_its_push_ends() -> None:
     length = 4.0
 
-    def force(angle: float, rate: float) -> float:
+    def force(_: float, angle: float, rate: float) -> float:
         """Of the angle to the floor, while both ends touch: the centre goes on a circle of half the length."""
         return -1.5 * G / length * math.cos(angle)
 
-    def push(angle: float, rate: float) -> float:
+    def push(_: float, angle: float, rate: float) -> float:
         """Acceleration of the centre away from the wall."""
-        return -(math.sin(angle) * force(angle, rate) + math.cos(angle) * rate**2)
+        return -(math.sin(angle) * force(0, angle, rate) + math.cos(angle) * rate**2)
 
-    angle, rate = until((math.radians(60), 0.0), force, push)
-    assert answer("ladder-leaves-wall", "phi") == pytest.approx(-math.degrees(angle), rel=1e-9)
+    _, angle, rate = reach(force, math.radians(60), 0.0, push)
+    assert answer("ladder-leaves-wall", "phi") == pytest.approx(-angle, rel=1e-9)
     assert answer("ladder-leaves-wall", "omega") == pytest.approx(-rate, rel=1e-9)
 
 
 def test_rod_tips_over_about_its_foot() -> None:
     mass, length, beta, start = 2.0, 1.2, math.radians(30), 1e-6
 
-    def force(angle: float, rate: float) -> float:
+    def force(_: float, angle: float, rate: float) -> float:
         """Of the angle from the vertical, about the foot."""
         return 1.5 * G / length * math.sin(angle)
 
     creeping = math.sqrt(1.5 * G / length) * start  # as it leaves the upright place
-    _, rate = until((start, creeping), force, lambda angle, rate: angle - beta)
-    turn, half = force(beta, rate), length / 2
+    *_, rate = reach(force, start, creeping, lambda _, angle, rate: angle - beta)
+    turn, half = force(0, beta, rate), length / 2
     up = -half * (math.sin(beta) * turn + math.cos(beta) * rate**2)
     ahead = half * (math.cos(beta) * turn - math.sin(beta) * rate**2)
     assert answer("rod-tips-on-floor", "omega") == pytest.approx(rate, rel=1e-8)

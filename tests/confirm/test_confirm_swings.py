@@ -7,51 +7,27 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from pathlib import Path
 
 import mpmath
 import pytest
 
-from rotsolve.pipeline import solve
+from stepping import G, answer, bisect, motion, reach, run
 
-PROBLEMS = Path(__file__).parent.parent.parent / "problems"
-G = 9.8
 Acceleration = Callable[[float], float]
 
 
-def answer(problem: str, name: str) -> float:
-    value = solve(PROBLEMS / f"{problem}.yaml").answers[name].float
-    assert value is not None
-    return value
+def quarter(acceleration: Acceleration, amplitude: float) -> float:
+    """The time from rest at the amplitude to the equilibrium."""
+    time, *_ = reach(lambda _, place, rate: acceleration(place), amplitude, 0.0, lambda _, place, rate: place, TICK)
+    return time
 
 
-def step(place: float, rate: float, time: float, acceleration: Acceleration) -> tuple[float, float]:
-    """One Runge-Kutta step of the fourth order."""
-    k1, l1 = rate, acceleration(place)
-    k2, l2 = rate + time / 2 * l1, acceleration(place + time / 2 * k1)
-    k3, l3 = rate + time / 2 * l2, acceleration(place + time / 2 * k2)
-    k4, l4 = rate + time * l3, acceleration(place + time * k3)
-    return place + time / 6 * (k1 + 2 * k2 + 2 * k3 + k4), rate + time / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
-
-
-def quarter(acceleration: Acceleration, amplitude: float, time: float) -> float:
-    """The time from rest at the amplitude to the equilibrium; the last step is halved down to the crossing."""
-    place, rate, passed = amplitude, 0.0, 0.0
-    while time > 1e-13:
-        further = step(place, rate, time, acceleration)
-        if further[0] > 0:
-            (place, rate), passed = further, passed + time
-        else:
-            time /= 2
-    return passed
-
-
-def period(acceleration: Acceleration, amplitude: float, time: float) -> float:
+def period(acceleration: Acceleration, amplitude: float) -> float:
     """Twice the quarter swings from either side."""
-    return 2 * (quarter(acceleration, amplitude, time) + quarter(lambda q: -acceleration(-q), amplitude, time))
+    return 2 * (quarter(acceleration, amplitude) + quarter(lambda q: -acceleration(-q), amplitude))
 
 
-TINY = 1e-4
+TINY, TICK = 1e-4, 2e-3
 ROD_WITH_NUT = 0.3 * 0.8**2 / 3 + 1.2 * 0.8**2 + 0.15 * 0.3**2
 SMALL: dict[tuple[str, str], Acceleration] = {
     ("swinging-rod", "T"): lambda q: -1.5 * G * 0.45 * math.sin(q) / (1.5 * 0.9**2 / 3),
@@ -76,15 +52,15 @@ SMALL: dict[tuple[str, str], Acceleration] = {
 
 @pytest.mark.parametrize(("problem", "name"), SMALL)
 def test_small_swings_take_as_long_as_the_full_motion(problem: str, name: str) -> None:
-    assert period(SMALL[problem, name], TINY, 1e-3) == pytest.approx(answer(problem, name), rel=1e-7)
+    assert period(SMALL[problem, name], TINY) == pytest.approx(answer(problem, name), rel=1e-7)
 
 
 def test_measured_swings_take_the_time_that_was_measured() -> None:
     kappa, inertia = (answer("torsion-wire-measures-inertia", name) for name in ("kappa", "I"))
-    assert period(lambda q: -kappa * q / (0.5 * 1.2 * 0.08**2), TINY, 1e-3) == pytest.approx(2.4, rel=1e-9)
-    assert period(lambda q: -kappa * q / inertia, TINY, 1e-3) == pytest.approx(3.1, rel=1e-9)
+    assert period(lambda q: -kappa * q / (0.5 * 1.2 * 0.08**2), TINY) == pytest.approx(2.4, rel=1e-9)
+    assert period(lambda q: -kappa * q / inertia, TINY) == pytest.approx(3.1, rel=1e-9)
     g = answer("rod-measures-gravity", "g")
-    fall = period(lambda q: -g * 0.3 * math.sin(q) / (1 / 12 + 0.3**2), TINY, 1e-3)
+    fall = period(lambda q: -g * 0.3 * math.sin(q) / (1 / 12 + 0.3**2), TINY)
     assert fall == pytest.approx(1.525, rel=1e-7)
 
 
@@ -98,13 +74,49 @@ LARGE: dict[tuple[str, str], tuple[Acceleration, float]] = {
 @pytest.mark.parametrize(("problem", "name"), LARGE)
 def test_large_swings_take_as_long_as_the_full_motion(problem: str, name: str) -> None:
     acceleration, amplitude = LARGE[problem, name]
-    assert period(acceleration, amplitude, 1e-3) == pytest.approx(answer(problem, name), rel=1e-9)
+    assert period(acceleration, amplitude) == pytest.approx(answer(problem, name), rel=1e-9)
 
 
 @pytest.mark.parametrize("degrees", [60, 170])
 def test_ratio_of_large_to_small_swings_by_the_arithmetic_geometric_mean(degrees: int) -> None:
     ratio = 1 / mpmath.agm(1, mpmath.cos(mpmath.radians(degrees) / 2))
     assert answer(f"swing-from-{degrees}-degrees", "n") == pytest.approx(float(ratio), rel=1e-12)
+
+
+RINGS = [((k + 0.5) / 4000, 2 * (k + 0.5) / 4000**2) for k in range(4000)]  # of a disc: radii and masses as shares
+
+
+def test_torsion_pendulum_by_steps_from_rest() -> None:
+    start = math.pi / 3
+    inertia = sum(5 * share * (0.12 * radius) ** 2 for radius, share in RINGS)
+
+    def rate(_: float, angle: float, spin: float) -> float:
+        return -0.09 * angle / inertia
+
+    *_, half = reach(rate, start, 0.0, lambda _, angle, spin: angle - start / 2)
+    *_, middle = reach(rate, start, 0.0, lambda _, angle, spin: angle)
+    assert answer("torsion-pendulum", "alpha") == pytest.approx(rate(0, start, 0), rel=1e-6)
+    assert answer("torsion-pendulum", "omega1") == pytest.approx(half, rel=1e-6)
+    assert answer("torsion-pendulum", "omega2") == pytest.approx(middle, rel=1e-6)
+
+
+def test_clock_pendulum_by_steps_from_the_level() -> None:
+    """The force of the hinge by the height of the centre of mass a moment before and after the lowest place."""
+    (stick, bob), length, radius, moment = (1.0, 2.0), 0.6, 0.1, 1e-4
+    inertia = sum(stick / 4000 * ((k + 0.5) / 4000 * length) ** 2 for k in range(4000))
+    inertia += sum(bob * share * (length**2 + (radius * part) ** 2) for part, share in RINGS)
+    lever = stick * length / 2 + bob * length
+
+    def rate(_: float, angle: float, spin: float) -> float:
+        return -G * lever * math.cos(angle) / inertia
+
+    _, angle, spin = reach(rate, 0.0, 0.0, lambda _, angle, spin: angle + math.pi / 2)
+    places = [run(motion(rate), (angle, spin), time, 1)[0] for time in (-moment, 0.0, moment)]
+    before, now, after = (lever * math.sin(place) / (stick + bob) for place in places)
+    force = (stick + bob) * (G + (before - 2 * now + after) / moment**2)
+    expected = {"I": inertia, "alpha": rate(0, 0, 0), "omega": spin, "F": force}
+    for name, value in expected.items():
+        assert answer("clock-pendulum", name) == pytest.approx(value, rel=1e-6), name
 
 
 def test_conical_pendulum_by_the_forces_in_the_turning_frame() -> None:
@@ -118,10 +130,10 @@ def test_conical_pendulum_by_the_forces_in_the_turning_frame() -> None:
 
 
 def test_swing_ride_by_the_forces_in_the_turning_frame() -> None:
-    mass, reach = 60, 3 + 4 * math.sin(math.radians(30))
-    rate = bisect(lambda w: w**2 * reach - G * math.tan(math.radians(30)), 0.1, 50)
+    mass, arm = 60, 3 + 4 * math.sin(math.radians(30))
+    rate = bisect(lambda w: w**2 * arm - G * math.tan(math.radians(30)), 0.1, 50)
     assert rate == pytest.approx(answer("swing-ride", "omega"), rel=1e-10)
-    assert math.hypot(mass * G, mass * rate**2 * reach) == pytest.approx(answer("swing-ride", "F"), rel=1e-10)
+    assert math.hypot(mass * G, mass * rate**2 * arm) == pytest.approx(answer("swing-ride", "F"), rel=1e-10)
 
 
 def shaft_torque(angle: float, rate: float) -> float:
@@ -133,7 +145,7 @@ def shaft_torque(angle: float, rate: float) -> float:
 
 def test_rod_on_a_turning_shaft_by_the_pieces_of_the_rod() -> None:
     angle = bisect(lambda theta: -shaft_torque(theta, 6), 0.1, math.pi / 2)
-    assert math.degrees(angle) == pytest.approx(answer("rod-on-turning-shaft", "theta"), rel=1e-10)
+    assert angle == pytest.approx(answer("rod-on-turning-shaft", "theta"), rel=1e-10)
     assert 2 * 36 * 0.6 * math.sin(angle) == pytest.approx(-answer("rod-on-turning-shaft", "Fx"), rel=1e-10)
 
 
@@ -152,11 +164,3 @@ def test_upright_rod_stays_up_while_its_energy_is_least_there() -> None:
         return 1.5 * G * 0.4 * (math.cos(small) - 1) + kappa * small**2 / 2
 
     assert rise(stiffness * 1.001) > 0 > rise(stiffness * 0.999)
-
-
-def bisect(gap: Acceleration, low: float, high: float) -> float:
-    """The place between where a growing function passes zero."""
-    for _ in range(200):
-        middle = (low + high) / 2
-        low, high = (low, middle) if gap(middle) > 0 else (middle, high)
-    return (low + high) / 2

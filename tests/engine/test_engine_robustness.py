@@ -5,7 +5,6 @@ ROTSOLVE_MUTANTS=5000 tries more of them than an ordinary run does.
 
 from __future__ import annotations
 
-import importlib.util
 import os
 import random
 import re
@@ -14,6 +13,7 @@ from pathlib import Path
 
 import pytest
 
+import mutants
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.pipeline import solve
@@ -24,10 +24,6 @@ FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "probl
 MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "300")), 10
 SECONDS = 5.0
 INTERNAL = re.compile(rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES)}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b")
-SPEC = importlib.util.spec_from_file_location("rotsolve_mutants", HERE / "mutants.py")
-assert SPEC is not None and SPEC.loader is not None
-mutants = importlib.util.module_from_spec(SPEC)
-SPEC.loader.exec_module(mutants)
 
 
 def all_texts(solution: Solution) -> dict[str, str]:
