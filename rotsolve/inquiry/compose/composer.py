@@ -112,9 +112,11 @@ class Composer:
         if not marks:
             return f"from {target}" if target else ""
         listed = marks[0] if len(marks) == 1 else ", ".join(marks[:-1]) + " and " + marks[-1]
-        return f"{listed} in {target}"
+        return f"{target} with {listed}" if step.target[0] == "words" else f"{listed} in {target}"
 
     def _mark(self, ref: Ref) -> str:
+        if ref[0] == "words":
+            return str(ref[1])
         if ref[0] == "known":
             return name_to_text(self.names.get(str(ref[1]), str(ref[1])))
         number = self.numbers.get(ref)
