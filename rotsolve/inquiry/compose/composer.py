@@ -141,10 +141,7 @@ class Composer:
         facts = self._facts_of(draft)
         if facts is None:
             return ()
-        needed = {name for equation in equations for name in equation.symbols()}
-        return tuple(
-            self._force_line(body.name, facts, needed, draft.laws) for body in facts.diagrams if body.name in names
-        )
+        return tuple(self._force_line(body.name, facts, draft.laws) for body in facts.diagrams if body.name in names)
 
     def _facts_of(self, draft: Draft) -> Facts | None:
         """The facts that a section is about: of its state, of its phase, or of swings; none of an event.
@@ -165,8 +162,8 @@ class Composer:
             return self.history.facts(interval.start, generic=self.history.varies(interval))
         return self.history.facts(key) if key in timeline.order else None
 
-    def _force_line(self, name: str, facts: Facts, needed: set[str], laws: list[int]) -> ForceLine:
-        """Forces that the equations speak of, and in brackets those that have no say in them."""
+    def _force_line(self, name: str, facts: Facts, laws: list[int]) -> ForceLine:
+        """Forces, with their letters where equations speak of them, and in brackets those that have no say in them."""
         body = facts.body(name)
         assert body is not None
         pushed = any(
@@ -177,8 +174,12 @@ class Composer:
             size = item.size if isinstance(item, Force) else item.torque
             if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
-            elif item.role not in UNSEEN or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
+                continue
+            letters = {letter for letter in size.symbols() if SEPARATOR in letter}
+            if letters <= self._in_use:
                 spoken_of.append(self.words(item.words))
+            elif item.role not in UNSEEN:
+                spoken_of.append(nameless(item.words))
         return ForceLine(spoken(name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent))))
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
@@ -191,6 +192,12 @@ class Composer:
         return tuple(self.words(remark) for remark in remarks)
 
     # letters
+
+    @cached_property
+    def _in_use(self) -> set[str]:
+        """Letters that an equation or an answer speaks of."""
+        written = {name for draft in self.drafts for name in self._in_equations(draft)}
+        return written | {name for item in self.inquiry.answered for name in item.asked.formula.symbols()}
 
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
@@ -259,19 +266,23 @@ class Composer:
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""
         for draft in self.drafts:
-            for index in draft.laws:
-                yield from sorted(self.pool[index].symbols())
-                yield from sorted(bound(self.pool[index].left) | bound(self.pool[index].right))
-            for step in draft.steps:
-                for one in step.chain:
-                    yield from sorted(one.left.symbols() | one.right.symbols())
-                    yield from sorted(bound(one.left) | bound(one.right))
+            yield from self._in_equations(draft)
             yield from self._in_forces(draft)
         for answered in (*self.inquiry.answered, *(side for chosen in self.inquiry.chosen for side in chosen.sides)):
             yield from sorted(answered.asked.formula.symbols())
 
+    def _in_equations(self, draft: Draft) -> Iterator[str]:
+        """Letters of the laws and steps of a section."""
+        for index in draft.laws:
+            yield from sorted(self.pool[index].symbols())
+            yield from sorted(bound(self.pool[index].left) | bound(self.pool[index].right))
+        for step in draft.steps:
+            for one in step.chain:
+                yield from sorted(one.left.symbols() | one.right.symbols())
+                yield from sorted(bound(one.left) | bound(one.right))
+
     def _in_forces(self, draft: Draft) -> Iterable[str]:
-        """Letters of the forces that a free-body diagram names, supports left out."""
+        """Givens in the forces that a free-body diagram names, supports left out."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
         facts = self._facts_of(draft)
@@ -279,7 +290,8 @@ class Composer:
             if body.name in names:
                 for item in body.acting:
                     if item.role not in UNSEEN:
-                        yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
+                        letters = (item.size if isinstance(item, Force) else item.torque).symbols()
+                        yield from sorted(name for name in letters if SEPARATOR not in name)
 
     @cached_property
     def letters(self) -> dict[str, Formula]:
@@ -336,6 +348,12 @@ def bound(formula: Formula) -> set[str]:
     """Letters inside integrals, bound ones too."""
     inside = [node for node in formula.walk() if isinstance(node, Integral)]
     return {name for node in inside for name in {node.variable, *node.integrand.symbols()}}
+
+
+def nameless(words: Words) -> Words:
+    """The words of a force whose letter no equation has: "normal force, up"."""
+    told = [part for part in words if not isinstance(part, Formula)]
+    return ("".join(part.rstrip() if k < len(told) - 1 else part for k, part in enumerate(told)),)
 
 
 def without_torque(silent: list[str]) -> tuple[Words, ...]:
