@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
-from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.letters import PRIME, name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.equation import NEWTON
@@ -240,7 +240,7 @@ class Composer:
 
     def _running(self, used: Iterable[str], taken: frozenset[str], time: str) -> dict[str, str]:
         """Letters for what runs through a phase, the same in every phase: ω(t), or plain ω where it is summed over."""
-        quantities, variables = self.history.registry.quantities, set(self._variables())
+        quantities, over = self.history.registry.quantities, self._integrated()
         running = [item for key in used if (item := quantities.get(key)) is not None and item.runs]
         owners: dict[str, set[tuple[str, str, str]]] = {}
         for item in running:
@@ -249,19 +249,25 @@ class Composer:
         for item in running:
             alone = len(owners[item.letter]) == 1
             plain = "_".join(filter(None, (item.letter, item.component, "" if alone else item.owner)))
-            if item.key not in variables:
-                names[item.key] = f"{plain}({time})"
-            elif plain not in taken:
-                names[item.key] = plain
+            if item.key in over:
+                names[item.key] = plain if plain not in taken else plain + PRIME
+                continue
+            places = {key for key, inside in over.items() if item.key in inside} - {TIME}
+            way = quantities.get(places.pop()) if len(places) == 1 else None
+            names[item.key] = f"{plain}({time if way is None else way.letter})"
         return names
 
-    def _variables(self) -> Iterator[str]:
-        """Variables of integration."""
+    def _integrated(self) -> dict[str, set[str]]:
+        """Variables of integration, each with the letters of what is summed over it."""
+        found: dict[str, set[str]] = {}
         for draft in self.drafts:
             sides = [side for index in draft.laws for side in (self.pool[index].left, self.pool[index].right)]
             sides += [side for step in draft.steps for one in step.chain for side in (one.left, one.right)]
             for side in sides:
-                yield from (node.variable for node in side.walk() if isinstance(node, Integral))
+                for node in side.walk():
+                    if isinstance(node, Integral):
+                        found.setdefault(node.variable, set()).update(node.integrand.symbols())
+        return found
 
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""
