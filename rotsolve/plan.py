@@ -10,8 +10,12 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from rotsolve.algebra.formula import Sum
 from rotsolve.core.equation import Equation
 
+BACKWARDS = (
+    6  # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
+)
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 
@@ -41,13 +45,18 @@ class Planner:
         self.pool = list(pool)
         self.symbols = [equation.symbols() for equation in self.pool]
         self.summed = [equation.summed() for equation in self.pool]
+        self.plain = {index for index, equation in enumerate(self.pool) if is_plain(equation)}
+        self.dear: set[int] = set()  # definitions of what has been answered: the last way to what they are made of
 
     def extend(self, equation: Equation) -> int:
         """Add an equation found on the way; its index."""
         self.pool.append(equation)
         self.symbols.append(equation.symbols())
         self.summed.append(equation.summed())
-        return len(self.pool) - 1
+        index = len(self.pool) - 1
+        if is_plain(equation):
+            self.plain.add(index)
+        return index
 
     def plan(self, asked: str, known: Collection[str], allowed: Collection[int] | None = None) -> Plan | Shortage:
         """The cheapest plan for `asked`, with the equations `allowed`."""
@@ -78,7 +87,14 @@ class Planner:
                     fresh = [name for name in unknowns[index] if name not in seen]
                     seen.update(fresh)
                     pending.extend(fresh)
-        return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
+        return dict(sorted(found.items(), key=lambda item: self._rank(*item)))
+
+    def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
+        """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another."""
+        return self._cost(index), len(names), int(len(names) == 1 and index not in self.plain), index
+
+    def _cost(self, index: int) -> int:
+        return self.pool[index].cost + (BACKWARDS if index in self.dear else 0)
 
     def _usable(self, unknowns: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Without the equations that sum over something which none of the others tells."""
@@ -115,7 +131,7 @@ class Planner:
             pending.extend(fresh)
         if open_:
             return self._shortage(asked, open_, unknowns, owner)
-        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
+        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(map(self._cost, needed)))
 
     def _chain(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
         """The cheapest plan that settles one unknown after the other, none together; None where there is no such plan.
@@ -132,7 +148,7 @@ class Planner:
                     if len(others) < len(names) - 1:
                         continue
                     used = frozenset((index,)).union(*(equations for _, equations in others))
-                    cost = sum(self.pool[k].cost for k in used)
+                    cost = sum(map(self._cost, used))
                     if name not in ways or cost < ways[name][0]:
                         ways[name] = (cost, used)
                         changed = True
@@ -170,6 +186,11 @@ class Planner:
             best, dropped = min(better, key=lambda item: item[0].cost)
             del pool[dropped]
         return best
+
+
+def is_plain(equation: Equation) -> bool:
+    """Whether one term equals another: a = R α."""
+    return not any(isinstance(node, Sum) for side in (equation.left, equation.right) for node in side.walk())
 
 
 def _augment(index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str]) -> bool:

@@ -14,6 +14,8 @@ TIME = "time"  # the running time, a letter of its own
 VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
+PHASE = " to "  # within the name of a phase
+FIRST_WITH_TIME = 2  # the first of the indices that speaks of a time
 REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
@@ -82,8 +84,13 @@ class Registry:
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
-        for index in _indices(chosen.get(TIME, TIME)):
+        for step, index in enumerate(_indices(chosen.get(TIME, TIME))):
             rest = []
+            if step == FIRST_WITH_TIME:
+                numbered = _numbered(pending, occupied)
+                names |= numbered
+                occupied |= set(numbered.values())
+                pending = [quantity for quantity in pending if quantity.key not in numbered]
             wanted: dict[str, list[Quantity]] = {}
             for quantity in pending:
                 wanted.setdefault(index(quantity), []).append(quantity)
@@ -97,6 +104,23 @@ class Registry:
         for number, quantity in enumerate(pending, 1):
             names[quantity.key] = f"{quantity.letter}_{quantity.owner}_{number}"
         return names
+
+
+def _numbered(pending: list[Quantity], occupied: set[str]) -> dict[str, str]:
+    """a₁, a₂ for what one letter is in one phase after the other, where nothing else has that letter with a number."""
+    names: dict[str, str] = {}
+    groups: dict[str, list[Quantity]] = {}
+    for quantity in pending:
+        groups.setdefault(quantity.letter, []).append(quantity)
+    for letter, group in groups.items():
+        wanted = [f"{letter}{number}" for number in range(1, len(group) + 1)]
+        alike = len({(quantity.owner, quantity.component) for quantity in group}) == 1 and not group[0].component
+        phases = all(PHASE in quantity.when or quantity.when.startswith(GENERIC) for quantity in group)
+        phases = phases and not any(quantity.runs for quantity in group)
+        free = not {f"{letter}{number}" for number in range(10)} & occupied
+        if alike and phases and free and len(group) > 1 and not letter[-1].isdigit():
+            names |= {quantity.key: name for quantity, name in zip(group, wanted, strict=True)}
+    return names
 
 
 def _join(*parts: str) -> str:

@@ -161,6 +161,8 @@ class Inquiry:
         meant = self.defined.get(asked.letter)
         if meant is not None and (asked.whole or has_calls(asked.formula) or self._turned_round(meant, first)):
             self.retired.add(meant)  # a size or component does not lead back to what it is made of
+        elif meant is not None:
+            self.planner.dear.add(meant)
         return answered
 
     def _section_of(self, formula: Formula) -> str:

@@ -191,7 +191,8 @@ class Statements:
             if condition.word in EXTREMES and condition.path is not None:
                 label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
                 section = before.name if before is not None else state  # it tells how long the phase takes
-            self.stated.append((Equation(letter, value, label, section, "", 1), condition))
+            cost = 1 if isinstance(letter, Symbol) else 2
+            self.stated.append((Equation(letter, value, label, section, "", cost), condition))
 
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""

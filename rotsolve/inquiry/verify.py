@@ -192,7 +192,7 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
-    spoken_of: list[Words] = []
+    spoken_of: list[str | Formula] = []
     for place, needs in needed(inquiry):
         for need in needs:
             key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
@@ -206,9 +206,9 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
             if sign is None:
                 continue
             told.add(key)
-            words = said(need, inquiry, composer, judge, touching=sign == 0) if sign >= 0 else ()
-            if sign >= 0 and words not in spoken_of and len(spoken_of) < 3:
-                spoken_of.append(words)
+            words = said(need, inquiry, composer, judge) if sign > 0 else ()
+            if words and words[-1] not in spoken_of and len(spoken_of) < 3:
+                spoken_of.append(words[-1])
                 yield Check(words)
             elif sign < 0:
                 yield Check(objection(need, place, inquiry, composer), False)
@@ -256,15 +256,15 @@ def lettered(need: Requirement, inquiry: Inquiry, composer: Composer) -> dict[st
     return {**plain, **composer.letters}
 
 
-def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry, *, touching: bool) -> Words:
-    """A requirement that holds, in words: "T > 0: the string stays taut"; `touching` where it just holds."""
+def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry) -> Words:
+    """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if isinstance(need.right, Call):
         size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
-    letter = need.left.substitute(lettered(need, inquiry, composer))
     told = str(need.words[-1]).partition(": ")[2]
     what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
-    return (letter, " = 0: only just, " if touching else " > 0: ", what)
+    letters = {name for name in need.left.symbols() if SEPARATOR in name}
+    return (composer.printed(need.left), " > 0: ", what) if letters <= set(composer.names) else (what,)
 
 
 def decimal(value: Formula | None, inquiry: Inquiry) -> str:

@@ -438,6 +438,6 @@ def reasons(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     if "friction" in roles:
         parts.append("friction does no work (the point of contact is at rest)")
     elif "normal" in roles:
-        parts.append("the normal force does no work (it is square to the motion)")
+        parts.append("the normal force does no work (it is perpendicular to the motion)")
     if parts:
         yield "Energy is conserved: " + "; ".join(parts)

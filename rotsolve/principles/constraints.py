@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.facts import Facts, Rule
+from rotsolve.core.writing import flat, is_negative
 
 
 def for_accelerations(facts: Facts, section: str) -> Iterator[Equation]:
@@ -32,4 +33,7 @@ def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str
 
 
 def written(rule: Rule, sides: tuple[Formula, Formula], section: str) -> Equation:
+    """A rule as an equation; two sides that are both negative are turned round."""
+    if all(is_negative(term) for side in sides for term in flat([side])):
+        sides = negate(sides[0]), negate(sides[1])
     return Equation(sides[0], sides[1], rule.label, section, "", 2, rule.remark, bodies=rule.bodies)

@@ -177,7 +177,7 @@ def angles_turned(
     right = [term * passage.duration for term in momentum]
     label = "angular momentum summed over the time"
     words: Words = ("Angular momentum is the same at every moment: its sum over the time tells the angles turned.",)
-    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 4, words, bodies=names)
+    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 5, words, bodies=names)
 
 
 def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:

@@ -15,7 +15,7 @@ from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.unwrap import solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Power, Sum, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
@@ -254,7 +254,8 @@ class Solver(Textbook):
         final = self.simplify(value)
         roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
         sums = all(isinstance(root, Sum) for root in roots)
-        return value if sums and 3 * length(value) < 2 * length(final) else final
+        much = 1 if is_size(value) else Fraction(3, 2)
+        return value if sums and much * length(value) < length(final) else final
 
     def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
         """A step whose first equality is in letters found before, and whose last has them put in."""
@@ -318,6 +319,12 @@ class Solver(Textbook):
                 self._keep(item, [Equality(item.left, item.right)], asked, reason)
                 return Found(asked, None, roots.roots[picked.root if picked else 0])
         raise NoClosedForm("no real value satisfies the equations")
+
+
+def is_size(value: Formula) -> bool:
+    """Whether a formula is the root of a sum of squares, as the size of a vector is."""
+    root = value.arguments[0] if isinstance(value, Call) and value.function == "sqrt" else value
+    return isinstance(root, Sum) and all(isinstance(term, Power) for term in root.terms)
 
 
 def as_formula(root: Certified) -> Formula:

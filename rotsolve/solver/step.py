@@ -11,7 +11,7 @@ from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.formula import PI, Formula, Number
 from rotsolve.core.derivation import Equality, Words
 
-# ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before)
+# ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before) | ('words', what is to hold)
 Ref = tuple[str, "int | str"]
 
 

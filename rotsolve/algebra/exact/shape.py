@@ -9,8 +9,11 @@ from __future__ import annotations
 import re
 from collections.abc import Collection, Sequence
 from fractions import Fraction
+from functools import partial
+from math import prod
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.grouping import FEWEST, groupings, singles, taken_apart
 from rotsolve.algebra.exact.products import Parts, Rank, share_number, written_fraction
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import (
@@ -20,7 +23,9 @@ from rotsolve.algebra.formula import (
     Call,
     Constant,
     Formula,
+    Negative,
     Number,
+    Sum,
     Symbol,
     call,
     multiply,
@@ -71,7 +76,34 @@ class Shaper:
             return ZERO
         first = next((k for k, (coefficient, e) in enumerate(terms) if coefficient > 0 and not self._has_root(e)), 0)
         terms.insert(0, terms.pop(first))
-        return total([self._monomial(*term, below) for term in terms])
+        plain = total([self._monomial(*term, below) for term in terms])
+        return plain if below != 1 else self._grouped(poly, plain)
+
+    def _grouped(self, poly: Poly, plain: Formula) -> Formula:
+        """A long sum by the powers of one letter, where that is much shorter, or two brackets: m₂ (u − v) − m₁ (u + v)."""
+        best, least = plain, extent(plain)
+        for groups in groupings(self.field, poly):
+            groups.sort(key=lambda group: min(self._term_key(e) for _, e in self.field.terms(group)))
+            shown = [self.ratio((group, self.field.one)) for group in groups]
+            whole = total(sorted(shown, key=self._late))
+            pair = len(groups) == 2 and all(
+                len(group) > 1 and not isinstance(one, Sum) for group, one in zip(groups, shown, strict=True)
+            )
+            size = extent(whole)
+            if size < least and (pair or 5 * size <= 4 * extent(plain)):
+                best, least = whole, size
+        return total(self._merged(list(best.terms))) if best is not plain and isinstance(best, Sum) else best
+
+    def _merged(self, terms: list[Formula]) -> list[Formula]:
+        """Terms of a grouped sum with two of them put together where that makes a product: 2 m u − 2 m v is 2 m (u − v)."""
+        for k, first in enumerate(terms if len(terms) > 2 else ()):
+            for other in terms[k + 1 :]:
+                pair = self.field.convert(first)[0] + self.field.convert(other)[0]
+                shown = self.ratio((pair, self.field.one))
+                if not isinstance(shown, Sum) and extent(shown) <= extent(first) + extent(other):
+                    rest = [term for term in terms if term is not other]
+                    return self._merged([shown if term is first else term for term in rest])
+        return terms
 
     def _has_root(self, exponents: tuple[int, ...]) -> bool:
         return any(exponents[i] for i, radicand in self.radicands.items() if not radicand.is_constant())
@@ -103,9 +135,49 @@ class Shaper:
     def ratio(self, ratio: Ratio) -> Formula:
         """A fraction in factors; common factors are cancelled first."""
         parts = self.parts(ratio)
+        apart = self._apart(parts)
+        if apart is not None:
+            return apart
         if len(parts.sums) == 1 and not parts.gens and parts.root == 1 and self._spreads(parts):
             return self.poly(parts.sums[0][0] * parts.number.numerator, parts.number.denominator)
         return self._build(parts)
+
+    def _apart(self, parts: Parts) -> Formula | None:
+        """A sum over letters with what is whole in front: ω² − 6 g/L; None where all of it is a fraction, or it is not the only factor."""
+        above = [poly for poly, e in parts.sums if e > 0]
+        powers = [*parts.gens.values(), *(e for _, e in parts.sums)]
+        if len(above) != 1 or parts.root != 1 or len(powers) == 1 or any(e.denominator != 1 for e in powers):
+            return None
+        below = [(self.field.gens[i], -int(e)) for i, e in parts.gens.items()]
+        below += [(poly, -int(e)) for poly, e in parts.sums if e < 0]
+        if any(e < 0 for _, e in below) or (above[0], Fraction(1)) not in parts.sums:
+            return None
+        split = taken_apart(self.field, above[0], below, parts.number)
+        if len(split) == 1 or abs(parts.number.numerator) != 1:
+            return None
+        under = prod((poly**e for poly, e in below), start=self.field.one) * parts.number.denominator
+        over = partial(self._over, under, parts.number.numerator)
+        ways = [over(split[:-1], split[-1:])]
+        if len(split[-1]) < FEWEST:
+            ways.append(over(split[:-1], singles(self.field, split[-1])))
+        return min(ways, key=extent)
+
+    def _over(self, under: Poly, number: int, whole: list[Poly], rest: list[Poly]) -> Formula:
+        """Sums of fractions over one thing, what is whole first unless all of it is negative, roots last."""
+        terms = [
+            sorted([self.ratio(self.field.cancel((part * number, under))) for part in group], key=self._late)
+            for group in (whole, rest)
+        ]
+        if isinstance(terms[0][0], Negative):
+            terms = [sorted([*terms[0], *terms[1]], key=self._late)]
+        return total([term for group in terms for term in group])
+
+    @staticmethod
+    def _late(term: Formula) -> tuple[bool, bool]:
+        """Where a term stands in a sum: roots behind the others, minus signs behind plus."""
+        return isinstance(term, Negative), any(
+            isinstance(node, Call) and node.function == "sqrt" for node in term.walk()
+        )
 
     def _spreads(self, parts: Parts) -> bool:
         """Whether a sum over a number reads better term by term: m + ½ M, π − ½ φ, but ½ (u + v)."""
@@ -203,7 +275,7 @@ class Shaper:
         items = [(self.ranks[i], self.field.atoms[i], e) for i, e in self._with_tan(parts, outer).items()]
         parts.unite_squares()
         shared = self._shared(parts)
-        for poly, e in parts.sums:
+        for poly, e in self._turned(parts):
             shown, sign = self._oriented(poly, e, flip * parts.number < 0, shared)
             flip *= sign
             items.append(((2, 0, repr(shown) if len(parts.sums) > 1 else "", ""), shown, e))
@@ -214,6 +286,12 @@ class Shaper:
             if e != whole:
                 inner.append((rank, base, 1 if e > 0 else -1))
         return self._assemble(parts.number * flip * shared, parts.root, self._with_exp(outer), inner)
+
+    def _turned(self, parts: Parts) -> list[tuple[Poly, Fraction]]:
+        """The brackets of a product, two that both lead with a minus turned round: (v − u) (y − x) is (u − v) (x − y)."""
+        backward = [poly for poly, e in parts.sums if e.denominator == 1 and e % 2 and self.leads_negative(poly)]
+        turned = backward[: len(backward) // 2 * 2] if parts.number > 0 else []
+        return [(-poly if poly in turned else poly, e) for poly, e in parts.sums]
 
     def _with_tan(self, parts: Parts, outer: list[tuple[Rank, Formula, int]]) -> dict[int, Fraction]:
         """The powers of generators with sin/cos taken out as tan."""
@@ -245,7 +323,10 @@ class Shaper:
         mixed = len({coefficient > 0 for coefficient, _ in self.field.terms(poly)}) == 2
         if odd and mixed and (negative != turn):
             turn = not turn
-        return self.poly(-poly if turn else poly, below), -1 if turn and odd else 1
+        shown = self.poly(-poly if turn else poly, below)
+        if odd and isinstance(shown, Sum) and all(isinstance(term, Negative) for term in shown.terms):
+            shown, turn = negate(shown), not turn
+        return shown, -1 if turn and odd else 1
 
     def _radicand(self, poly: Poly) -> Formula:
         """What stands under a root, in factors where it has any."""
@@ -280,3 +361,8 @@ class Shaper:
             above.append(((5 if inner else -1, 0, "", ""), call("sqrt", inside), 1))
         result = written_fraction(number, above + [(r, b, -e) for r, b, e in below])
         return negate(result) if sign < 0 else result
+
+
+def extent(node: Formula) -> int:
+    """How long a formula is to read: its number of nodes."""
+    return sum(1 for _ in node.walk())

@@ -44,7 +44,8 @@ _INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
 _CHANGE = re.compile(rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)")  # delta_theta, delta_K1
-_RUNNING = re.compile(r"([A-Za-z0-9_]+)\((t|time)\)")  # omega(t)
+_RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
+PRIME = "'"  # marks a variable of integration beside its end: omega'
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
 
 
@@ -96,7 +97,9 @@ def name_to_text(name: str) -> str:
     if match := _CHANGE.fullmatch(name):
         return f"Δ{_greek(match[1])}{subscripted(match[2])}"
     if match := _RUNNING.fullmatch(name):
-        return f"{name_to_text(match[1])}({match[2]})"
+        return f"{name_to_text(match[1])}({name_to_text(match[2])})"
+    if name.endswith(PRIME):
+        return name_to_text(name.removesuffix(PRIME)) + "′"
     if match := _INDEXED.fullmatch(name):
         return _greek(match[1]) + subscripted(match[2])
     if match := _LETTERED.fullmatch(name):
@@ -125,7 +128,9 @@ def name_to_latex(name: str) -> str:
         index = f"_{{{match[2]}}}" if match[2] else ""
         return rf"\Delta {_latex_head(match[1])}{index}"
     if match := _RUNNING.fullmatch(name):
-        return f"{name_to_latex(match[1])}({match[2]})"
+        return f"{name_to_latex(match[1])}({name_to_latex(match[2])})"
+    if name.endswith(PRIME):
+        return name_to_latex(name.removesuffix(PRIME)) + PRIME
     if match := _INDEXED.fullmatch(name):
         return f"{_latex_head(match[1])}_{{{match[2]}}}"
     if match := _WORDED.fullmatch(name):

@@ -22,7 +22,7 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.notation.letters import GLYPHS, name_to_latex, name_to_text, superscripted
+from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_latex, name_to_text, superscripted
 
 __all__ = ["name_to_latex", "name_to_text", "number_to_text", "to_latex", "to_text"]
 
@@ -170,7 +170,8 @@ def _unicode(formula: Formula) -> Piece:
             looks = any(name.startswith("d") for name in integrand.symbols())
             text = f"({body[0]})" if body[1] <= NEGATIVE or looks else body[0]
             bounds = f"{_unicode(lower)[0]} → {_unicode(upper)[0]}"
-            gap = "" if len(name_to_text(variable.partition("_")[0])) == 1 else " "  # dt, dω, but d time
+            head = variable.partition("_")[0].removesuffix(PRIME)
+            gap = "" if len(name_to_text(head)) == 1 else " "  # dt, dω, but d time
             return f"∫[{bounds}] {text} d{gap}{name_to_text(variable)}", NEGATIVE
     raise TypeError(f"no text for {formula!r}")
 

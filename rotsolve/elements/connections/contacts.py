@@ -192,7 +192,7 @@ class Touch(Connection):
 
 def away(surface: Surface) -> str:
     """Direction of a surface's push in words."""
-    words = {"level": "up", "slope": "square to the slope", "dome": "outward", "hollow": "towards the centre"}
+    words = {"level": "up", "slope": "perpendicular to the slope", "dome": "outward", "hollow": "towards the centre"}
     return words.get(surface.word, f"away from the {spoken(surface.word)}")
 
 

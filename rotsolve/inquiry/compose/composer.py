@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
-from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.letters import PRIME, name_to_text
 from rotsolve.core.derivation import Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Facts, Force
@@ -108,9 +108,11 @@ class Composer:
         if not marks:
             return f"from {target}" if target else ""
         listed = marks[0] if len(marks) == 1 else ", ".join(marks[:-1]) + " and " + marks[-1]
-        return f"{listed} in {target}"
+        return f"{target} with {listed}" if step.target[0] == "words" else f"{listed} in {target}"
 
     def _mark(self, ref: Ref) -> str:
+        if ref[0] == "words":
+            return str(ref[1])
         if ref[0] == "known":
             return name_to_text(self.names.get(str(ref[1]), str(ref[1])))
         number = self.numbers.get(ref)
@@ -135,10 +137,7 @@ class Composer:
         facts = self._facts_of(draft)
         if facts is None:
             return ()
-        needed = {name for equation in equations for name in equation.symbols()}
-        return tuple(
-            self._force_line(body.name, facts, needed, draft.laws) for body in facts.diagrams if body.name in names
-        )
+        return tuple(self._force_line(body.name, facts, draft.laws) for body in facts.diagrams if body.name in names)
 
     def _facts_of(self, draft: Draft) -> Facts | None:
         """The facts that a section is about: of its state, of its phase, or of swings; none of an event.
@@ -159,8 +158,8 @@ class Composer:
             return self.history.facts(interval.start, generic=self.history.varies(interval))
         return self.history.facts(key) if key in timeline.order else None
 
-    def _force_line(self, name: str, facts: Facts, needed: set[str], laws: list[int]) -> ForceLine:
-        """Forces that the equations speak of, and in brackets those that have no say in them."""
+    def _force_line(self, name: str, facts: Facts, laws: list[int]) -> ForceLine:
+        """Forces, with their letters where equations speak of them, and in brackets those that have no say in them."""
         body = facts.body(name)
         assert body is not None
         pushed = any(
@@ -171,8 +170,12 @@ class Composer:
             size = item.size if isinstance(item, Force) else item.torque
             if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
-            elif item.role not in UNSEEN or not {letter for letter in size.symbols() if SEPARATOR in letter} - needed:
+                continue
+            letters = {letter for letter in size.symbols() if SEPARATOR in letter}
+            if letters <= self._in_use:
                 spoken_of.append(self.words(item.words))
+            elif item.role not in UNSEEN:
+                spoken_of.append(nameless(item.words))
         return ForceLine(spoken(name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent))))
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
@@ -185,6 +188,12 @@ class Composer:
         return tuple(self.words(remark) for remark in remarks)
 
     # letters
+
+    @cached_property
+    def _in_use(self) -> set[str]:
+        """Letters that an equation or an answer speaks of."""
+        written = {name for draft in self.drafts for name in self._in_equations(draft)}
+        return written | {name for item in self.inquiry.answered for name in item.asked.formula.symbols()}
 
     def _names(self) -> dict[str, str]:
         """Printed names of all quantities that occur."""
@@ -227,7 +236,7 @@ class Composer:
 
     def _running(self, used: Iterable[str], taken: frozenset[str], time: str) -> dict[str, str]:
         """Letters for what runs through a phase, the same in every phase: ω(t), or plain ω where it is summed over."""
-        quantities, variables = self.history.registry.quantities, set(self._variables())
+        quantities, over = self.history.registry.quantities, self._integrated()
         running = [item for key in used if (item := quantities.get(key)) is not None and item.runs]
         owners: dict[str, set[tuple[str, str, str]]] = {}
         for item in running:
@@ -236,36 +245,46 @@ class Composer:
         for item in running:
             alone = len(owners[item.letter]) == 1
             plain = "_".join(filter(None, (item.letter, item.component, "" if alone else item.owner)))
-            if item.key not in variables:
-                names[item.key] = f"{plain}({time})"
-            elif plain not in taken:
-                names[item.key] = plain
+            if item.key in over:
+                names[item.key] = plain if plain not in taken else plain + PRIME
+                continue
+            places = {key for key, inside in over.items() if item.key in inside} - {TIME}
+            way = quantities.get(places.pop()) if len(places) == 1 else None
+            names[item.key] = f"{plain}({time if way is None else way.letter})"
         return names
 
-    def _variables(self) -> Iterator[str]:
-        """Variables of integration."""
+    def _integrated(self) -> dict[str, set[str]]:
+        """Variables of integration, each with the letters of what is summed over it."""
+        found: dict[str, set[str]] = {}
         for draft in self.drafts:
             sides = [side for index in draft.laws for side in (self.pool[index].left, self.pool[index].right)]
             sides += [side for step in draft.steps for one in step.chain for side in (one.left, one.right)]
             for side in sides:
-                yield from (node.variable for node in side.walk() if isinstance(node, Integral))
+                for node in side.walk():
+                    if isinstance(node, Integral):
+                        found.setdefault(node.variable, set()).update(node.integrand.symbols())
+        return found
 
     def _occurring(self) -> Iterable[str]:
         """All letters that are printed, in the order in which they occur."""
         for draft in self.drafts:
-            for index in draft.laws:
-                yield from sorted(self.pool[index].symbols())
-                yield from sorted(bound(self.pool[index].left) | bound(self.pool[index].right))
-            for step in draft.steps:
-                for one in step.chain:
-                    yield from sorted(one.left.symbols() | one.right.symbols())
-                    yield from sorted(bound(one.left) | bound(one.right))
+            yield from self._in_equations(draft)
             yield from self._in_forces(draft)
         for answered in (*self.inquiry.answered, *(side for chosen in self.inquiry.chosen for side in chosen.sides)):
             yield from sorted(answered.asked.formula.symbols())
 
+    def _in_equations(self, draft: Draft) -> Iterator[str]:
+        """Letters of the laws and steps of a section."""
+        for index in draft.laws:
+            yield from sorted(self.pool[index].symbols())
+            yield from sorted(bound(self.pool[index].left) | bound(self.pool[index].right))
+        for step in draft.steps:
+            for one in step.chain:
+                yield from sorted(one.left.symbols() | one.right.symbols())
+                yield from sorted(bound(one.left) | bound(one.right))
+
     def _in_forces(self, draft: Draft) -> Iterable[str]:
-        """Letters of the forces that a free-body diagram names, supports left out."""
+        """Givens in the forces that a free-body diagram names, supports left out."""
         equations = [self.pool[index] for index in draft.laws]
         names = {name for equation in equations if equation.family in WITH_FORCES for name in equation.bodies}
         facts = self._facts_of(draft)
@@ -273,7 +292,8 @@ class Composer:
             if body.name in names:
                 for item in body.acting:
                     if item.role not in UNSEEN:
-                        yield from sorted((item.size if isinstance(item, Force) else item.torque).symbols())
+                        letters = (item.size if isinstance(item, Force) else item.torque).symbols()
+                        yield from sorted(name for name in letters if SEPARATOR not in name)
 
     @cached_property
     def letters(self) -> dict[str, Formula]:
@@ -330,6 +350,12 @@ def bound(formula: Formula) -> set[str]:
     """Letters inside integrals, bound ones too."""
     inside = [node for node in formula.walk() if isinstance(node, Integral)]
     return {name for node in inside for name in {node.variable, *node.integrand.symbols()}}
+
+
+def nameless(words: Words) -> Words:
+    """The words of a force whose letter no equation has: "normal force, up"."""
+    told = [part for part in words if not isinstance(part, Formula)]
+    return ("".join(part.rstrip() if k < len(told) - 1 else part for k, part in enumerate(told)),)
 
 
 def without_torque(silent: list[str]) -> tuple[Words, ...]:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
-from rotsolve.solver import Step
+from rotsolve.solver import Ref, Step
 
 
 @dataclass
@@ -23,33 +23,85 @@ class Draft:
 
 
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
-    """Laws and steps by section, the sections in the order of time."""
-    drafts: dict[str, Draft] = {}
+    """Laws and steps by section, the sections in the order of time as far as none uses what a later one finds."""
     order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    homes = homes_of(inquiry, order)
+    needs = needs_of(inquiry)
+    homes = homes_of(inquiry, order, needs)
+    drafts: dict[str, Draft] = {}
     placed: set[int] = set()
-    for answered in sorted(inquiry.answered, key=lambda item: order.get(homes[item.asked.letter], len(order))):
-        laws, key = laws_of(answered, inquiry), homes[answered.asked.letter]
+    for key, numbers in arranged(inquiry, homes, order, needs):
         draft = drafts.setdefault(key, Draft(key))
-        draft.laws.extend(
-            index for index in sorted(laws, key=lambda index: law_order(index, inquiry)) if index not in placed
-        )
-        placed.update(laws)
-        draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
+        for answered in (inquiry.answered[number] for number in numbers):
+            homes[answered.asked.letter] = key
+            laws = sorted(laws_of(answered, inquiry), key=lambda index: law_order(index, inquiry))
+            draft.laws.extend(index for index in laws if index not in placed)
+            placed.update(laws)
+            draft.steps.extend(inquiry.solver.steps[slice(*answered.steps)])
     for chosen in inquiry.chosen:
         letters = {side.asked.letter for side in chosen.sides} & set(homes) or set(homes)
         last = latest(letters, homes, order)
         drafts.setdefault(last, Draft(last)).choices.append(chosen)
-    filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
-    return sorted(filled, key=lambda draft: order.get(draft.key, len(order)))
+    return [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
 
 
-def homes_of(inquiry: Inquiry, order: Mapping[str, int]) -> dict[str, str]:
-    """The sections of all answers: where their weightiest law is; of what is made of earlier answers, that of the last of them."""
+def arranged(
+    inquiry: Inquiry, homes: Mapping[str, str], order: Mapping[str, int], needs: Sequence[set[int]]
+) -> Iterator[tuple[str, list[int]]]:
+    """Sections with the numbers of their answers: the first in time next, of those that need nothing from the ones to come.
+
+    Where each needs another, what stands in the way waits for the section from which it needs something.
+    """
+    place = {key: order.get(key, len(order)) for key in homes.values()}
+    waiting: dict[str, list[int]] = {key: [] for key in sorted(place, key=place.__getitem__)}
+    for number, answered in enumerate(inquiry.answered):
+        waiting[homes[answered.asked.letter]].append(number)
+    done: set[int] = set()
+    while waiting:
+        ready = [key for key, own in waiting.items() if settled_by(own, done, needs) == own]
+        key = ready[0] if ready else next(iter(waiting))
+        own = settled_by(waiting[key], done, needs)
+        for number in waiting.pop(key):
+            if number not in own:
+                later = [other for other, held in waiting.items() if needs[number] & set(held)]
+                waiting[later[-1] if later else next(iter(waiting))].append(number)
+        waiting = {other: sorted(held) for other, held in waiting.items()}
+        done.update(own)
+        yield key, own
+
+
+def settled_by(numbers: Sequence[int], done: Collection[int], needs: Sequence[set[int]]) -> list[int]:
+    """Those of some answers that need only what is done, or each other."""
+    found: list[int] = []
+    for number in numbers:
+        if needs[number] <= {*done, *found}:
+            found.append(number)
+    return found
+
+
+def needs_of(inquiry: Inquiry) -> list[set[int]]:
+    """Which answers each answer uses, by number: an answer uses earlier ones only."""
+    owner: dict[Ref, int] = {}
+    needs: list[set[int]] = []
+    for number, answered in enumerate(inquiry.answered):
+        steps = inquiry.solver.steps[slice(*answered.steps)]
+        used = {ref for step in steps for ref in (step.target, *step.sources)}
+        used |= {inquiry.refs[index] for index in answered.used if index in inquiry.refs}
+        needs.append({owner[ref] for ref in used if ref in owner})
+        owner |= {("step", step.number): number for step in steps}
+        found = number if steps or not needs[number] else max(needs[number])
+        owner.setdefault(("known", answered.asked.letter), found)
+    return needs
+
+
+def homes_of(inquiry: Inquiry, order: Mapping[str, int], needs: Sequence[set[int]]) -> dict[str, str]:
+    """The sections of all answers: where their weightiest law is; of what has none, that of the last answer that it is made of."""
     homes: dict[str, str] = {}
-    for answered in inquiry.answered:
+    for answered, needed in zip(inquiry.answered, needs, strict=True):
+        laws = laws_of(answered, inquiry)
         made_of = answered.asked.formula.symbols() & set(homes)
-        own = "" if made_of and not answered.asked.find.terms else home(answered, laws_of(answered, inquiry), inquiry)
+        own = "" if made_of and not answered.asked.find.terms else home(answered, laws, inquiry)
+        if not laws and needed and answered.steps[0] < answered.steps[1]:
+            own = latest({inquiry.answered[number].asked.letter for number in needed}, homes, order)
         homes.setdefault(answered.asked.letter, own or latest(made_of, homes, order))
     return homes
 

@@ -210,7 +210,7 @@ def _orbital(arm: Place, mass: Formula, spin: Formula, axis: str) -> Formula:
 def _velocity(spin: Formula) -> tuple[str | Formula, ...]:
     """How fast each part moves."""
     size = negate(spin) if is_negative(spin) else spin
-    return ("v = ", size, " × r, square to the axis")
+    return ("v = ", size, " × r, perpendicular to the axis")
 
 
 def _named(ref: PointRef | None) -> str:

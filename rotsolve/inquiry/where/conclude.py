@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.inquiry.answering import Inquiry
@@ -13,14 +14,22 @@ from rotsolve.inquiry.questions import Asked
 from rotsolve.solver import Found, Ref, Step
 
 
-def by_equation(
-    inquiry: Inquiry, asked: Asked, found: Found, equation: Equation, line: Equality, reason: Words, *, aside: bool
+@dataclass(frozen=True)
+class Conclusion:
+    """The line of a condition: "dB/dx = 0", what that comes to as an equation, and why it is this root."""
+
+    said: str
+    equation: Equality
+    reason: Words
+
+
+def by_condition(
+    inquiry: Inquiry, question: Asked, value: Formula, line: Conclusion, quantity: Answered, *, aside: bool
 ) -> Answered:
-    """An answer that solves an equation of its own, which holds for it alone."""
-    index = inquiry.planner.extend(equation)
-    inquiry.retired.add(index)
-    steps = write(inquiry, asked, ("law", index), (), (line,), reason)
-    return take(inquiry, Answered(asked, found, (index,), steps, aside=aside))
+    """An answer that solves what an answer before it, as a function of a letter, has to fulfil."""
+    chain = (line.equation, Equality(Symbol(question.letter), value))
+    steps = write(inquiry, question, ("words", line.said), (ref_of(quantity, inquiry),), chain, line.reason)
+    return take(inquiry, Answered(question, Found(question.letter, value), (), steps, aside=aside))
 
 
 def by_answers(

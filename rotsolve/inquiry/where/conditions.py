@@ -7,6 +7,8 @@ from dataclasses import replace
 
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
@@ -18,10 +20,10 @@ from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.questions.meaning import label_of
 from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.swings.settling import verge
-from rotsolve.inquiry.where.conclude import by_equation, forget
+from rotsolve.inquiry.where.conclude import Conclusion, by_condition, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
 from rotsolve.scene.model import Find
-from rotsolve.solver import Choice, Found
+from rotsolve.solver import Choice
 
 
 def answer_where(inquiry: Inquiry, find: Find) -> None:
@@ -74,8 +76,8 @@ def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: 
         raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
     given = inquiry.givens[letter]
     own = Symbol(letter if given.asked else f"asked{SEPARATOR}{find.name}")
-    left, label = curve.substitute({letter: own}), f"the condition{told(phrase)}"
-    equation = Equation(left, value, label, quantity.asked.section, "", 2)
+    said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
+    equation = Equality(curve.substitute({letter: own}), value)
     order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
@@ -84,7 +86,7 @@ def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: 
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     root = inquiry.solver.simplify(picked.of(roots))
     question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
-    by_equation(inquiry, question, Found(own.name, root), equation, Equality(own, root), picked.words, aside=False)
+    by_condition(inquiry, question, root, Conclusion(said, equation, picked.words), quantity, aside=False)
     if given.asked:
         forget(quantity, inquiry)
 

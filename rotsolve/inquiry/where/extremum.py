@@ -8,7 +8,6 @@ from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.formula import ZERO, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
-from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answering import Inquiry
@@ -16,7 +15,7 @@ from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.questions import Asked
-from rotsolve.inquiry.where.conclude import by_answers, by_equation, forget
+from rotsolve.inquiry.where.conclude import Conclusion, by_answers, by_condition, forget
 from rotsolve.inquiry.where.places import Course, best_place
 from rotsolve.scene.model import Condition, Find, points_of
 from rotsolve.solver import Found
@@ -95,15 +94,13 @@ def place_of_extremum(inquiry: Inquiry, find: Find, *, aside: bool = False) -> A
     if curve is None or letter not in curve.symbols():
         raise NotYet(f"`{condition.phrase.text.strip()}` is no function of `{letter}` in closed form")
     slope = inquiry.solver.simplify(differentiate(curve, letter))
-    text = name_to_text(letter)
-    label = f"where {name_to_text(quantity.asked.find.name)} is {condition.word}: its derivative by {text} is zero"
+    said = f"d{name_to_text(quantity.asked.find.name)}/d{name_to_text(letter)} = 0"
     given = inquiry.givens[letter]
     own = letter if given.asked else f"asked{SEPARATOR}{find.name}"
-    equation = Equation(slope.substitute({letter: Symbol(own)}), ZERO, label, quantity.asked.section, "", 2)
+    equation = Equality(slope.substitute({letter: Symbol(own)}), ZERO)
     at, reason = best_place(Course(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, inquiry)
     question = Asked(find, Symbol(own), own, given.dimension, section=quantity.asked.section)
-    line = Equality(Symbol(own), at)
-    answered = by_equation(inquiry, question, Found(own, at), equation, line, reason, aside=aside)
+    answered = by_condition(inquiry, question, at, Conclusion(said, equation, reason), quantity, aside=aside)
     inquiry.extrema[(quantity.asked.formula, letter, condition.word)] = answered
     if given.asked:
         forget(quantity, inquiry)  # from here on the letter has its value, and the quantity that of this place
