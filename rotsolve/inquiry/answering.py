@@ -75,7 +75,7 @@ class Inquiry:
             self.history,
             self.givens,
             self.values,
-            lambda value: self.solver.with_answers(value),
+            lambda value: self.solver.with_found(value),
             self.aside,
             self.definition,
         )

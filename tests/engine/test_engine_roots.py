@@ -1,0 +1,72 @@
+"""Which of several roots is meant: the first moment, the next place on the way, the stable equilibrium."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.pipeline import solve
+
+
+def value(scene: str, name: str) -> float:
+    found = solve(scene).answers[name].float
+    assert found is not None
+    return found
+
+
+ALTERNATING = """title: Drum under an alternating torque
+given: {{I: 0.5 kg m^2, M0: 3 N m, w: 4 rad/s}}
+bodies: {{drum: {{inertia: I}}}}
+connections: {{axle: {{axle: drum}}}}
+actions: {{motor: {{couple: M0*sin(w*time), on: drum}}}}
+states: {{{states}}}
+find: {{{find}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("states", "find", "expected"),
+    [
+        ("start: at rest, fast: {drum.angular_velocity: largest}", "x: drum.angular_velocity at fast", 3),
+        ("start: at rest, still: {drum.angular_velocity: 0}", "x: time from start to still", math.pi / 2),
+        ("start: at rest, still: {drum.angular_velocity: 0}", "x: drum.rotation from start to still", 0.75 * math.pi),
+        (
+            "start: at rest, fast: {drum.angular_velocity: largest}, still: {drum.angular_velocity: 0}",
+            "x: time from fast to still",
+            math.pi / 4,
+        ),
+        (
+            "start: at rest, still: {drum.angular_velocity: 0}, again: {drum.angular_velocity: 0}",
+            "x: time from start to again",
+            math.pi,
+        ),
+    ],
+)
+def test_of_times_that_come_again_the_first_after_the_state_before(states: str, find: str, expected: float) -> None:
+    assert value(ALTERNATING.format(states=states, find=find), "x") == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_way_goes_on_from_a_state_that_was_only_found_on_the_way() -> None:
+    scene = """title: Constant torque against one that grows with the angle
+given: {I: 0.02 kg m^2, M: 1.2 N m, k: 0.8 N m/rad}
+bodies: {disc: {inertia: I}}
+connections: {axle: {axle: disc}}
+actions: {motor: {couple: M - k*disc.angle, on: disc}}
+states: {start: {disc.angle: 0, at rest: all}, fast: {disc.angular_velocity: largest}, far: {disc.angle: largest}}
+find: {w: disc.angular_velocity at fast, theta: disc.angle at far, t: time from start to far}
+"""
+    assert value(scene, "w") == pytest.approx(1.2 / math.sqrt(0.016), rel=1e-9)
+    assert value(scene, "theta") == pytest.approx(3, rel=1e-9)
+    assert value(scene, "t") == pytest.approx(math.pi * math.sqrt(0.02 / 0.8), rel=1e-9)
+
+
+def test_a_body_left_in_balance_hangs_below_its_hinge() -> None:
+    scene = """title: Plate hung from a corner
+given: {M: 2 kg, a: 40 cm, b: 30 cm}
+bodies: {plate: {shape: rectangle, mass: M, sides: [a, b]}}
+connections: {nail: {hinge: plate.corner1}}
+states: {hangs: {balance: true}}
+find: {theta: plate.angle at hangs}
+"""
+    assert value(scene, "theta") == pytest.approx(-math.pi / 2, rel=1e-9)
