@@ -68,7 +68,7 @@ class Inquiry:
             given.name: given.value for given in problem.givens if given.value is not None
         }
         self.pool = [*self.history.equations, *self.extra]
-        self.planner = Planner(self.pool)
+        self.planner = Planner(self.pool, [given.name for given in problem.givens if given.asked])
         self.stepwise = Stepwise(self.planner)
         self.refs: dict[int, Ref] = {}
         self.signs = Signs(

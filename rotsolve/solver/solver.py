@@ -81,6 +81,7 @@ class Solver(Textbook):
             self._put_in_functions(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
+            found: Elimination | None
             try:
                 found = self._next(items, unknowns, plan.asked)
             except NoClosedForm:

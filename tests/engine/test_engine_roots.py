@@ -1,4 +1,4 @@
-"""Which of several roots is meant: the first moment, the next place on the way, the stable equilibrium."""
+"""Which of several roots is meant: the first moment, the next place on the way, the stable equilibrium; observed constants."""
 
 from __future__ import annotations
 
@@ -70,3 +70,16 @@ states: {hangs: {balance: true}}
 find: {theta: plate.angle at hangs}
 """
     assert value(scene, "theta") == pytest.approx(-math.pi / 2, rel=1e-9)
+
+
+def test_a_coefficient_of_drag_follows_from_an_observed_time() -> None:
+    scene = """title: Wheel braked by a torque as the root of its speed
+given: {I: 1.5 kg m^2, w0: 36 rad/s, c: unknown, T: 12 s}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel}}
+actions: {brake: {couple: -c*sqrt(wheel.angular_velocity), on: wheel}}
+states: {start: {wheel.angular_velocity: w0}, still: {time: T, wheel.angular_velocity: 0}}
+find: {c: c, mean: mean wheel.angular_velocity from start to still}
+"""
+    assert value(scene, "c") == pytest.approx(2 * 1.5 * 6 / 12, rel=1e-9)  # T = 2 I √ω₀/c
+    assert value(scene, "mean") == pytest.approx(12, rel=1e-9)
