@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.equation import Equation
 
 ROUNDS = 12  # improvements after which a plan is taken as it is
@@ -43,6 +44,7 @@ class Planner:
     def __init__(self, pool: Sequence[Equation], constants: Collection[str] = ()) -> None:
         self.pool = list(pool)
         self.constants = frozenset(constants)
+        self.raised: dict[int, int] = {}  # costs that are other than at first
         self.symbols = [equation.symbols() for equation in self.pool]
         self.summed = [equation.summed() for equation in self.pool]
 
@@ -82,7 +84,15 @@ class Planner:
                     fresh = [name for name in unknowns[index] if name not in seen]
                     seen.update(fresh)
                     pending.extend(fresh)
-        return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
+        return dict(sorted(found.items(), key=lambda item: (self._cost(item[0]), len(item[1]), *self._turned(*item))))
+
+    def _turned(self, index: int, names: tuple[str, ...]) -> tuple[bool, int]:
+        """Of results that rank alike those first whose unknown stands alone on the left."""
+        left = self.pool[index].left
+        return self.pool[index].cost == 0 and not (isinstance(left, Symbol) and left.name in names), index
+
+    def _cost(self, index: int) -> int:
+        return self.raised.get(index, self.pool[index].cost)
 
     def _usable(self, unknowns: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Without the equations that sum over something which none of the others tells."""
@@ -117,7 +127,7 @@ class Planner:
             pending.extend(fresh)
         if open_:
             return self._shortage(asked, open_, unknowns, owner)
-        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self.pool[index].cost for index in needed))
+        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(self._cost(index) for index in needed))
 
     def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
@@ -154,7 +164,7 @@ class Planner:
                     if len(others) < len(names) - 1:
                         continue
                     used = frozenset((index,)).union(*(equations for _, equations in others))
-                    cost = sum(self.pool[k].cost for k in used)
+                    cost = sum(self._cost(k) for k in used)
                     if name not in ways or cost < ways[name][0]:
                         ways[name] = (cost, used)
                         changed = True

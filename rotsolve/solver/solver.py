@@ -169,6 +169,8 @@ class Solver(Textbook):
             names = item.unknowns(unknowns)
             if len(names) == 1 and asked not in names and not names & inner(item):
                 name, gap = names.pop(), self.carried_out(item.left) - self.carried_out(item.right)
+                if is_zero(gap, self.positive):
+                    raise Redundant(item.index)
                 roots = solve_unwrapped(gap, name, order=self.order, positive=self.positive)
                 roots = roots or [
                     angle.formula for angle in solve_trig(gap, name, order=self.order, positive=self.positive)

@@ -83,3 +83,17 @@ find: {c: c, mean: mean wheel.angular_velocity from start to still}
 """
     assert value(scene, "c") == pytest.approx(2 * 1.5 * 6 / 12, rel=1e-9)  # T = 2 I √ω₀/c
     assert value(scene, "mean") == pytest.approx(12, rel=1e-9)
+
+
+def test_turns_in_a_state_and_two_phases_by_kinematics_alone() -> None:
+    scene = """title: Flywheel that makes forty turns to a stop
+given: {w: 1.5 rad/s}
+bodies: {wheel: {inertia: 3 kg m^2}}
+connections: {axle: {axle: wheel, angular_acceleration: unknown}}
+states: {start: {wheel.angular_velocity: w}, half: {wheel.turns: 20}, stop: {wheel.turns: 20, wheel.angular_velocity: 0}}
+find: {t: time from start to stop, t1: time from start to half}
+"""
+    solution = solve(scene)
+    assert value(scene, "t") == pytest.approx(160 * math.pi / 1.5, rel=1e-9)
+    assert value(scene, "t1") == pytest.approx(80 * math.pi * (2 - math.sqrt(2)) / 1.5, rel=1e-9)
+    assert "Newton" not in str(solution) and "energy" not in str(solution)

@@ -23,10 +23,9 @@ class Draft:
 
 
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
-    """Laws and steps by section, the sections in the order of time."""
+    """Laws and steps by section, the sections in the order of time as far as none uses what a later one finds."""
     drafts: dict[str, Draft] = {}
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    homes = homes_of(inquiry, order)
+    homes, order = homes_of(inquiry)
     placed: set[int] = set()
     for answered in sorted(inquiry.answered, key=lambda item: order.get(homes[item.asked.letter], len(order))):
         laws, key = laws_of(answered, inquiry), homes[answered.asked.letter]
@@ -44,14 +43,59 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
     return sorted(filled, key=lambda draft: order.get(draft.key, len(order)))
 
 
-def homes_of(inquiry: Inquiry, order: Mapping[str, int]) -> dict[str, str]:
-    """The sections of all answers: where their weightiest law is; of what is made of earlier answers, that of the last of them."""
+def homes_of(inquiry: Inquiry) -> tuple[dict[str, str], dict[str, int]]:
+    """The sections of all answers, and the places of the sections."""
+    order = {key: place for place, key in enumerate(moments(inquiry.history))}
     homes: dict[str, str] = {}
+    uses = {item.asked.letter: used_by(item, inquiry) for item in inquiry.answered}
     for answered in inquiry.answered:
-        made_of = answered.asked.formula.symbols() & set(homes)
-        own = "" if made_of and not answered.asked.find.terms else home(answered, laws_of(answered, inquiry), inquiry)
-        homes.setdefault(answered.asked.letter, own or latest(made_of, homes, order))
-    return homes
+        homes.setdefault(answered.asked.letter, own_home(answered, uses, homes, order, inquiry))
+    order = in_order_of_use({(homes[one], homes[letter]) for letter, used in uses.items() for one in used}, order)
+    for letter, used in uses.items():  # in a circle of sections an answer goes with the last that it uses
+        homes[letter] = latest(used | {letter}, homes, order)
+    return homes, order
+
+
+def own_home(
+    answered: Answered,
+    uses: Mapping[str, Collection[str]],
+    homes: Mapping[str, str],
+    order: Mapping[str, int],
+    inquiry: Inquiry,
+) -> str:
+    """The section of the weightiest law of an answer; of what is made of earlier answers, that of the last of them."""
+    laws = laws_of(answered, inquiry)
+    made_of = answered.asked.formula.symbols() & set(homes)
+    if not laws and (found := set(uses[answered.asked.letter]) & set(homes)):
+        return latest(found, homes, order)
+    own = "" if made_of and not answered.asked.find.terms else home(answered, laws, inquiry)
+    return own or latest(made_of, homes, order)
+
+
+def in_order_of_use(pairs: Collection[tuple[str, str]], order: Mapping[str, int]) -> dict[str, int]:
+    """Sections in the order of time, each behind those that it uses, by pairs (used, user), where these run in no circle."""
+    pending, result = list(order), dict[str, int]()
+    while pending:
+        free = [key for key in pending if not any(user == key != used and used in pending for used, user in pairs)]
+        key = (free or pending)[0]
+        pending.remove(key)
+        result[key] = len(result)
+    return result
+
+
+def used_by(answered: Answered, inquiry: Inquiry) -> set[str]:
+    """The answers that the steps of an answer put in, or a step of which they use."""
+    steps = inquiry.solver.steps[slice(*answered.steps)]
+    refs = {ref for step in steps for ref in (step.target, *step.sources)}
+    refs |= {inquiry.refs[index] for index in answered.used if index in inquiry.refs}
+    made = {number for kind, number in refs if kind == "step"}
+    others = [item for item in inquiry.answered if item is not answered]
+    letters = {item.asked.letter for item in others}
+    return {str(name) for kind, name in refs if kind == "known" and name in letters} | {
+        item.asked.letter
+        for item in others
+        if any(step.number in made for step in inquiry.solver.steps[slice(*item.steps)])
+    }
 
 
 def laws_of(answered: Answered, inquiry: Inquiry) -> list[int]:
