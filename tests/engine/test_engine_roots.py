@@ -6,6 +6,7 @@ import math
 
 import pytest
 
+from rotsolve.core.faults import SceneError
 from rotsolve.pipeline import solve
 
 
@@ -97,3 +98,27 @@ find: {t: time from start to stop, t1: time from start to half}
     assert value(scene, "t") == pytest.approx(160 * math.pi / 1.5, rel=1e-9)
     assert value(scene, "t1") == pytest.approx(80 * math.pi * (2 - math.sqrt(2)) / 1.5, rel=1e-9)
     assert "Newton" not in str(solution) and "energy" not in str(solution)
+
+
+def test_a_condition_may_set_two_quantities_equal() -> None:
+    scene = """title: Wheel from rest, when its rim's two accelerations are equal
+given: {a: 0.5 rad/s^2, R: 40 cm, T: unknown}
+bodies: {wheel: {radius: R}}
+connections: {axle: {axle: wheel, angular_acceleration: a}}
+states: {start: at rest, then: {time: T}}
+find: {T: T where wheel.rim.acceleration.normal = wheel.rim.acceleration.tangential at then}
+"""
+    assert value(scene, "T") == pytest.approx(math.sqrt(2), rel=1e-9)
+    with pytest.raises(SceneError, match="don't agree"):
+        solve(scene.replace("acceleration.tangential at", "velocity at"))
+
+
+def test_a_function_of_time_that_is_not_defined_at_the_start() -> None:
+    scene = """title: Instantaneous centre of a disc that starts to turn
+given: {v: 0.8 m/s, e: 3 rad/s^2}
+bodies: {disc: {shape: disc, mass: 1 kg, radius: 0.2 m, velocity: [v, 0], angular_acceleration: e}}
+states: {start: {disc.angular_velocity: 0}}
+find: {y: disc.instantaneous_centre.y at any time}
+"""
+    found = solve(scene, at="2 s").answers["y"].float
+    assert found == pytest.approx(0.8 / 6, rel=1e-9)
