@@ -14,7 +14,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import LAWS, NEWTON, Equation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.heading import RIGHT, UP, Vector
-from rotsolve.core.varying import MIXED
+from rotsolve.core.varying import MIXED, POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.answers import Answered
@@ -39,6 +39,7 @@ from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.running import check_values
+from rotsolve.plan import Shortage
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
@@ -148,19 +149,26 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
-        several = varies_with_several(inquiry) if error.shortage is not None else ""
-        if several:
-            message = (
-                f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
-            )
-            raise unsolvable(problem, message, find.span) from None
+        if error.shortage is not None:
+            refuse_unsolved(inquiry, error.shortage, find)
         raise no_answer(error, inquiry, find) from None
 
 
-def varies_with_several(inquiry: Inquiry) -> str:
-    """A body whose acceleration depends on several of time, place and speed; '' where there is none."""
+def refuse_unsolved(inquiry: Inquiry, shortage: Shortage, find: Find) -> None:
+    """Refuse by name what is no lack of data: motion that varies with several things, the time of one that varies with the place."""
+    problem = inquiry.history.arrangement.problem
     travels = [travel for passage in inquiry.history.passages.values() for travel in passage.travels]
-    return next((travel.body for travel in travels if travel.pace == MIXED), "")
+    several = next((travel.body for travel in travels if travel.pace == MIXED), "")
+    if several:
+        message = f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
+        raise unsolvable(problem, message, find.span)
+    quantities = inquiry.history.registry.quantities
+    open_ = {quantities[name].kind for name in shortage.unknowns if name in quantities}
+    driven = next((travel.body for travel in travels if travel.pace == POSITION and not travel.leads), "")
+    if driven and open_ == {"time"}:
+        message = f"how long `{driven}` takes is not solved yet, since what drives it varies with its place"
+        help = "say what drives it as a `couple` or `force` that speaks of the place, or ask for a `period`"
+        raise unsolvable(problem, message, find.span, help)
 
 
 def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:

@@ -39,10 +39,14 @@ class Shortage:
 
 
 class Planner:
-    """Plans over one pool of equations; what is known may grow between questions."""
+    """Plans over one pool of equations; what is known may grow between questions.
 
-    def __init__(self, pool: Sequence[Equation]) -> None:
+    `constants` are unknowns that never run: an integral tells them through what stands within it.
+    """
+
+    def __init__(self, pool: Sequence[Equation], constants: Collection[str] = ()) -> None:
         self.pool = list(pool)
+        self.constants = frozenset(constants)
         self.symbols = [equation.symbols() for equation in self.pool]
         self.summed = [equation.summed() for equation in self.pool]
         self.plain = {index for index, equation in enumerate(self.pool) if is_plain(equation)}
@@ -110,9 +114,7 @@ class Planner:
     ) -> Plan | Shortage:
         """Match greedily, then collect what the asked unknown's equation needs."""
         owner: dict[str, int] = {}
-        told = {
-            index: tuple(name for name in names if name not in self.summed[index]) for index, names in unknowns.items()
-        }
+        told = self._told(unknowns)
         for index in unknowns:
             if index != skipped:
                 _augment(index, told, owner, set())
@@ -132,6 +134,26 @@ class Planner:
         if open_:
             return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(map(self._cost, needed)))
+
+    def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
+        told = {
+            index: tuple(name for name in names if name not in self.summed[index]) for index, names in unknowns.items()
+        }
+        for index, names in unknowns.items():
+            if names and not told[index] and self.constants:
+                told[index] = self._behind(names, unknowns)
+        return told
+
+    def _behind(self, names: Sequence[str], unknowns: Mapping[int, tuple[str, ...]]) -> tuple[str, ...]:
+        """The constants in the equations that tell some unknowns, or what these depend on."""
+        seen, pending = set(names), list(names)
+        while pending:
+            name = pending.pop()
+            fresh = {other for held in unknowns.values() if name in held for other in held} - seen
+            seen |= fresh
+            pending.extend(fresh - self.constants)
+        return tuple(sorted(seen & self.constants))
 
     def _chain(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
         """The cheapest plan that settles one unknown after the other, none together; None where there is no such plan.

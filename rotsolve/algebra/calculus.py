@@ -211,7 +211,7 @@ def _antiderivative(problem: Problem, factor: Ratio, atom: Formula, n: int, name
 
 
 def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
-    """∫ sin², ∫ cos², ∫ sin³, ∫ cos³ and ∫ sin cos of one linear argument."""
+    """∫ sinᵐ cosⁿ of one linear argument."""
     factors = atom.factors if isinstance(atom, Product) else (atom,)
     calls = [f.base if isinstance(f, Power) else f for f in factors]
     if not all(isinstance(c, Call) and c.function in ("sin", "cos") for c in calls):
@@ -234,7 +234,27 @@ def _antiderivative_of_squares(atom: Formula, name: str) -> Formula | None:
         half = divide(multiply(s, c), multiply(two, slope))
         linear = divide(Symbol(name), two)
         return add(linear, negate(half) if factors[0] == _power(s, 2) else half)
-    return None
+    powers = [int(f.exponent.value) if isinstance(f, Power) and isinstance(f.exponent, Number) else 1 for f in factors]
+    shares = [sum(n for n, one in zip(powers, calls, strict=True) if one == base) for base in (s, c)]
+    if min(powers) < 0:
+        return None
+    found = _antiderivative_of_powers(s, c, *shares)
+    return add(divide(found[0], slope), multiply(Number(found[1]), Symbol(name)))
+
+
+def _antiderivative_of_powers(s: Formula, c: Formula, m: int, n: int) -> tuple[Formula, Fraction]:
+    """∫ sinᵐ u cosⁿ u du as (part in sine and cosine, coefficient of u), by the reductions from n to n − 2 and from m to m − 2."""
+    if (m, n) == (0, 0):
+        return ZERO, Fraction(1)
+    if n == 1 or (m, n) == (1, 0):
+        return (divide(_power(s, m + 1), Number(Fraction(m + 1))) if n else negate(c)), Fraction(0)
+    if n >= 2:
+        first, factor = multiply(_power(s, m + 1), _power(c, n - 1)), Fraction(n - 1, m + n)
+        rest, linear = _antiderivative_of_powers(s, c, m, n - 2)
+    else:
+        first, factor = negate(multiply(_power(s, m - 1), c)), Fraction(m - 1, m)
+        rest, linear = _antiderivative_of_powers(s, c, m - 2, n)
+    return add(divide(first, Number(Fraction(m + n))), multiply(Number(factor), rest)), factor * linear
 
 
 def _antiderivative_of_root(root: Call, n: int, name: str) -> Formula | None:

@@ -64,11 +64,31 @@ class Stretch:
         parts = self._fraction(f)
         if parts is not None:
             return self._quotient(*parts)
+        halves = self._half_powers(f)
+        if halves is not None:
+            return halves
         square = self._fraction(self._tidy(f * f))
         if square is None or len(square[0]) != 1 or len(square[1]) > 3:
             return None
         found = self._root([self._tidy(part / square[0][0]) for part in square[1]])
         return negate(found) if found is not None and self._negative(f) else found
+
+    def _half_powers(self, f: Formula) -> Formula | None:
+        """∫ p(x)/√x dx for a polynomial p, power by power: ∫ x^(n − ½) dx = x^n √x/(n + ½)."""
+        problem = Problem([self._tidy(f * sqrt(Symbol(self.name)))], self.order, self.positive, extra=(self.name,))
+        ring = problem.field
+        top, bottom = ring.cancel(problem.ratio())
+        if any((top * bottom).degrees()[i] for i in range(len(ring.atoms)) if ring.mentions(i, self.name)):
+            return None
+        place = ring.index[Symbol(self.name)]
+        if bottom.degrees()[place]:
+            return None
+        whole: Formula = ZERO
+        for n, part in enumerate(ring.coefficients(top, place)):
+            share = problem.shortest((part, bottom)) / Number(Fraction(2 * n + 1, 2))
+            for end, side in ((self.upper, share), (self.lower, negate(share))):
+                whole = add(whole, side * (end**n if n else ONE) * sqrt(end))
+        return self._tidy(whole)
 
     def _tidy(self, f: Formula) -> Formula:
         return simplify(f, order=self.order, positive=self.positive)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
 from itertools import combinations
 
@@ -26,7 +27,9 @@ from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
+BACKWARDS = 4  # cost of the way back from an answer to what it was defined by
 TRIES = 30
+MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
 OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")
 
 
@@ -68,14 +71,14 @@ class Inquiry:
             given.name: given.value for given in problem.givens if given.value is not None
         }
         self.pool = [*self.history.equations, *self.extra]
-        self.planner = Planner(self.pool)
+        self.planner = Planner(self.pool, [given.name for given in problem.givens if given.asked])
         self.stepwise = Stepwise(self.planner)
         self.refs: dict[int, Ref] = {}
         self.signs = Signs(
             self.history,
             self.givens,
             self.values,
-            lambda value: self.solver.with_answers(value),
+            lambda value: self.solver.with_found(value),
             self.aside,
             self.definition,
         )
@@ -268,7 +271,9 @@ class Inquiry:
         plans = [self.planner.plan(letter, self.known, pool) for pool in self._starts(first)]
         settled = [plan for plan in plans if isinstance(plan, Plan)]
         sound = (
-            [plan for plan in settled if self._sound(plan)] or self._with_few_times(letter, first) if settled else []
+            [plan for plan in settled if not self._crowded(plan)] or self._with_few_times(letter, first)
+            if settled
+            else []
         )
         if sound or settled:
             return min(sound or settled, key=lambda plan: plan.cost)
@@ -279,27 +284,48 @@ class Inquiry:
         quantity = self.history.registry.quantities.get(letter)
         return quantity is not None and quantity.kind in OF_ONE_MOMENT
 
-    def _sound(self, plan: Plan) -> bool:
-        """Whether a plan does without a third equation of constant acceleration in a phase: of the four only two are independent,
-        and the rules tie the coordinates of a phase together."""
-        sections = [self.planner.pool[index].section for index in plan.equations if self._in_time(index)]
-        return all(sections.count(section) <= 2 for section in set(sections))
+    def _in_time(self, indices: Iterable[int]) -> dict[str, dict[str, list[int]]]:
+        """The equations of constant acceleration among some, by phase and by coordinate."""
+        phases: dict[str, dict[str, list[int]]] = {}
+        for index in indices:
+            equation = self.planner.pool[index]
+            if equation.family == KINEMATICS and equation.label.startswith("constant"):
+                phases.setdefault(equation.section, {}).setdefault(equation.label, []).append(index)
+        return phases
 
-    def _in_time(self, index: int) -> bool:
-        equation = self.planner.pool[index]
-        return equation.family == KINEMATICS and equation.label.startswith("constant")
+    def _crowded(self, plan: Plan, *, strict: bool = False) -> list[int]:
+        """Three or more equations of constant acceleration of one phase: of the four only two are independent, and the rules tie
+        the coordinates of a phase together; if `strict` also any of two coordinates."""
+        for coordinates in self._in_time(plan.equations).values():
+            together = [index for own in coordinates.values() for index in own]
+            if len(together) > 2 or (strict and len(coordinates) > 1):
+                return together
+        return []
 
     def _with_few_times(self, letter: str, allowed: list[int]) -> list[Plan]:
-        """Plans with at most two equations of constant acceleration, of one coordinate."""
-        rest = [index for index in allowed if not self._in_time(index)]
-        coordinates: dict[tuple[str, str], list[int]] = {}
-        for index in allowed:
-            if self._in_time(index):
-                equation = self.planner.pool[index]
-                coordinates.setdefault((equation.section, equation.label), []).append(index)
-        chosen = [pair for own in coordinates.values() for pair in (*combinations(own, 1), *combinations(own, 2))]
+        """Plans with at most two equations of constant acceleration, of one coordinate; of one in each phase where there are several."""
+        phases = self._in_time(allowed)
+        coordinates = [own for phase in phases.values() for own in phase.values()]
+        rest = [index for index in allowed if not any(index in own for own in coordinates)]
+        chosen = [pair for own in coordinates for pair in (*combinations(own, 1), *combinations(own, 2))]
         plans = [self.planner.plan(letter, self.known, [*rest, *pair]) for pair in ((), *chosen)]
-        return [plan for plan in plans if isinstance(plan, Plan)]
+        found = [plan for plan in plans if isinstance(plan, Plan)]
+        return found + self._thinned(letter, allowed) if len(phases) > 1 else found
+
+    def _thinned(self, letter: str, allowed: list[int]) -> list[Plan]:
+        """Plans for several phases: of too many equations of constant acceleration in one each is left out in its turn."""
+        found: list[Plan] = []
+        pending, seen = [frozenset[int]()], set[frozenset[int]]()
+        while pending and len(seen) < MOST_PLANS:
+            dropped = pending.pop(0)
+            if dropped in seen:
+                continue
+            seen.add(dropped)
+            plan = self.planner.plan(letter, self.known, [index for index in allowed if index not in dropped])
+            crowded = self._crowded(plan, strict=True) if isinstance(plan, Plan) else []
+            found += [plan] if isinstance(plan, Plan) and not crowded else []
+            pending += [dropped | {index} for index in crowded]
+        return found
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""

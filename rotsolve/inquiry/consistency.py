@@ -100,8 +100,14 @@ def runs(equation: Equation, inquiry: Inquiry) -> bool:
 
 
 def known_numbers(inquiry: Inquiry) -> dict[str, Formula]:
-    """Values of the letters that the inquiry found, in closed form."""
-    return {name: found.formula for name, found in inquiry.solver.solved.items() if found.formula is not None}
+    """Values of the letters that the inquiry found, in closed form, also on the way to the answers."""
+    solver = inquiry.solver
+    known = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
+    for name in solver.told.keys() - known.keys():
+        value = solver.with_found(Symbol(name))
+        if not any(SEPARATOR in letter for letter in value.symbols()):
+            known[name] = value
+    return known
 
 
 def impossible(equation: Equation, name: str, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:

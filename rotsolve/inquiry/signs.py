@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from math import pi
+from math import floor, pi
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -40,14 +40,17 @@ class Signs:
     aside: Callable[[str], Formula | None]
     definition: Callable[[str], Formula | None]
 
-    def choose(self, name: str, roots: Sequence[Formula]) -> Choice | None:
-        """The root that is meant, with the reason."""
+    def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+        """The root that is meant, with the reason; a `period` later the equation holds again."""
         outwards = [index for index, root in enumerate(roots) if root.symbols() - set(self.values)]
         if outwards and len(roots) > 1 and on_shaft(name, self.history):
             return Choice(outwards[0], OUTWARDS)
         real = [(index, number) for index, root in enumerate(roots) if (number := self.number(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if self._lacks_numbers(roots) else None
+        later = self._first_moment(name, real, period)
+        if later is not None:
+            return later
         moved = [entry for entry in real if abs(entry[1]) > TINY]
         dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
@@ -69,6 +72,27 @@ class Signs:
         if self._is_angle(name):
             return Choice(min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",))
         return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
+
+    def _first_moment(self, name: str, roots: Sequence[tuple[int, float]], period: Formula | None) -> Choice | None:
+        """Of times that come again the first one after the state before."""
+        quantity = self.history.registry.quantities.get(name)
+        step = self.number(period) if period is not None else None
+        if quantity is None or quantity.kind != "time" or period is None or not step:
+            return None
+        begun = self._begun(quantity.when)
+        if begun is None:
+            return None
+        turns = [(index, floor((begun - root) / step + TINY) + 1 if step > 0 else 0, root) for index, root in roots]
+        index, count, _ = min(turns, key=lambda entry: entry[2] + entry[1] * step)
+        return Choice(index, ("the first moment at which this holds",), Fraction(count), period)
+
+    def _begun(self, when: str) -> float | None:
+        """The time at the state before a state; 0 for the duration of a phase."""
+        timeline = self.history.arrangement.timeline
+        if timeline.interval(when) is not None:
+            return 0.0
+        before = timeline.before(when) if when in timeline.order else None
+        return self.number(self.with_answers(self.history.instant(before.start).time())) if before else None
 
     def _first_reached(self, name: str, roots: Sequence[tuple[int, float]]) -> Choice | None:
         """Of several angles the one that a body comes to first on its way; None where nothing tells where it starts.

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
@@ -30,6 +30,7 @@ from rotsolve.scene.model import Condition, Path, State
 RATE_OF = {  # what is zero where a quantity is largest or smallest
     "angle": "angular_velocity",
     "rotation": "angular_velocity",
+    "turns": "angular_velocity",
     "angular_velocity": "angular_acceleration",
     "displacement": "velocity",
     "height": "velocity",
@@ -177,7 +178,10 @@ class Statements:
                 raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
             self._claim(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO, state.name, condition)
         elif condition.path is not None and condition.value is not None and condition.path.quantity != "time":
-            self._claim(self._letter(state.name, condition.path), condition.value, state.name, condition)
+            path, value = condition.path, condition.value
+            if path.quantity == "turns":
+                path, value = replace(path, quantity="rotation"), simplify(2 * PI * value)
+            self._claim(self._letter(state.name, path), value, state.name, condition)
 
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""

@@ -50,6 +50,6 @@ def chain(given: GivenMotion, word: str, functions: dict[str, Formula]) -> Words
             "_".join(filter(None, (letter, drive.component))) if name != "position" else drive.component or letter
         )
         parts += [", " if parts else "", indexed, " = ", functions[name]]
-    if now != Symbol(TIME):
+    if now != Symbol(TIME) and TIME in functions[word].symbols():
         parts += [" at ", Symbol(TIME), " = ", now]
     return tuple(part for part in parts if part != "")

@@ -104,4 +104,5 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
         words = "ω dω = α dθ" if travel.kind == "turn" else "v dv = a dx"
         yield equation(gained, integral, words, travel, section)
     else:
-        yield equation(gained, integral, "Newton's law summed over the angle", travel, section, NEWTON, 5)
+        over = "angle" if travel.kind == "turn" else "way"
+        yield equation(gained, integral, f"Newton's law summed over the {over}", travel, section, NEWTON, 5)

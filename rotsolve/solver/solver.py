@@ -16,6 +16,7 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_l
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Power, Sum, Symbol
+from rotsolve.algebra.periodic import period_of
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
@@ -24,6 +25,7 @@ from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosed
 from rotsolve.solver.textbook import Textbook, quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
+ROUNDS = 8  # values put in one after the other, since one may speak of the next
 ENTANGLED = "no unknown can be told from the others"
 
 # equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
@@ -45,20 +47,31 @@ class Solver(Textbook):
     steps: list[Step] = field(default_factory=list)
     solved: dict[str, Found] = field(default_factory=dict)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
+    told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
 
     def solve(self, plan: Plan) -> Found:
         """Carry a plan out; the steps are kept only when it succeeds."""
-        kept, derived = len(self.steps), len(self.derived)
+        kept, derived, told = len(self.steps), len(self.derived), dict(self.told)
         try:
             found = self._solve(plan)
-        except (Redundant, Contradiction, NoClosedForm, Undefined):
+        except (Redundant, Contradiction, NoClosedForm, Undefined, ZeroDivisionError) as error:
             del self.steps[kept:], self.derived[derived:]
+            self.told = told
+            if isinstance(error, ZeroDivisionError):
+                raise NoClosedForm("it would take a division by zero") from None
             raise
-        except ZeroDivisionError:
-            del self.steps[kept:], self.derived[derived:]
-            raise NoClosedForm("it would take a division by zero") from None
         self.solved[plan.asked] = found
         return found
+
+    def with_found(self, value: Formula) -> Formula:
+        """Answers put in, and what was eliminated on the way to them."""
+        for _ in range(ROUNDS):
+            value = self.with_answers(value)
+            used = {name: self.told[name] for name in value.symbols() if name in self.told}
+            if not used:
+                break
+            value = value.substitute(used)
+        return value
 
     def _solve(self, plan: Plan) -> Found:
         """Eliminate one unknown after the other, until the last equation holds the asked one alone."""
@@ -68,17 +81,19 @@ class Solver(Textbook):
             self._put_in_functions(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
+            found: Elimination | None
             try:
-                item, name, value, reason = self._next(items, unknowns, plan.asked)
+                found = self._next(items, unknowns, plan.asked)
             except NoClosedForm:
+                found = self._within_function(items, unknowns, plan.asked)
+            if found is None:
                 item, name = self._eliminate_square(items, unknowns, plan.asked)
             else:
-                items.remove(item)
-                unknowns.discard(name)
-                self._eliminate(items, item, name, value, reason, unknowns)
-                continue
+                item, name = found[:2]
             items.remove(item)
             unknowns.discard(name)
+            if found is not None:
+                self._eliminate(items, *found, unknowns)
         if items[0].unknowns(unknowns) - {plan.asked}:
             raise Redundant(items[0].index)  # an unknown was left over, so that two of the equations said the same
         return self._last(items[0], plan.asked)
@@ -145,10 +160,30 @@ class Solver(Textbook):
         if value is not None and self._hollow(gap, name):
             raise Redundant(item.index)
         if value is None and alone:
-            roots = solve_polynomial(gap, name, order=self.order, positive=self.positive)
-            choice = self.choose(name, [self.with_answers(root) for root in roots]) if roots else None
-            return (roots[choice.root], choice.words) if choice else None
+            return self._root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
         return None if value is None else (value, ())
+
+    def _within_function(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
+        """An equation whose only unknown stands within a function: sin n t = 0, log(u) = 3."""
+        for item in items:
+            names = item.unknowns(unknowns)
+            if len(names) == 1 and asked not in names and not names & inner(item):
+                name, gap = names.pop(), self.carried_out(item.left) - self.carried_out(item.right)
+                if is_zero(gap, self.positive):
+                    raise Redundant(item.index)
+                roots = solve_unwrapped(gap, name, order=self.order, positive=self.positive)
+                roots = roots or [
+                    angle.formula for angle in solve_trig(gap, name, order=self.order, positive=self.positive)
+                ]
+                found = self._root(name, roots, gap)
+                if found is not None:
+                    return item, name, *found
+        return None
+
+    def _root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
+        """The root that is meant of several, and why it is."""
+        choice = self._choice(name, roots, gap) if roots else None
+        return (self._chosen(choice, roots), choice.words) if choice else None
 
     def _check_alive(self, item: Item, names: set[str]) -> None:
         """An equation without unknowns left says nothing, or something false."""
@@ -160,6 +195,7 @@ class Solver(Textbook):
         self, items: list[Item], item: Item, name: str, value: Formula, reason: Words | None, unknowns: set[str]
     ) -> None:
         """Write the step where it deserves a line, and put the value into the other equations."""
+        self.told[name] = value
         refs: list[Ref] = [item.ref, *item.sources]
         if reason is not None or (item.sources and self.pool[item.index].family):
             step = self._step(item, name, value, reason or ())
@@ -229,12 +265,10 @@ class Solver(Textbook):
         candidates, more, reason = self._roots(item, asked)
         if not candidates:
             return self._numeric(item, asked)
-        picked: Choice | None = (
-            Choice(0) if len(candidates) == 1 else self.choose(asked, [self.with_answers(c) for c in candidates])
-        )
+        picked = self._choice(asked, candidates, item.left - item.right)
         if picked is None:
             raise Contradiction(item.index)
-        value = self.simplify(picked.of(candidates)) if picked.turns else candidates[picked.root]
+        value = self._chosen(picked, candidates)
         final = self._shortest(self.with_answers(value))
         if any(isinstance(node, Integral) for node in final.walk()):
             reason = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -248,6 +282,17 @@ class Solver(Textbook):
             self._step(item, asked, final, picked.words or reason, more)
         others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked.root)
         return Found(asked, final, None, others)
+
+    def _choice(self, name: str, roots: Sequence[Formula], gap: Formula) -> Choice | None:
+        """The root that is meant, of the equation gap = 0."""
+        period = period_of(self.with_answers(self.carried_out(gap)), name)
+        if len(roots) == 1 and period is None:
+            return Choice(0)
+        return self.choose(name, [self.with_answers(root) for root in roots], period)
+
+    def _chosen(self, choice: Choice, roots: Sequence[Formula]) -> Formula:
+        """The root itself, whole turns or periods beyond it."""
+        return self.simplify(choice.of(roots)) if choice.turns else roots[choice.root]
 
     def _shortest(self, value: Formula) -> Formula:
         """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
@@ -314,7 +359,7 @@ class Solver(Textbook):
         for reach in (10, 1000, 10**6):
             roots = real_roots(gap, asked, self.values, -reach, reach)
             if roots.roots:
-                picked = self.choose(asked, [as_formula(root) for root in roots.roots])
+                picked = self.choose(asked, [as_formula(root) for root in roots.roots], None)
                 reason: Words = ("no closed form: solved numerically, with certified digits",)
                 self._keep(item, [Equality(item.left, item.right)], asked, reason)
                 return Found(asked, None, roots.roots[picked.root if picked else 0])

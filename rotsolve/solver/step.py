@@ -16,19 +16,21 @@ Ref = tuple[str, "int | str"]
 
 
 class Choice(NamedTuple):
-    """The root that is meant, why, and the whole turns that an angle has gone beyond it."""
+    """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time."""
 
     root: int
     words: Words = ()
     turns: Fraction = Fraction(0)
+    period: Formula = 2 * PI
 
     def of(self, roots: Sequence[Formula]) -> Formula:
         """The root itself, with its whole turns."""
         root = roots[self.root]
-        return root + Number(2 * self.turns) * PI if self.turns else root
+        return root + Number(self.turns) * self.period if self.turns else root
 
 
-Chooser = Callable[[str, Sequence[Formula]], "Choice | None"]
+# the letter, its roots, and how much later they hold again, where they do
+Chooser = Callable[[str, Sequence[Formula], "Formula | None"], "Choice | None"]
 
 
 class Redundant(ValueError):

@@ -79,6 +79,7 @@ def n(value: int | str) -> Number:
         ("1 µm", n("1e-6"), LENGTH, "µm"),
         ("1 μm", n("1e-6"), LENGTH, "µm"),
         ("2 π rad", Product((n(2), PI)), NONE, "rad"),
+        ("3 m/s^(1/2)", n(3), LENGTH / TIME ** Fraction(1, 2), "m/s^(1/2)"),
         ("90 °/s", Product((n("1/2"), PI)), FREQUENCY, "°/s"),
     ],
 )
@@ -123,6 +124,8 @@ ERRORS = [
     ("9**9**9 m", "unexpected `9` in a unit", 3, 4),
     ("2 m2", "unexpected `2` in a unit: write a power as `^2`", 3, 4),
     ("2 m^13", "the power of a unit is a whole number from 1 to 12, or its negative", 3, 6),
+    ("2 km^(1/2)", "a fractional power of `km` has no exact value: write it in SI units", 2, 4),
+    ("2 m^(1/0)", "unexpected `^` in a unit", 3, 4),
     ("2 m//s", "unexpected `/` in a unit", 4, 5),
     ("2 m/", "the unit ends too early", 4, 4),
     ("2 m/s kg", "`m/s kg` can be read in two ways: put what is below the slash in brackets", 2, 8),

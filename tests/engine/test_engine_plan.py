@@ -7,7 +7,7 @@ import random
 import pytest
 
 from rotsolve.algebra.exact.normal import equal
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan, Planner, Shortage
@@ -45,6 +45,14 @@ def test_the_cheaper_way_is_taken() -> None:
 
 def test_a_known_letter_needs_no_equation() -> None:
     assert planned("a", "m F", "F = m a", "m = 2 n") == (0,)
+
+
+def test_an_integral_tells_a_constant_within_it() -> None:
+    equations = [Equation(Symbol("T"), Integral(ONE / Symbol("a"), "w", ZERO, Symbol("u")), "", ""), *pool("-c w = a")]
+    known = {"T", "u", "w"}
+    assert isinstance(Planner(equations).plan("c", known), Shortage)
+    plan = Planner(equations, ["c"]).plan("c", known)
+    assert isinstance(plan, Plan) and plan.equations == (0, 1)
 
 
 def test_a_question_that_nothing_holds() -> None:
@@ -92,7 +100,7 @@ def test_random_triangular_pools_need_just_what_is_reached(seed: int) -> None:
 
 
 def solver(equations: list[Equation], choose: object = None) -> Solver:
-    def first(name: str, roots: object) -> Choice:
+    def first(name: str, roots: object, period: object) -> Choice:
         return Choice(0)
 
     return Solver(equations, (), frozenset({"k", "m", "g", "R"}), {}, choose or first)  # type: ignore[arg-type]
@@ -118,7 +126,7 @@ def test_a_square_is_solved_by_the_choice_of_root() -> None:
     assert isinstance(plan, Plan)
     asked_of = []
 
-    def second(name: str, roots: list[Formula]) -> Choice:
+    def second(name: str, roots: list[Formula], period: object) -> Choice:
         asked_of.append((name, len(roots)))
         return Choice(1, ("it falls",))
 

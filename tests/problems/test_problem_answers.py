@@ -167,6 +167,15 @@ def test_nothing_objects_to_the_answers(problem_file: Path) -> None:
     assert [check for check in solved(problem_file).checks if check.holds is False] == []
 
 
+def test_no_line_uses_what_is_found_further_down(problem_file: Path) -> None:
+    seen: set[str] = set()
+    for section in solved(problem_file).derivation.sections:
+        seen |= {str(law.number) for law in section.laws}
+        for move in section.moves:
+            assert set(re.findall(r"\((\d+)\)", move.sources)) <= seen, move.sources
+            seen |= {str(move.number)}
+
+
 def test_golden_derivation_is_unchanged(problem_file: Path, regenerate: bool) -> None:
     golden = problem_file.parent / "golden" / f"{problem_file.stem}.txt"
     text = solved(problem_file).to("text", width=WIDTH)

@@ -219,6 +219,8 @@ class Rewriter:
             return ZERO
         if isinstance(shown, Call) and shown.function == "exp":
             return shown.arguments[0]
+        if isinstance(shown, Number) and 0 < shown.value < 1 and not self.split_logs:
+            return negate(self._same("log", Number(1 / shown.value)))
         return self.radicals.log(shown) if self.split_logs else self._same("log", shown)
 
     def _inverse(self, function: str, arguments: tuple[Formula, ...]) -> Formula:

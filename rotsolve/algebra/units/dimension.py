@@ -158,14 +158,15 @@ def kind_of(dimension: Dimension, name: str | None = None) -> Kind | None:
 def base_unit_text(dimension: Dimension) -> str:
     """The dimension in base units: `kg m³/s`."""
     parts = (("kg", dimension.mass), ("m", dimension.length), ("rad", dimension.angle), ("s", dimension.time))
-    above = " ".join(_unit_power(unit, exponent) for unit, exponent in parts if exponent > 0)
-    below = [_unit_power(unit, -exponent) for unit, exponent in parts if exponent < 0]
+    above = " ".join(unit_power(unit, exponent) for unit, exponent in parts if exponent > 0)
+    below = [unit_power(unit, -exponent) for unit, exponent in parts if exponent < 0]
     if not below:
         return above
     return f"{above or '1'}/{below[0]}" if len(below) == 1 else f"{above or '1'}/({' '.join(below)})"
 
 
-def _unit_power(unit: str, exponent: Exponent) -> str:
+def unit_power(unit: str, exponent: Exponent) -> str:
+    """A unit with its power: s², s^(1/2)."""
     if exponent == 1:
         return unit
     whole = Fraction(exponent)

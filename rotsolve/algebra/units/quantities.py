@@ -5,6 +5,7 @@ Rules that are not obvious:
   `J/(kg m)` needs its bracket, and `m/s kg` is refused since it can be read in two ways;
 - `3/4 m` is three quarters of a metre: a slash between two whole numbers belongs to the number;
 - the values of degrees and revolutions hold π itself; `Hz` is cycles per second, 1/s, and never rad/s;
+- a power may be a fraction in brackets, `s^(1/2)`, of a unit that is no multiple of another;
 - a number may be a decimal, `3/4`, `½`, `2×10^3`, and may have a π: `2 π rad`, `π/6`.
 """
 
@@ -15,9 +16,9 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
-from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript, superscripted
+from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
 from rotsolve.algebra.notation.tokens import NUMBER, FormulaError, read_number, suggest
-from rotsolve.algebra.units.dimension import NONE, Dimension, base_unit_text, kind_of
+from rotsolve.algebra.units.dimension import NONE, Dimension, Exponent, base_unit_text, kind_of, unit_power
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, times_pi
 
 __all__ = ["Quantity", "Unit", "UnitError", "in_unit", "parse_quantity", "parse_unit", "unit_for"]
@@ -27,8 +28,9 @@ MAX_UNIT_POWER = 12
 
 _RAISED = "[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+"
 _WHOLE = r"[+\-−]?[0-9]+"
+_SHARE = rf"{_WHOLE}(?:/[1-9])?"
 _TOKEN = re.compile(
-    rf"\s*(?:(?P<name>°|%|[A-Za-zµμ]+(?:_[a-z]+)?)|(?P<raised>{_RAISED})|(?:\^|\*\*)\s*(?P<power>{_WHOLE}|\({_WHOLE}\))"
+    rf"\s*(?:(?P<name>°|%|[A-Za-zµμ]+(?:_[a-z]+)?)|(?P<raised>{_RAISED})|(?:\^|\*\*)\s*(?P<power>{_WHOLE}|\({_SHARE}\))"
     r"|(?P<times>[*·×⋅])|(?P<mark>[/()])|(?P<other>\S))"
 )
 # What is rare is compiled when a text first needs it.
@@ -153,30 +155,27 @@ class _Factors:
     """Collects the factors of a unit: name -> exponent, in the order written."""
 
     def __init__(self) -> None:
-        self.exponents: dict[Unit, int] = {}
+        self.exponents: dict[Unit, Exponent] = {}
 
-    def add(self, unit: Unit, exponent: int) -> None:
+    def add(self, unit: Unit, exponent: Exponent) -> None:
         self.exponents[unit] = self.exponents.get(unit, 0) + exponent
 
     def unit(self) -> Unit:
         scale, pi_power, dimension = Fraction(1), 0, NONE
         for unit, exponent in self.exponents.items():
-            scale *= unit.scale**exponent
-            pi_power += unit.pi_power * exponent
+            if isinstance(exponent, int):
+                scale *= unit.scale**exponent
+                pi_power += unit.pi_power * exponent
             dimension = dimension * unit.dimension**exponent
         return Unit(self.text(), scale, pi_power, dimension)
 
     def text(self) -> str:
         """`kg m²/s`, with a bracket around several below the slash."""
-        above = " ".join(_raised(unit.text, exponent) for unit, exponent in self.exponents.items() if exponent > 0)
-        below = [_raised(unit.text, -exponent) for unit, exponent in self.exponents.items() if exponent < 0]
+        above = " ".join(unit_power(unit.text, exponent) for unit, exponent in self.exponents.items() if exponent > 0)
+        below = [unit_power(unit.text, -exponent) for unit, exponent in self.exponents.items() if exponent < 0]
         if not below:
             return above
         return f"{above or '1'}/{below[0]}" if len(below) == 1 else f"{above or '1'}/({' '.join(below)})"
-
-
-def _raised(text: str, exponent: int) -> str:
-    return text if exponent == 1 else text + superscripted(exponent)
 
 
 def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:
@@ -194,7 +193,10 @@ def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:
             if after_slash and not expected and not in_bracket:
                 raise _two_ways(text, start)
             exponent, index = _power(tokens, index)
-            factors.add(_named(found, at, end), sign * exponent)
+            unit = _named(found, at, end)
+            if isinstance(exponent, Fraction) and (unit.scale != 1 or unit.pi_power):
+                raise UnitError(f"a fractional power of `{found}` has no exact value: write it in SI units", at, end)
+            factors.add(unit, sign * exponent)
             expected = False
         elif found == "(" and expected and sign < 0 and not in_bracket:
             in_bracket = True
@@ -225,16 +227,17 @@ def _two_ways(text: str, start: int) -> UnitError:
     return UnitError(f"`{unit}` can be read in two ways: put what is below the slash in brackets", start, len(text))
 
 
-def _power(tokens: list[re.Match[str]], index: int) -> tuple[int, int]:
+def _power(tokens: list[re.Match[str]], index: int) -> tuple[Exponent, int]:
     """The exponent that stands at `index`, 1 if none does, and the index after it."""
     if index == len(tokens) or tokens[index].lastgroup not in ("raised", "power"):
         return 1, index
     token = tokens[index]
-    digits = _exponent(token)
+    digits, _, below = _exponent(token).partition("/")
     if len(digits) > 4 or abs(int(digits)) > MAX_UNIT_POWER or int(digits) == 0:
         message = f"the power of a unit is a whole number from 1 to {MAX_UNIT_POWER}, or its negative"
         raise UnitError(message, token.start(), token.end())
-    return int(digits), index + 1
+    power = Fraction(int(digits), int(below or 1))
+    return (int(power) if power.denominator == 1 else power), index + 1
 
 
 def _named(name: str, start: int, end: int) -> Unit:

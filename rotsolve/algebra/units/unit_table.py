@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from fractions import Fraction
 
@@ -48,6 +49,7 @@ class Unit:
     def latex(self) -> str:
         """The unit in LaTeX: \\mathrm{kg\\,m^{2}/s}."""
         text = "".join(f"^{{{_RAISED[char]}}}" if char in _RAISED else _LATEX.get(char, char) for char in self.text)
+        text = re.sub(r"\^\(([^)]*)\)", r"^{\1}", text)
         return rf"\mathrm{{{text}}}" if text else ""
 
     def after(self, number: str) -> str:

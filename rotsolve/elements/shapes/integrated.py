@@ -27,6 +27,7 @@ class Integrated(Shape):
     tabled = False
     positive: frozenset[str] = frozenset()
 
+    @cached_property
     def elements(self) -> Slicing:
         """The slicing, which such a shape always has."""
         found = self.slicing()
@@ -39,12 +40,12 @@ class Integrated(Shape):
     @cached_property
     def whole(self) -> Formula:
         """The length, area, volume or, of a varying density, the mass."""
-        return self.closed(self.elements().total(ONE))
+        return self.closed(self.elements.total(ONE))
 
     @cached_property
     def centre(self) -> Spot:
         """The centre of mass from the origin of the slicing."""
-        cut = self.elements()
+        cut = self.elements
         x, y, z = (
             simplify(self.closed(cut.total(cut.first(axis))) / self.whole, positive=self.positive) for axis in AXES
         )
@@ -53,7 +54,7 @@ class Integrated(Shape):
     @cached_property
     def central(self) -> InertiaTensor:
         """Second moments about the centre of mass, per mass."""
-        cut = self.elements()
+        cut = self.elements
         about = InertiaTensor(*(self.closed(cut.total(cut.second(entry))) / self.whole for entry in ENTRIES))
         less = displaced(ONE, self.centre)
         return InertiaTensor(
@@ -68,11 +69,11 @@ class Integrated(Shape):
         return self.central.times(mass)
 
     def centroid(self) -> Place:
-        origin = self.elements().origin
+        origin = self.elements.origin
         return (origin[0] + self.centre[0], origin[1] + self.centre[1])
 
     def rise(self, point: str = "cm") -> Formula:
-        return self.elements().origin[2] + self.centre[2] if point == "cm" else ZERO
+        return self.elements.origin[2] + self.centre[2] if point == "cm" else ZERO
 
     def measure(self) -> Formula:
         return self.whole

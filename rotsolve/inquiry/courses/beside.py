@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from rotsolve.algebra.calculus import differentiate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import PI, ZERO, Call, Formula
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.periodic import period_of
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 
@@ -54,7 +54,7 @@ class Beside:
         if not found.complete:
             raise NotYet("where it changes its sign can not be told for certain")
         exact = solve_polynomial(function, TIME) or [item.formula for item in solve_trig(function, TIME)]
-        return [self._closed(root, exact, period_of(function), edge) for root in inside]
+        return [self._closed(root, exact, period_of(function, TIME), edge) for root in inside]
 
     def _closed(self, root: float, exact: list[Formula], period: Formula | None, edge: float) -> Formula:
         """The closed form of a zero, whole periods later where the motion swings."""
@@ -65,16 +65,6 @@ class Beside:
             if abs(gap - self.number(shift)) < edge:
                 return simplify(form + shift)
         raise NotYet("the moment at which it changes its sign has no closed form")
-
-
-def period_of(function: Formula) -> Formula | None:
-    """2π/n of a function in which the time stands in sin n t and cos n t only."""
-    calls = [node for node in function.walk() if isinstance(node, Call) and TIME in node.symbols()]
-    if not calls or any(node.function not in ("sin", "cos") for node in calls):
-        return None
-    slopes = {simplify(differentiate(node.arguments[0], TIME)) for node in calls}
-    slope = slopes.pop()
-    return None if slopes or TIME in slope.symbols() else 2 * PI / slope
 
 
 def straight(function: Formula) -> bool:

@@ -1,4 +1,4 @@
-"""Steady: of the angles at which a body may stand on a turning shaft, those to which it comes back when it is displaced."""
+"""Steady: of the angles at which a body may stand in balance, or on a turning shaft, those to which it comes back when displaced."""
 
 from __future__ import annotations
 
@@ -29,9 +29,23 @@ def on_shaft(name: str, history: History) -> list[tuple[BodyFacts, Formula, Fact
     return found
 
 
+def balanced(name: str, history: History) -> list[tuple[BodyFacts, Formula, Facts]]:
+    """Bodies whose angle at a state in balance depends on a letter, with that angle and the facts there."""
+    found = []
+    for state in history.arrangement.timeline.states:
+        if not state.balance:
+            continue
+        facts = history.facts(state.name, virtual=True)
+        for body in facts.bodies:
+            angle = history.instant(state.name).angle(body.name) if body.motion.kind == "axis" else None
+            if angle is not None and name in angle.symbols():
+                found.append((body, angle, facts))
+    return found
+
+
 def stable_roots(name: str, roots: Sequence[Formula], history: History, values: Mapping[str, Formula]) -> list[int]:
-    """Places of the stable ones among values of a letter that the angle of a body on a turning shaft depends on."""
-    for body, angle, facts in on_shaft(name, history):
+    """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
+    for body, angle, facts in (*on_shaft(name, history), *balanced(name, history)):
         balance = energy.drive(facts, frozenset((body.name,)))
         if balance is not None:
             slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
+from rotsolve.algebra.formula import ZERO
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Condition, Find, Path
 from rotsolve.scene.phrase.clauses import CLAUSES
 from rotsolve.scene.reader.states import EXTREMES
 from rotsolve.scene.tree.nodes import Text
+from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.pieces import Piece, pieces
 from rotsolve.scene.values.scope import Scope
@@ -49,7 +52,7 @@ def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None
 
 
 def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: Quantity) -> Condition | None:
-    """`path = value [clauses]`; the clauses belong to the path."""
+    """`path = value [clauses]` or `path = path [clauses]`; the clauses belong to the paths."""
     end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
     if sign == 0 or end == sign + 1:
         scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
@@ -58,9 +61,25 @@ def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: 
     if read is None:
         return None
     find, dimension = read
+    if any(piece.kind == "path" for piece in words[sign + 1 : end]):
+        other = quantity([*words[sign + 1 : end], *words[end:]])
+        if other is None or not same_kind(scope, part, dimension, other[1]):
+            return None
+        both = replace(find, formula=find.formula - other[0].formula, terms=other[0].terms)
+        return Condition(None, ZERO, span=part.span, phrase=both)
     start, stop = words[sign + 1].start, words[end - 1].end
     right = Text(part.value[start:stop], part.part(start, stop), True, part.exact)
     word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
     owner = find.terms[0].path.owner if find.terms else ""
     found = value(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
     return None if found is None else Condition(None, found, span=part.span, phrase=find)
+
+
+def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
+    """Whether both sides of an equality may be equal, as far as their dimensions are known."""
+    if left is None or right is None or fits(left, right):
+        return True
+    scope.fault(
+        part, f"the sides of {quoted(part.value)} don't agree: {named(left)} and {named(right)}", kind="dimension"
+    )
+    return False

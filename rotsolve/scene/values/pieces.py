@@ -14,8 +14,9 @@ from rotsolve.algebra.units.quantities import UnitError, parse_unit
 NUMBER = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"
 NAME = r"[^\W\d]\w*"
 SCAN = re.compile(rf"(?P<number>{NUMBER})|(?P<name>{NAME}(?:\.{NAME})*)|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
-UNIT = re.compile(r"\s*(?P<word>[^\W\d_]+|°|%)(?:\s*\^\s*[-−]?\d+|[²³⁻¹⁴]+)?")
-MORE = re.compile(r"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+)(?:\s*\^\s*[-−]?\d+|[²³⁻¹⁴]+)?")
+POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
+UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")
+MORE = re.compile(rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}")
 CALL = re.compile(rf"\.{NAME}")
 
 

@@ -1,0 +1,124 @@
+"""Which of several roots is meant: the first moment, the next place on the way, the stable equilibrium; observed constants."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from rotsolve.core.faults import SceneError
+from rotsolve.pipeline import solve
+
+
+def value(scene: str, name: str) -> float:
+    found = solve(scene).answers[name].float
+    assert found is not None
+    return found
+
+
+ALTERNATING = """title: Drum under an alternating torque
+given: {{I: 0.5 kg m^2, M0: 3 N m, w: 4 rad/s}}
+bodies: {{drum: {{inertia: I}}}}
+connections: {{axle: {{axle: drum}}}}
+actions: {{motor: {{couple: M0*sin(w*time), on: drum}}}}
+states: {{{states}}}
+find: {{{find}}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("states", "find", "expected"),
+    [
+        ("start: at rest, fast: {drum.angular_velocity: largest}", "x: drum.angular_velocity at fast", 3),
+        ("start: at rest, still: {drum.angular_velocity: 0}", "x: time from start to still", math.pi / 2),
+        ("start: at rest, still: {drum.angular_velocity: 0}", "x: drum.rotation from start to still", 0.75 * math.pi),
+        (
+            "start: at rest, fast: {drum.angular_velocity: largest}, still: {drum.angular_velocity: 0}",
+            "x: time from fast to still",
+            math.pi / 4,
+        ),
+        (
+            "start: at rest, still: {drum.angular_velocity: 0}, again: {drum.angular_velocity: 0}",
+            "x: time from start to again",
+            math.pi,
+        ),
+    ],
+)
+def test_of_times_that_come_again_the_first_after_the_state_before(states: str, find: str, expected: float) -> None:
+    assert value(ALTERNATING.format(states=states, find=find), "x") == pytest.approx(expected, rel=1e-9)
+
+
+def test_the_way_goes_on_from_a_state_that_was_only_found_on_the_way() -> None:
+    scene = """title: Constant torque against one that grows with the angle
+given: {I: 0.02 kg m^2, M: 1.2 N m, k: 0.8 N m/rad}
+bodies: {disc: {inertia: I}}
+connections: {axle: {axle: disc}}
+actions: {motor: {couple: M - k*disc.angle, on: disc}}
+states: {start: {disc.angle: 0, at rest: all}, fast: {disc.angular_velocity: largest}, far: {disc.angle: largest}}
+find: {w: disc.angular_velocity at fast, theta: disc.angle at far, t: time from start to far}
+"""
+    assert value(scene, "w") == pytest.approx(1.2 / math.sqrt(0.016), rel=1e-9)
+    assert value(scene, "theta") == pytest.approx(3, rel=1e-9)
+    assert value(scene, "t") == pytest.approx(math.pi * math.sqrt(0.02 / 0.8), rel=1e-9)
+
+
+def test_a_body_left_in_balance_hangs_below_its_hinge() -> None:
+    scene = """title: Plate hung from a corner
+given: {M: 2 kg, a: 40 cm, b: 30 cm}
+bodies: {plate: {shape: rectangle, mass: M, sides: [a, b]}}
+connections: {nail: {hinge: plate.corner1}}
+states: {hangs: {balance: true}}
+find: {theta: plate.angle at hangs}
+"""
+    assert value(scene, "theta") == pytest.approx(-math.pi / 2, rel=1e-9)
+
+
+def test_a_coefficient_of_drag_follows_from_an_observed_time() -> None:
+    scene = """title: Wheel braked by a torque as the root of its speed
+given: {I: 1.5 kg m^2, w0: 36 rad/s, c: unknown, T: 12 s}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel}}
+actions: {brake: {couple: -c*sqrt(wheel.angular_velocity), on: wheel}}
+states: {start: {wheel.angular_velocity: w0}, still: {time: T, wheel.angular_velocity: 0}}
+find: {c: c, mean: mean wheel.angular_velocity from start to still}
+"""
+    assert value(scene, "c") == pytest.approx(2 * 1.5 * 6 / 12, rel=1e-9)  # T = 2 I √ω₀/c
+    assert value(scene, "mean") == pytest.approx(12, rel=1e-9)
+
+
+def test_turns_in_a_state_and_two_phases_by_kinematics_alone() -> None:
+    scene = """title: Flywheel that makes forty turns to a stop
+given: {w: 1.5 rad/s}
+bodies: {wheel: {inertia: 3 kg m^2}}
+connections: {axle: {axle: wheel, angular_acceleration: unknown}}
+states: {start: {wheel.angular_velocity: w}, half: {wheel.turns: 20}, stop: {wheel.turns: 20, wheel.angular_velocity: 0}}
+find: {t: time from start to stop, t1: time from start to half}
+"""
+    solution = solve(scene)
+    assert value(scene, "t") == pytest.approx(160 * math.pi / 1.5, rel=1e-9)
+    assert value(scene, "t1") == pytest.approx(80 * math.pi * (2 - math.sqrt(2)) / 1.5, rel=1e-9)
+    assert "Newton" not in str(solution) and "energy" not in str(solution)
+
+
+def test_a_condition_may_set_two_quantities_equal() -> None:
+    scene = """title: Wheel from rest, when its rim's two accelerations are equal
+given: {a: 0.5 rad/s^2, R: 40 cm, T: unknown}
+bodies: {wheel: {radius: R}}
+connections: {axle: {axle: wheel, angular_acceleration: a}}
+states: {start: at rest, then: {time: T}}
+find: {T: T where wheel.rim.acceleration.normal = wheel.rim.acceleration.tangential at then}
+"""
+    assert value(scene, "T") == pytest.approx(math.sqrt(2), rel=1e-9)
+    with pytest.raises(SceneError, match="don't agree"):
+        solve(scene.replace("acceleration.tangential at", "velocity at"))
+
+
+def test_a_function_of_time_that_is_not_defined_at_the_start() -> None:
+    scene = """title: Instantaneous centre of a disc that starts to turn
+given: {v: 0.8 m/s, e: 3 rad/s^2}
+bodies: {disc: {shape: disc, mass: 1 kg, radius: 0.2 m, velocity: [v, 0], angular_acceleration: e}}
+states: {start: {disc.angular_velocity: 0}}
+find: {y: disc.instantaneous_centre.y at any time}
+"""
+    found = solve(scene, at="2 s").answers["y"].float
+    assert found == pytest.approx(0.8 / 6, rel=1e-9)
