@@ -24,6 +24,7 @@ from rotsolve.motion.instant import locate
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
+from rotsolve.motion.sequence import check_sequence
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 
@@ -47,6 +48,7 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
+    check_sequence(problem)
     check(problem)
     check_surfaces(problem)
     check_holding(problem)
