@@ -160,7 +160,9 @@ class Inquiry:
         self.known.add(asked.letter)
         self.answered.append(answered)
         meant = self.defined.get(asked.letter)
-        if meant is not None and (asked.whole or not self._leads_back(asked.formula) or self._turned_round(meant, first)):
+        if meant is not None and (
+            asked.whole or not self._leads_back(asked.formula) or self._turned_round(meant, first)
+        ):
             self.retired.add(meant)  # a size, a component or a loss does not lead back to what it is made of
         return answered
 

@@ -1,4 +1,4 @@
-"""Drafts: which laws and steps belong in which section, and the sections in the order of time."""
+"""Drafts: which laws and steps belong in which section, and the sections in the order in which they are read."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
-from rotsolve.solver import Step
+from rotsolve.solver import Ref, Step
 
 
 @dataclass
@@ -23,12 +23,13 @@ class Draft:
 
 
 def drafts_of(inquiry: Inquiry) -> list[Draft]:
-    """Laws and steps by section, the sections in the order of time."""
+    """Laws and steps by section, the sections in the order in which they are read."""
     drafts: dict[str, Draft] = {}
-    order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    homes = homes_of(inquiry, order)
+    time = {key: place for place, key in enumerate(moments(inquiry.history))}
+    homes = homes_of(inquiry, time)
+    order = {key: place for place, key in enumerate(reading_order(inquiry, homes, time))}
     placed: set[int] = set()
-    for answered in sorted(inquiry.answered, key=lambda item: order.get(homes[item.asked.letter], len(order))):
+    for answered in sorted(inquiry.answered, key=lambda item: order[homes[item.asked.letter]]):
         laws, key = laws_of(answered, inquiry), homes[answered.asked.letter]
         draft = drafts.setdefault(key, Draft(key))
         draft.laws.extend(
@@ -42,6 +43,23 @@ def drafts_of(inquiry: Inquiry) -> list[Draft]:
         drafts.setdefault(last, Draft(last)).choices.append(chosen)
     filled = [draft for draft in drafts.values() if draft.laws or draft.steps or draft.choices]
     return sorted(filled, key=lambda draft: order.get(draft.key, len(order)))
+
+
+def reading_order(inquiry: Inquiry, homes: Mapping[str, str], time: Mapping[str, int]) -> list[str]:
+    """Each section after those whose results it puts to use, else in the order of time; of two that need each other the earlier first."""
+    told: dict[Ref, str] = {("known", letter): key for letter, key in homes.items()}
+    needed: dict[str, set[str]] = {
+        key: set() for key in sorted(homes.values(), key=lambda key: time.get(key, len(time)))
+    }
+    for answered in inquiry.answered:
+        key = homes[answered.asked.letter]
+        for step in inquiry.solver.steps[slice(*answered.steps)]:
+            needed[key] |= {told[ref] for ref in (step.target, *step.sources) if ref in told}
+            told |= {("step", step.number): key, ("known", step.result): key}
+    result: list[str] = []
+    while left := [key for key in needed if key not in result]:
+        result.append(next((key for key in left if needed[key] <= {key, *result}), left[0]))
+    return result
 
 
 def homes_of(inquiry: Inquiry, order: Mapping[str, int]) -> dict[str, str]:
