@@ -70,17 +70,23 @@ class Course:
         if pulled is not None:
             return unit(WORDS[pulled])
         arrangement = self.instant.arrangement
+        surface = arrangement.surfaces.get(self.along or "")
+        if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
+            return unit(uphill(surface) if ref.owner in arrangement.bodies else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
-        surface = arrangement.surfaces.get(self.along or "")
-        if surface is not None:
-            return unit(uphill(surface) if ref.owner in arrangement.bodies else uphill(surface).turned(180))
         if isinstance(arrangement.surfaces.get(ref.owner), Wall):
             return unit(arrangement.surfaces[ref.owner].normal)
         geometric = between(ref, neighbour, self.instant)
         if geometric is not None:
             return geometric
         return self.leaving_mover(index, other) if ref.owner in arrangement.bodies else None
+
+    def travels(self, owner: str, surface: Surface) -> bool:
+        """Whether a body travels along a surface."""
+        instant = self.instant
+        line = instant.line(instant.host(owner)) if owner in instant.arrangement.bodies else None
+        return line is not None and (line[0] - uphill(surface)).sin() == ZERO
 
     def leaving_mover(self, index: int, other: int) -> Vector | None:
         """Direction in which the string leaves a body that travels.
