@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
+from rotsolve.algebra.formula import Symbol
 from rotsolve.core.equation import Equation
 
 ROUNDS = 12  # improvements after which a plan is taken as it is
@@ -78,7 +79,13 @@ class Planner:
                     fresh = [name for name in unknowns[index] if name not in seen]
                     seen.update(fresh)
                     pending.extend(fresh)
-        return dict(sorted(found.items(), key=lambda item: (self.pool[item[0]].cost, len(item[1]), item[0])))
+        return dict(sorted(found.items(), key=lambda item: self._rank(*item)))
+
+    def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
+        """Cheap equations first, then those of few unknowns, then laws in which one of these stands alone, as in N = m g."""
+        law = self.pool[index]
+        alone = any(isinstance(side, Symbol) and side.name in names for side in (law.left, law.right))
+        return law.cost, len(names), 0 if alone or not law.cost else 1, index
 
     def _usable(self, unknowns: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Without the equations that sum over something which none of the others tells."""
