@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
 
@@ -19,9 +20,79 @@ class Case:
     answers: dict[str, float]
 
 
+SCENES = Path(__file__).resolve().parent / "scenes"
+TILT = math.radians(35)
 SLOPE = math.radians(50)
 SLIDES = 2 / 3 * G * (math.sin(SLOPE) - 2 * 0.15 * math.cos(SLOPE))
+STACK = """
+title: Block on a block
+given: {{m: 2 kg, M: 5 kg, F: {force} N, mu: 0.3, nu: {floor}}}
+surfaces: {{floor: level}}
+bodies:
+  lower: {{mass: M, moves: right}}
+  upper: {{mass: m, moves: right}}
+connections:
+  base: {{contact: [lower, floor], friction: nu}}
+  grip: {{contact: [upper, lower], friction: mu}}
+actions: {{pull: {{force: F, on: {pulled}, direction: right}}}}
+find: {{a: upper.acceleration, A: lower.acceleration}}
+"""
 CASES = [
+    Case(
+        "cylinder that rolls on a plank",
+        (SCENES / "contact-cylinder-on-plank.yaml").read_text(encoding="utf-8"),
+        {"A": 30 / (6 + 4 / 3), "a": 10 / (6 + 4 / 3), "alpha": 20 / (6 + 4 / 3) / 0.1, "f": -40 / (6 + 4 / 3)},
+    ),
+    Case(
+        "blocks that slide down a slope together",
+        (SCENES / "contact-stack-on-slope.yaml").read_text(encoding="utf-8"),
+        {name: G * (math.sin(TILT) - 0.2 * math.cos(TILT)) for name in "aA"}
+        | {"f": 0.2 * 2 * G * math.cos(TILT), "N": 7 * G * math.cos(TILT)},
+    ),
+    Case(
+        "stack pulled below, not too hard",
+        STACK.format(force=20, floor=0.1, pulled="lower"),
+        dict.fromkeys("aA", 20 / 7 - 0.98),
+    ),
+    Case(
+        "stack pulled below so hard that the upper block slips",
+        STACK.format(force=40, floor=0.1, pulled="lower"),
+        {"a": 0.3 * G, "A": (40 - 0.1 * 7 * G - 0.3 * 2 * G) / 5},
+    ),
+    Case(
+        "stack pulled above, not too hard",
+        STACK.format(force=4, floor=0.05, pulled="upper"),
+        dict.fromkeys("aA", 4 / 7 - 0.49),
+    ),
+    Case("stack that a weak pull leaves at rest", STACK.format(force=3, floor=0.05, pulled="upper"), {"a": 0, "A": 0}),
+    Case(
+        "stack of which the upper block alone slides",
+        STACK.format(force=10, floor=0.2, pulled="upper"),
+        {"a": 5 - 0.3 * G, "A": 0},
+    ),
+    Case(
+        "ball thrown on a plank, until it rolls",
+        """
+title: Ball on a plank
+given: {m: 2 kg, M: 6 kg, R: 10 cm, u: 4 m/s, mu: 0.25}
+surfaces: {floor: level}
+bodies:
+  plank: {mass: M, moves: right}
+  ball: {shape: sphere, mass: m, radius: R, moves: right}
+connections:
+  base: {contact: [plank, floor]}
+  grip: {contact: [ball, plank], friction: mu}
+states:
+  start: {ball.velocity: u, ball.angular_velocity: 0, plank.velocity: 0}
+  one: {grip: rolls}
+find:
+  v: ball.velocity at one
+  V: plank.velocity at one
+  t: time from start to one
+  W: grip.work from start to one
+""",
+        {"v": 4 * 34 / 46, "V": 16 / 46, "t": 48 / (0.25 * G * 46), "W": -2 * 6 * 16 / 46},
+    ),
     Case(
         "spool that unwinds from a thread along a rough slope, tied above",
         """

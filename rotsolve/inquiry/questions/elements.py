@@ -35,6 +35,8 @@ class OfElements(Moment):
                 return self._tension(path, [force for _, force in forces])
             case "normal_force" | "friction_force":
                 role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+                first = self._first_body(path.owner)
+                forces.sort(key=lambda pair: pair[0].name != first)
                 force = next((force for _, force in forces if force.role == role), None)
                 if force is None:
                     return ZERO
@@ -151,6 +153,11 @@ class OfElements(Moment):
                 help="ask for `x` or `y`",
             )
         return about_centre(vector, arm, body.motion.sense, component)
+
+    def _first_body(self, owner: str) -> str:
+        """The body that a connection names first: of two that touch, the one that lies on the other."""
+        items = (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == owner)
+        return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies that it pushes, the one that the connection names last."""
