@@ -9,6 +9,7 @@ from rotsolve.elements.actions import Action, Press
 from rotsolve.elements.connections import Connection, Contact, Rides
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
 from rotsolve.elements.surfaces import Curved, Wall
@@ -27,6 +28,8 @@ def check(problem: Problem) -> None:
             check_free(item, problem)
         elif isinstance(item, Touch):
             check_touch(item, problem, bodies, held)
+        elif isinstance(item, Spring) and item.placed:
+            check_spring(item, held)
         elif item.between():
             check_one_axis(item.between(), item.word, held)
     for action in problem.actions:
@@ -78,6 +81,19 @@ def check_carrier(item: Touch, problem: Problem, bodies: Mapping[str, Body]) -> 
 def on_axes(problem: Problem) -> frozenset[str]:
     """The bodies that an axle or hinge holds."""
     return frozenset(ref.owner for item in problem.connections for ref in item.fixed_points())
+
+
+def check_spring(item: Spring, held: Mapping[str, str]) -> None:
+    """A spring from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched."""
+    for ref in item.spring:
+        if ref.place is None and ref.owner not in held:
+            help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
+            raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
+    if item.rest_length is None:
+        help = "a given that is `unknown` where a state tells how far it is stretched"
+        raise Unsolvable(
+            f"`{item.name}` runs from a place: give its `rest_length`", span=item.spring[0].span, help=help
+        )
 
 
 def check_one_axis(pair: tuple[PointRef, ...], word: str, held: Mapping[str, str]) -> None:

@@ -108,6 +108,48 @@ find: {a: roll.acceleration, T: thread.tension}
         {"a": SLIDES, "T": 5 * G * (math.sin(SLOPE) + 0.15 * math.cos(SLOPE)) / 3},
     ),
     Case(
+        "bar with a spring from a fixed place, which falls from upright",
+        """
+title: Bar and spring
+given: {M: 6 kg, L: 1.2 m, k: 90 N/m, l: 0.5 m, b: 0.9 m}
+bodies: {rod: {shape: rod, mass: M, length: L, turns: clockwise}}
+connections: {pin: {hinge: rod.start}, coil: {spring: [[b, 0], rod.end], stiffness: k, rest_length: l}}
+states: {up: {rod.angle: 90 deg, at rest: all}, level: {rod.angle: 0}}
+find: {x: coil.elongation at level, w: rod.angular_velocity at level}
+""",
+        {"x": -0.2, "w": math.sqrt((6 * G * 0.6 + 45 - 1.8) * 6 / (6 * 1.44))},
+    ),
+    Case(
+        "bar held level by a slanting spring, whose stiffness is asked for",
+        """
+title: Bar and spring
+given: {M: 6 kg, L: 1.2 m, h: 0.9 m, k: unknown}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start}, coil: {spring: [[0, h], rod.end], stiffness: k, rest_length: 1 m}}
+states: {level: {rod.angle: 0, balance: true}}
+find: {k: k}
+""",
+        {"k": 6 * G * 0.6 / (0.5 * 0.6 * 1.2)},
+    ),
+    Case(
+        "step ladder on a smooth floor, with a tie and a man on it",
+        """
+title: Step ladder
+given: {M: 8 kg, L: 3 m, theta: 70 deg, m: 60 kg, c: 1 m}
+surfaces: {floor: level}
+bodies: {left: {shape: rod, mass: M, length: L}, right: {shape: rod, mass: M, length: L}, man: {mass: m}}
+connections:
+  top: {hinge: [left.end, right.start]}
+  a: {contact: [left.start, floor], friction: none}
+  b: {contact: [right.end, floor], friction: none}
+  tie: {string: [left.at(c), right.at(L - c)]}
+  step: {weld: [left.at(2*L/3), man]}
+states: {now: {left.angle: theta, right.angle: -theta, balance: true}}
+find: {T: tie.tension, A: a.normal_force, B: b.normal_force}
+""",
+        {"T": 36 * G / math.tan(math.radians(70)), "A": 48 * G, "B": 28 * G},
+    ),
+    Case(
         "yo-yo held in place by a pull that is asked for first",
         """
 title: Yo-yo

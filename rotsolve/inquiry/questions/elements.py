@@ -55,7 +55,11 @@ class OfElements(Moment):
                 parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
                 return total([_plain(part) for part in parts if part != ZERO])
             case "elongation":
-                return self.instant.ask("elongation", path.owner)
+                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                placed = stored is not None and stored.placed
+                return (
+                    stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+                )
             case "length":
                 stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
                 if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
