@@ -150,6 +150,22 @@ find: {T: tie.tension, A: a.normal_force, B: b.normal_force}
         {"T": 36 * G / math.tan(math.radians(70)), "A": 48 * G, "B": 28 * G},
     ),
     Case(
+        "crate pushed so high up that it begins to tip, rough floor",
+        """
+title: Crate
+given: {M: 50 kg, a: 0.6 m, b: 1.5 m, h: 1.2 m, mu: 0.4, F: unknown}
+surfaces: {floor: level}
+bodies: {crate: {shape: rectangle, mass: M, sides: [a, b], points: {P: [-a/2, h - b/2]}}}
+connections:
+  left: {contact: [crate.corner1, floor], friction: mu}
+  right: {contact: [crate.corner2, floor], friction: mu}
+actions: {push: {force: F, on: crate.P, direction: right}}
+states: {now: {crate.angle: 0, left: leaves, balance: true}}
+find: {F: F, f: size of right.friction_force}
+""",
+        {"F": 50 * G * 0.25, "f": 50 * G * 0.25},
+    ),
+    Case(
         "yo-yo held in place by a pull that is asked for first",
         """
 title: Yo-yo
