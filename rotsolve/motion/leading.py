@@ -7,6 +7,9 @@ from dataclasses import dataclass
 from rotsolve.algebra.formula import Formula, Negative, Symbol, negate
 from rotsolve.core.facts import Couple, Facts, Force, signed
 from rotsolve.core.varying import PLACES, RATES, paths_in, running
+from rotsolve.elements.actions import Action
+from rotsolve.elements.connections import Connection
+from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.running import letter_of
 from rotsolve.scene.keys import varying
@@ -21,6 +24,7 @@ class Lead:
     start: Formula
     end: Formula
     rate: Formula
+    said: str = ""
 
 
 def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: Instant) -> Lead | None:
@@ -32,7 +36,19 @@ def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: 
         for _, owner, spoken in said:
             if spoken == word and middle.host(owner) in group:
                 return place_of(middle.host(owner), word, first, last, middle)
-    return None
+    return next((lead for item in acting if (lead := hanging_part(item, first, last, middle)) is not None), None)
+
+
+def hanging_part(item: Connection | Action, first: Instant, last: Instant, middle: Instant) -> Lead | None:
+    """The length of a heavy rope that hangs down, with which its weight varies."""
+    if not isinstance(item, Drapes):
+        return None
+    letter, start, end = (moment.ask("length", item.name, letter="x") for moment in (middle, first, last))
+    motion = middle.motion(item.drapes[0].owner)
+    if not isinstance(letter, Symbol) or motion.heading is None:
+        return None
+    rate, said = motion.velocity.along(motion.heading), "the hanging part grows by the displacement"
+    return Lead(item.drapes[0].owner, letter, start, end, rate, said)
 
 
 def place_of(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:

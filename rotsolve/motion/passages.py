@@ -72,7 +72,7 @@ def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
         return travel
     sense = 1 if lead.rate == travel.moving else -1
     start, end = signed(lead.start, sense), signed(lead.end, sense)
-    return replace(travel, coordinate=lead.letter, start=start, end=end, sense=sense, leads=True)
+    return replace(travel, coordinate=lead.letter, start=start, end=end, sense=sense, leads=True, said=lead.said)
 
 
 def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:

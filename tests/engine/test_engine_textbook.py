@@ -166,6 +166,19 @@ find: {F: F, f: size of right.friction_force}
         {"F": 50 * G * 0.25, "f": 50 * G * 0.25},
     ),
     Case(
+        "how long a chain takes to slide off a table",
+        """
+title: Chain
+given: {m: 2 kg, L: 1.5 m, b: 0.3 m}
+surfaces: {table: level}
+bodies: {chain: {shape: rope, mass: m, length: L}}
+connections: {edge: {drapes: [chain, table]}}
+states: {start: {edge.length: b, at rest: all}, off: {edge.length: L}}
+find: {t: time from start to off}
+""",
+        {"t": math.sqrt(1.5 / G) * math.acosh(5)},
+    ),
+    Case(
         "yo-yo held in place by a pull that is asked for first",
         """
 title: Yo-yo
