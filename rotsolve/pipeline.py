@@ -20,7 +20,7 @@ from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.choices import choose
 from rotsolve.inquiry.compose import Composer, in_letters
-from rotsolve.inquiry.consistency import contradiction
+from rotsolve.inquiry.consistency import contradiction, turned_back
 from rotsolve.inquiry.explain import (
     contradicted,
     negative_inertia,
@@ -39,6 +39,7 @@ from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.running import check_values
+from rotsolve.motion.timeline import Interval
 from rotsolve.plan import Shortage
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.moment import read_moment
@@ -88,6 +89,9 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     answer_all(inquiry, arrangement.problem.finds)
     if at is not None and not arrangement.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
+    back = turned_back(inquiry)
+    if back is not None:
+        raise turns_back(back, problem)
     broken = contradiction(inquiry)
     if broken is not None:
         raise contradicted(broken, history)
@@ -101,6 +105,13 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         lambda: facts_text(history), lambda: equations_text(inquiry, composer), lambda: plan_text(inquiry, composer)
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
+
+
+def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
+    """The time of a motion that comes back on its way, which is told for one way only."""
+    span = next((state.span for state in problem.states if state.name == interval.end), None)
+    message = f"the motion turns back from `{interval.start}` to `{interval.end}`: its time is not solved as a whole"
+    return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
 def check_law(inquiry: Inquiry, law: str) -> None:

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
-from rotsolve.algebra.formula import Sum
+from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.equation import Equation
 
 BACKWARDS = (
@@ -94,8 +94,12 @@ class Planner:
         return dict(sorted(found.items(), key=lambda item: self._rank(*item)))
 
     def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
-        """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another."""
-        return self._cost(index), len(names), int(len(names) == 1 and index not in self.plain), index
+        """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another; then
+        laws in which an unknown stands alone, as in N = m g."""
+        law = self.pool[index]
+        alone = any(isinstance(side, Symbol) and side.name in names for side in (law.left, law.right))
+        plain = len(names) > 1 or index in self.plain
+        return self._cost(index), len(names), int(not plain), int(not alone and law.cost > 0), index
 
     def _cost(self, index: int) -> int:
         return self.pool[index].cost + (BACKWARDS if index in self.dear else 0)

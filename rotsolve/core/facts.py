@@ -135,7 +135,7 @@ class Requirement:
 class Potential:
     """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`; or by the length of a rope that hangs.
 
-    `label` says how the elongation grows in a phase.
+    `label` says how the elongation grows in a phase; where it is `placed`, the places of its ends tell it at once.
     """
 
     owner: str
@@ -145,6 +145,7 @@ class Potential:
     bodies: tuple[str, ...]
     words: Words
     label: str = "the spring stretches with the motion"
+    placed: bool = False
 
 
 @dataclass(frozen=True, slots=True)

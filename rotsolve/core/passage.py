@@ -35,6 +35,7 @@ class Travel:
     given: int | None = None  # what a drive gives: 0 the coordinate, 1 its rate, 2 its acceleration
     running: Formula | None = None  # the change of the coordinate up to any moment, where a function of time is asked
     leads: bool = False  # whether the forces of its group vary with this coordinate, or with this rate
+    told: bool = False  # whether another rule tells by how much the coordinate grows
     arm: Formula = ONE  # way per unit of the coordinate: the radius of a circle, where that is an angle
 
 

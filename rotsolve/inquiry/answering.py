@@ -7,6 +7,7 @@ from dataclasses import dataclass, field, replace
 from itertools import combinations
 
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import coefficients
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
@@ -162,8 +163,10 @@ class Inquiry:
         self.known.add(asked.letter)
         self.answered.append(answered)
         meant = self.defined.get(asked.letter)
-        if meant is not None and (asked.whole or has_calls(asked.formula) or self._turned_round(meant, first)):
-            self.retired.add(meant)  # a size or component does not lead back to what it is made of
+        if meant is not None and (
+            asked.whole or not self._leads_back(asked.formula) or self._turned_round(meant, first)
+        ):
+            self.retired.add(meant)  # a size, a component or a loss does not lead back to what it is made of
         elif meant is not None:
             self.planner.dear.add(meant)
         return answered
@@ -172,6 +175,12 @@ class Inquiry:
         """Where what is made of earlier answers is written: with the last of them."""
         earlier = [item.asked for item in self.answered if item.asked.letter in formula.symbols()]
         return earlier[-1].section if earlier else ""
+
+    def _leads_back(self, meaning: Formula) -> bool:
+        """Whether a definition may tell what it is made of: a single unknown, in proportion or with a sum, as in φ = θ + π/2."""
+        names = {name for name in meaning.symbols() if name not in self.givens or self.givens[name].asked}
+        parts = coefficients(meaning, names.pop()) if len(names) == 1 else None
+        return parts is not None and len(parts) == 2
 
     def _turned_round(self, definition: int, first: int) -> bool:
         """Whether a step since the `first` one solved a definition for what it is made of, so that it need not be done again."""

@@ -14,11 +14,13 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Number, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.core.varying import RATE, at_any_time
+from rotsolve.core.varying import POSITION, RATE, at_any_time
 from rotsolve.inquiry.answering import Inquiry
+from rotsolve.motion.timeline import Interval
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 ROUNDS = 8
+ALONG_THE_WAY = ("separating the variables, dt = dx/v", "separating the variables, dt = dθ/ω")
 POINTS = (Fraction(0), Fraction(1), Fraction(2))
 
 
@@ -80,6 +82,23 @@ def backwards(inquiry: Inquiry, numbers: dict[str, Formula]) -> Equation | None:
         duration = size(passage.duration.substitute(numbers), inquiry) if letters <= numbers.keys() else None
         if duration is not None and duration < -TOLERANCE:
             return Equation(passage.duration, ZERO, "time runs forwards", name)
+    return None
+
+
+def turned_back(inquiry: Inquiry) -> Interval | None:
+    """A phase whose time is summed along the way although the motion turns back in it."""
+    used = {index for answered in inquiry.answered for index in answered.used}
+    timed = {
+        law.section for law in (inquiry.planner.pool[index] for index in used) if law.label.startswith(ALONG_THE_WAY)
+    }
+    for name, passage in inquiry.history.passages.items():
+        for travel in passage.travels if name in timed else ():
+            if travel.leads and travel.pace == POSITION:
+                aside = inquiry.apart()
+                speeds = [aside.settled(value) for value in (travel.before, travel.after)]
+                sizes = [aside.number(speed) if speed is not None else None for speed in speeds]
+                if sizes[0] is not None and sizes[1] is not None and sizes[0] * sizes[1] < 0:
+                    return inquiry.history.arrangement.timeline.interval(name)
     return None
 
 

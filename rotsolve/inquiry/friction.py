@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import product
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula
@@ -27,6 +28,7 @@ from rotsolve.principles.energy import one_motion
 
 RATES = ("velocity|", "angular_velocity|")
 TURNS_BACK, HOLDS = "turns back", "holds"
+TRIALS = 27  # ways in which contacts may stick and slip that are tried
 AT_MOST = " at most"  # a trial with as much friction as there can be before it slips
 
 
@@ -64,7 +66,8 @@ class Rub:
         motion = instant.motion(self.body)
         if motion.heading is None:
             return None
-        vector = motion.acceleration if acceleration else self.contact.touching_velocity(instant)
+        carried = motion.acceleration - self.contact.ground(instant)[1]
+        vector = carried if acceleration else self.contact.touching_velocity(instant)
         return vector.along(self.contact.forward(instant))
 
 
@@ -83,7 +86,8 @@ def decide(arrangement: Arrangement) -> Decision:
             tried(arrangement, contact, group[0].state, modes) if len(group) == 1 and contact is not None else None
         )
         if verdict is None:
-            modes.update(by_motion(arrangement, group, modes))
+            stacked = len(group) > 1 and any(rub.contact and rub.contact.carrier(arrangement) for rub in group)
+            modes.update((by_trial if stacked else by_motion)(arrangement, group, modes))
             continue
         modes[group[0].key], trial = verdict
         if trial is not None:
@@ -176,6 +180,34 @@ def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str])
     return {rub.key: rub.mode(0) for rub in group} if told else {}
 
 
+def by_trial(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
+    """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
+    numbers do not tell."""
+    ways = sorted(product((0, 1, -1), repeat=len(group)), key=lambda way: sum(map(abs, way)))
+    for way in ways[:TRIALS]:
+        trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
+        if all(holds(arrangement, rub, {**modes, **trial}, sense) for rub, sense in zip(group, way, strict=True)):
+            return trial
+    return {}
+
+
+def holds(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) -> bool:
+    """Whether what rubs does as it is taken to: sticks with no more friction than there can be, or speeds up the way in which it slips."""
+    if sense or rub.contact is None:
+        number = gain(arrangement, rub, modes, sense) if sense else None
+        return number is not None and number > 0
+    history = History(arrangement, modes)
+    inquiry = Inquiry(history, (NEWTON,))
+    needs = [
+        item
+        for item in history.facts(rub.state).requirements
+        if (item.owner, item.otherwise) == (rub.contact.name, "slips")
+    ]
+    room = [inquiry.settled(item.left - item.right) for item in needs]
+    numbers = [inquiry.number(value) if value is not None else None for value in room]
+    return all(number is not None and number >= 0 for number in numbers)
+
+
 def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
     """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
     history = History(arrangement, {**modes, **{rub.key: rub.mode(1) for rub in group}})
@@ -213,7 +245,9 @@ def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
         return rub.pair.slip(instant)
     if rub.contact is None:
         return instant.rate("angular_velocity", rub.body)
-    return motion.velocity.along(motion.heading) if motion.heading is not None else None
+    if motion.heading is None:
+        return None
+    return (motion.velocity - rub.contact.ground(instant)[0]).along(motion.heading)
 
 
 def gain(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) -> float | None:

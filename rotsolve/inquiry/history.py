@@ -238,7 +238,7 @@ class History:
             for first, last, midst in zip(phase.start.potentials, phase.end.potentials, thought, strict=False):
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
-                if left != grown:
+                if left != grown and not midst.placed:
                     yield Equation(left, grown, midst.label, name, "", 2, bodies=midst.bodies)
 
 

@@ -205,11 +205,15 @@ class Statements:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
         item = next((item for item in self.arrangement.connections(state.name) if item.name == contact), None)
         surface = item.surface(self.arrangement, state.name) if isinstance(item, Touch) else None
-        if surface is None or item is None:
+        if surface is None or not isinstance(item, Touch):
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
         self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
+        if state.balance and item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
+            friction = self._letter(state.name, Path(contact, "friction_force"))
+            label = f"no friction where the {spoken(surface.name)} does not push"
+            self.stated.append((Equation(friction, ZERO, label, state.name, "", 1), condition))
 
     def _label(self, path: Path) -> str:
         """What a stated equation is called: of one body against another, which two."""

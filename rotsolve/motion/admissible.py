@@ -7,10 +7,12 @@ from collections.abc import Mapping
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.actions import Action, Press
 from rotsolve.elements.connections import Connection, Contact, Rides
-from rotsolve.elements.connections.contacts import Unrolls
+from rotsolve.elements.connections.contacts import Touch, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
+from rotsolve.elements.surfaces import Curved, Wall
 from rotsolve.scene.model import Body, PointRef, Problem
 
 
@@ -24,10 +26,12 @@ def check(problem: Problem) -> None:
         if isinstance(item, Rides):
             check_ride(item, bodies, held)
             check_free(item, problem)
-        elif isinstance(item, Contact):
-            check_contact(item, bodies, held)
         elif isinstance(item, Unrolls):
             check_roll(item, problem, bodies)
+        elif isinstance(item, Touch):
+            check_touch(item, problem, bodies, held)
+        elif isinstance(item, Spring) and item.placed:
+            check_spring(item, held)
         elif item.between():
             check_one_axis(item.between(), item.word, held)
     for action in problem.actions:
@@ -42,14 +46,56 @@ def check_wheel(ref: PointRef, message: str, bodies: Mapping[str, Body], held: M
         raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
 
 
-def check_contact(item: Contact, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
-    """A body on a surface, or two wheels side by side."""
-    if item.contact[1].owner in bodies:
-        for ref in item.contact:
-            check_wheel(ref, "a contact of two bodies is solved for two wheels on fixed axles only", bodies, held)
-    elif item.press is not None:
+def check_touch(item: Touch, problem: Problem, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
+    """A body on a surface or on a body that travels, or two wheels side by side."""
+    ref, under = item.pair()[:2]
+    press = item.press if isinstance(item, Contact) else None
+    if under.owner in bodies and (ref.owner in held or under.owner in held or press is not None):
+        for wheel in item.pair():
+            check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", bodies, held)
+        if not isinstance(item, Contact):
+            help = f"write `contact: [{ref.owner}, {under.owner}]`"
+            raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
+    elif under.owner in bodies:
+        check_carrier(item, problem, bodies)
+    elif press is not None:
         help = "a force that presses a body on a surface stands among the actions"
-        raise Unsolvable(f"`press` of `{item.name}` is for two wheels", span=item.contact[1].span, help=help)
+        raise Unsolvable(f"`press` of `{item.name}` is for two wheels", span=under.span, help=help)
+
+
+def check_carrier(item: Touch, problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
+    ref, under = item.pair()[:2]
+    carrier = bodies[under.owner]
+    flat = {surface.name for surface in problem.surfaces if not isinstance(surface, (Curved, Wall))} | set(bodies)
+    touches = [other for other in problem.connections if isinstance(other, Touch)]
+    laid = [other for other in touches if other.pair()[0].owner == carrier.name and other is not item]
+    on_flat = any(other.places()[0].owner in flat for other in laid)
+    if carrier.turns is not None or rim_radius(carrier, None) is not None or len(item.pair()) > 2:
+        raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
+    if not on_flat and carrier.moves not in ("left", "right"):
+        help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
+        raise Unsolvable(
+            f"nothing tells how `{carrier.name}`, which carries `{ref.owner}`, travels", span=under.span, help=help
+        )
+
+
+def on_axes(problem: Problem) -> frozenset[str]:
+    """The bodies that an axle or hinge holds."""
+    return frozenset(ref.owner for item in problem.connections for ref in item.fixed_points())
+
+
+def check_spring(item: Spring, held: Mapping[str, str]) -> None:
+    """A spring from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched."""
+    for ref in item.spring:
+        if ref.place is None and ref.owner not in held:
+            help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
+            raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
+    if item.rest_length is None:
+        help = "a given that is `unknown` where a state tells how far it is stretched"
+        raise Unsolvable(
+            f"`{item.name}` runs from a place: give its `rest_length`", span=item.spring[0].span, help=help
+        )
 
 
 def check_roll(item: Unrolls, problem: Problem, bodies: Mapping[str, Body]) -> None:

@@ -25,6 +25,7 @@ from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.motion.owndata import Version, versions
+from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import Body, Path, PointRef, Problem, points_of
 
@@ -71,6 +72,11 @@ class Arrangement:
     def order(self) -> tuple[str, ...]:
         """Letters in the order in which a textbook writes them in a product."""
         return letter_order((given.name, given.dimension) for given in self.problem.givens)
+
+    @cached_property
+    def positive(self) -> frozenset[str]:
+        """Givens that are surely positive."""
+        return positive_letters(self.problem.givens)
 
     @cached_property
     def bodies(self) -> dict[str, Body]:

@@ -12,18 +12,19 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
-from rotsolve.elements.connections.contacts import Contact
+from rotsolve.elements.connections.contacts import Contact, Rolls
 from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
-from rotsolve.motion.admissible import check
+from rotsolve.motion.admissible import check, on_axes
 from rotsolve.motion.fits import check_holding, check_surfaces
 from rotsolve.motion.instant import locate
 from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
+from rotsolve.motion.sequence import check_sequence
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 
@@ -47,16 +48,15 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
+    check_sequence(problem)
     check(problem)
     check_surfaces(problem)
     check_holding(problem)
     letters = _Letters(problem)
     wheels = {
-        ref.owner
-        for item in problem.connections
-        if item.word in ("belt", "gear", "rolls", "unrolls")
-        for ref in item.touches()
+        ref.owner for item in problem.connections if item.word in ("belt", "gear", "unrolls") for ref in item.touches()
     }
+    wheels |= {item.rolls[0].owner for item in problem.connections if isinstance(item, Rolls)}
     wheels |= {
         ref.owner
         for item in problem.connections
@@ -70,19 +70,19 @@ def completed(problem: Problem) -> Problem:
         for body in problem.bodies
     )
     versions(bodies, problem.states)  # refuses what can't differ between states
-    names = {body.name for body in bodies}
+    names = on_axes(problem)
     guides = (guide(body) for body in bodies if body.moved)
     connections = (*(_connection(item, letters, names) for item in problem.connections), *guides)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
 
 
-def _connection(item: Connection, letters: _Letters, bodies: Container[str]) -> Connection:
+def _connection(item: Connection, letters: _Letters, held: Container[str]) -> Connection:
     """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
     if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
         return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
-    if isinstance(item, Contact) and item.contact[1].owner in bodies:
+    if isinstance(item, Contact) and item.contact[1].owner in held:
         press = item.press or letters.make("F", item.name, "force")
         return Rims(item.name, item.contact, press, item.friction)
     return item

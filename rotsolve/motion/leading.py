@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Negative, Symbol, negate
 from rotsolve.core.facts import Couple, Facts, Force, signed
+from rotsolve.core.registry import GENERIC
 from rotsolve.core.varying import PLACES, RATES, paths_in, running
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.running import letter_of
@@ -14,13 +16,15 @@ from rotsolve.scene.keys import varying
 
 @dataclass(frozen=True)
 class Lead:
-    """A place that runs through a phase: its letter, its values at both ends, and the rate at which it grows."""
+    """A place that runs through a phase: its letter, its values at both ends, and the rate at which it grows; whether it is one with
+    which energy is `stored`."""
 
     body: str
     letter: Symbol
     start: Formula
     end: Formula
     rate: Formula
+    stored: bool = False
 
 
 def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: Instant) -> Lead | None:
@@ -33,6 +37,24 @@ def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: 
             if spoken == word and middle.host(owner) in group:
                 return place_of(middle.host(owner), word, first, last, middle)
     return None
+
+
+def stored_place(group: frozenset[str], first: Facts, last: Facts, middle: Facts) -> Lead | None:
+    """How far the one spring of a group is stretched, or how much of its rope hangs down: with that its pull, or its weight, varies."""
+    owners = [stored.owner for stored in middle.potentials if group & set(stored.bodies)]
+    ends = [{item.owner: item.elongation for item in facts.potentials} for facts in (first, last)]
+    if len(owners) != 1 or not all(owners[0] in end for end in ends):
+        return None
+    stored = next(item for item in middle.potentials if item.owner == owners[0])
+    running_ = [name for name in stored.elongation.symbols() if GENERIC in name]
+    if len(running_) != 1 or stored.placed:
+        return None
+    letter = Symbol(running_[0])
+    rest = simplify(stored.elongation - letter)
+    if letter.name in rest.symbols():
+        return None
+    start, end = (simplify(side[stored.owner] - rest) for side in ends)
+    return Lead(stored.bodies[-1], letter, start, end, stored.rate, stored=True)
 
 
 def place_of(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:

@@ -19,7 +19,7 @@ from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share
+from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share, stored_place
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import PointRef
 
@@ -33,7 +33,11 @@ def passage(
     times = (first.time(), last.time())
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
     groups = groups_of(arrangement, midst_facts, interval.start)
-    leads = {name: leading_place(group, first, last, middle) for group in groups for name in group}
+    leads = {
+        name: leading_place(group, first, last, middle) or stored_place(group, start_facts, end_facts, midst_facts)
+        for group in groups
+        for name in group
+    }
     rates = {leading_rate(group, midst_facts) for group in groups}
     travels = tuple(
         led(travel, leads[body.name], rates)
@@ -73,7 +77,15 @@ def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
         return travel
     sense = 1 if lead.rate == travel.moving else -1
     start, end = signed(lead.start, sense), signed(lead.end, sense)
-    return replace(travel, coordinate=lead.letter, start=start, end=end, sense=sense, leads=True)
+    return replace(
+        travel,
+        coordinate=lead.letter,
+        start=start,
+        end=end,
+        sense=sense,
+        leads=True,
+        told=travel.start is None and lead.stored,
+    )
 
 
 def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:

@@ -27,8 +27,9 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
             yield from varying(travel, passage, section)
         elif travel.pace == "position":
             yield from by_place(travel, section)
-        if travel.start is not None and travel.end is not None and travel.end != add(travel.start, travel.change):
-            change = travel.arm * (travel.end - travel.start)
+        start, end = (None, None) if travel.told else (travel.start, travel.end)
+        if start is not None and end is not None and end != add(start, travel.change):
+            change = travel.arm * (end - start)
             words = CHANGE[travel.kind] if travel.arm == ONE else "way along the circle"
             yield equation(travel.change, change, words, travel, section, cost=1)
         if travel.running is not None:

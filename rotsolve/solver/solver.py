@@ -297,6 +297,9 @@ class Solver(Textbook):
     def _shortest(self, value: Formula) -> Formula:
         """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
         final = self.simplify(value)
+        bare = value.arguments[0] if isinstance(value, Call) and value.function == "abs" else None
+        if bare is not None and length(bare) < length(final) and is_zero(bare - final, self.positive):
+            return bare
         roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
         sums = all(isinstance(root, Sum) for root in roots)
         much = 1 if is_size(value) else Fraction(3, 2)

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 import mutants
+from rotsolve.core.derivation import Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.pipeline import solve
@@ -42,9 +43,21 @@ def assert_readable(texts: dict[str, str], where: str) -> None:
             assert not INTERNAL.search(line), f"{where}, {name}: {line}"
 
 
+def assert_in_order(derivation: Derivation, where: str) -> None:
+    """No step puts to use what is printed after it."""
+    printed: set[str] = set()
+    for section in derivation.sections:
+        printed |= {str(law.number) for law in section.laws}
+        for move in section.moves:
+            assert set(re.findall(r"\((\d+)\)", move.sources)) <= printed, f"{where}: {move.sources}"
+            printed.add(str(move.number))
+
+
 @pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
-def test_no_internal_name_is_printed(path: Path) -> None:
-    assert_readable(all_texts(solve(path)), path.name)
+def test_no_internal_name_is_printed_and_nothing_used_before_it_is_found(path: Path) -> None:
+    solution = solve(path)
+    assert_readable(all_texts(solution), path.name)
+    assert_in_order(solution.derivation, path.name)
 
 
 @pytest.mark.parametrize("batch", range(BATCHES))

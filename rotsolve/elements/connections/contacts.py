@@ -6,14 +6,15 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.formula import ZERO, Formula, call, negate
+from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
+from rotsolve.core.derivation import Words
 from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
 from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact, Orbit
 from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.surfaces import Curved, Surface
+from rotsolve.elements.surfaces import Curved, Level, Surface
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 
@@ -46,8 +47,18 @@ class Touch(Connection):
         """The surfaces on which the body may be, in the order in which they join."""
         return self.pair()[1:]
 
+    def carrier(self, arrangement: Arrangement) -> str:
+        """The body on which it lies or rolls; '' for what does not move."""
+        ref = self.places()[0]
+        return ref.owner if ref.owner in arrangement.bodies else ""
+
     def surface(self, arrangement: Arrangement, state: str) -> Surface | None:
-        """The surface on which the body is: of several the curved one where the state speaks of the contact's angle."""
+        """The surface on which the body is: of several the curved one where the state speaks of the contact's angle; the back of
+        another body lies as that on which it travels."""
+        carrier = self.carrier(arrangement)
+        if carrier:
+            below = supporting(carrier, arrangement, state)
+            return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := arrangement.surfaces.get(ref.owner)) is not None]
         bent = [surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None]
         if len(found) > 1 and bent and arrangement.says(state, self.name, "angle", "leaves"):
@@ -117,7 +128,11 @@ class Touch(Connection):
             yield from self.friction_facts(instant, name, arm, surface, normal)
             return
         text = ("normal force ", normal, f", {away(surface)}")
-        yield Force(self.name, "normal", name, normal, unit(facing), arm, text, works=False, internal=True)
+        yield from self.both(
+            Force(self.name, "normal", name, normal, unit(facing), arm, text, works=False, internal=True),
+            instant,
+            ("push ", normal, f" of {spoken(ref.owner)}, {into(surface)}"),
+        )
         yield Requirement(
             self.name,
             normal,
@@ -128,7 +143,7 @@ class Touch(Connection):
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
             kept = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
-            yield slip_rule(self.name, label, name, kept, facing, instant, linear=False)
+            yield self.no_slip(label, kept, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def arm(self, instant: Instant) -> Vector:
@@ -149,8 +164,16 @@ class Touch(Connection):
         return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def touching_velocity(self, instant: Instant) -> Vector:
-        """Velocity of the body's touching point."""
-        return instant.motion(self.pair()[0].owner).velocity_of(self.arm(instant))
+        """Velocity of the body's touching point, relative to what it lies on."""
+        return instant.motion(self.pair()[0].owner).velocity_of(self.arm(instant)) - self.ground(instant)[0]
+
+    def ground(self, instant: Instant) -> tuple[Vector, Vector]:
+        """Velocity and acceleration of what it lies on."""
+        carrier = self.carrier(instant.arrangement)
+        if not carrier:
+            return NOWHERE, NOWHERE
+        motion = instant.motion(carrier)
+        return motion.velocity, motion.acceleration
 
     def grip_rule(self, instant: Instant) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
@@ -159,7 +182,22 @@ class Touch(Connection):
             return None
         name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
         label = f"{spoken(name)} no longer slips"
-        return slip_rule(self.name, label, name, arm, self.forward(instant), instant, linear=False)
+        return self.no_slip(label, arm, self.forward(instant), instant, linear=False)
+
+    def no_slip(self, label: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool) -> Rule:
+        """The touching point does not move along a direction on what it touches: travel of the centre on the left."""
+        name, carrier = instant.host(self.pair()[0].owner), self.carrier(instant.arrangement)
+        motion = instant.motion(name)
+        turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
+        turning = turned.times(motion.spin), turned.times(motion.spin_rate) + inward
+        left = motion.velocity.along(direction), motion.acceleration.along(direction)
+        # the centripetal part of a rolling wheel's contact point is along the normal: a rule along the surface has none
+        right = tuple(
+            add(moving.along(direction), negate(part.along(direction)))
+            for part, moving in zip(turning, self.ground(instant), strict=True)
+        )
+        bodies = (name, instant.host(carrier)) if carrier else (name,)
+        return Rule(self.name, label, bodies, (left[0], right[0]), (left[1], right[1]), linear)
 
     def friction_facts(
         self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
@@ -174,20 +212,44 @@ class Touch(Connection):
         if mode.startswith("slips"):
             backward = mode.startswith("slips back")
             size = ((grip.static if mode.endswith("at most") else grip.kinetic) or ZERO) * normal
-            against = forward if backward else forward.turned(180)
-            text = ("kinetic friction ", size, f", {ahead if backward else back}")
-            yield Force(self.name, "friction", name, size, unit(against), arm, text)
+            way = forward if backward else forward.turned(180)
+            ways = (ahead, back) if backward else (back, ahead)
+            text = ("kinetic friction ", size, f", {ways[0]}")
+            other = ("kinetic friction ", size, f" of {spoken(name)}, {ways[1]}")
+            yield from self.both(Force(self.name, "friction", name, size, unit(way), arm, text), instant, other)
             return
         size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))
-        text = ("friction ", size, f", {back}")
-        yield Force(self.name, "friction", name, size, unit(forward.turned(180)), arm, text, works=False, internal=True)
+        text, other = ("friction ", size, f", {back}"), ("friction ", size, f" of {spoken(name)}, {ahead}")
+        against = unit(forward.turned(180))
+        force = Force(self.name, "friction", name, size, against, arm, text, works=False, internal=True)
+        yield from self.both(force, instant, other)
         rolling = motion.turns and instant.is_round(name)
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
-        yield slip_rule(self.name, label, name, arm, forward, instant, linear=motion.kind == "line")
+        yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
             limit = grip.static * normal
             words = ("friction needed |", size, "| ≤ ", limit)
             yield Requirement(self.name, limit, call("abs", size), words, "slips")
+
+    def both(self, force: Force, instant: Instant, words: Words) -> Iterator[Force]:
+        """A force on the body, and that by which it acts back on the body that carries it."""
+        yield force
+        carrier = self.carrier(instant.arrangement)
+        if carrier:
+            yield replace(force, body=instant.host(carrier), direction=-force.direction, arm=NOWHERE, words=words)
+
+
+def supporting(name: str, arrangement: Arrangement, state: str) -> Surface | None:
+    """The flat surface along which a body travels."""
+    for item in arrangement.connections(state):
+        if isinstance(item, Touch) and item.track(arrangement.bodies[name], arrangement, state) is not None:
+            return item.surface(arrangement, state)
+    return None
+
+
+def into(surface: Surface) -> str:
+    """Direction in which something presses on a surface, in words."""
+    return "down" if surface.word == "level" else "into the slope"
 
 
 def away(surface: Surface) -> str:
@@ -218,23 +280,10 @@ def contact_arm(ref: PointRef, facing: Heading, instant: Instant) -> Vector:
     return instant.point(ref)
 
 
-def slip_rule(
-    owner: str, label: str, name: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool
-) -> Rule:
-    """The touching point does not move along a direction: travel of the centre on the left, turning on the right."""
-    motion = instant.motion(name)
-    turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
-    turning = turned.times(motion.spin), turned.times(motion.spin_rate) + inward
-    left = motion.velocity.along(direction), motion.acceleration.along(direction)
-    right = tuple(negate(part.along(direction)) for part in turning)
-    # the centripetal part of a rolling wheel's contact point is along the normal: a rule along the surface has none
-    return Rule(owner, label, (name,), (left[0], right[0]), (left[1], right[1]), linear)
-
-
 @dataclass(frozen=True)
 class Contact(Touch):
     word = "contact"
-    about = "a body lies on, slides along or rolls on a surface, or a wheel rubs on another: both on fixed axles"
+    about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
     contact: tuple[PointRef, ...] = key(
@@ -266,7 +315,7 @@ class Contact(Touch):
 @dataclass(frozen=True)
 class Rolls(Touch):
     word = "rolls"
-    about = "a wheel rolls without slipping on a surface, or on several that join smoothly"
+    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
     quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
     words = ("rolls", "slips", "leaves", "sticks")
     rolls: tuple[PointRef, ...] = key(

@@ -118,9 +118,8 @@ class Drapes(Connection):
         energy = negate(total(energies))
         rate = instant.motion(rope.name).velocity.along(forward)
         words = ("hanging rope ", energy)
-        yield Potential(
-            self.name, energy, hanging, rate, (rope.name,), words, "the hanging part grows by what the rope moves"
-        )
+        label = "the hanging part grows by what the rope moves"
+        yield Potential(self.name, energy, hanging, rate, (rope.name,), words, label)
 
     def grip(self, instant: Instant) -> Iterator[Fact]:
         """The wheel's rim goes with the rope: its grip pulls the rope back and the rim on; how the rope presses is left open."""

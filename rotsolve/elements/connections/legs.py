@@ -8,9 +8,9 @@ from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, sqrt
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
+from rotsolve.elements.connections.places import between
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
 from rotsolve.elements.surfaces import Surface, Wall
@@ -70,17 +70,23 @@ class Course:
         if pulled is not None:
             return unit(WORDS[pulled])
         arrangement = self.instant.arrangement
+        surface = arrangement.surfaces.get(self.along or "")
+        if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
+            return unit(uphill(surface) if ref.owner in arrangement.bodies else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
-        surface = arrangement.surfaces.get(self.along or "")
-        if surface is not None:
-            return unit(uphill(surface) if ref.owner in arrangement.bodies else uphill(surface).turned(180))
         if isinstance(arrangement.surfaces.get(ref.owner), Wall):
             return unit(arrangement.surfaces[ref.owner].normal)
         geometric = between(ref, neighbour, self.instant)
         if geometric is not None:
             return geometric
         return self.leaving_mover(index, other) if ref.owner in arrangement.bodies else None
+
+    def travels(self, owner: str, surface: Surface) -> bool:
+        """Whether a body travels along a surface."""
+        instant = self.instant
+        line = instant.line(instant.host(owner)) if owner in instant.arrangement.bodies else None
+        return line is not None and (line[0] - uphill(surface)).sin() == ZERO
 
     def leaving_mover(self, index: int, other: int) -> Vector | None:
         """Direction in which the string leaves a body that travels.
@@ -172,23 +178,3 @@ class Course:
 def uphill(surface: Surface) -> Heading:
     """Direction up a slope."""
     return surface.travel("up")[0]
-
-
-def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | None:
-    """Unit vector from a point to another where the scene gives both places: fixed places, and points of bodies on a fixed axis."""
-    places = [where(ref, instant) for ref in (first, second)]
-    if places[0] is None or places[1] is None or not (first.place or second.place):
-        return None
-    gap = places[1] - places[0]
-    x, y = simplify(gap.along(RIGHT)), simplify(gap.along(UP))
-    length = simplify(sqrt(x**2 + y**2))
-    return vector(x / length, RIGHT) + vector(y / length, UP)
-
-
-def where(ref: PointRef, instant: Instant) -> Vector | None:
-    """A point in the scene's coordinates: a fixed place, or a point of a body whose fixed pivot is the origin."""
-    if ref.place is not None:
-        return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)
-    if ref.owner in instant.arrangement.bodies and instant.motion(ref.owner).kind == "axis":
-        return instant.point(ref)
-    return None

@@ -8,11 +8,12 @@ from fractions import Fraction
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, negate
+from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
 from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
 from rotsolve.core.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.connections.places import apart, between, distance
 from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
@@ -44,8 +45,7 @@ class Spring(Connection):
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         first, second = self.spring
-        along = self.along(instant)
-        elongation = instant.ask("elongation", self.name)
+        along, elongation = self.along(instant), self.elongation(instant)
         size = (
             self.stiffness * elongation
             if self.stiffness is not None
@@ -60,12 +60,27 @@ class Spring(Connection):
             rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
             energy = Number(Fraction(1, 2)) * self.stiffness * square(elongation)
             bodies = tuple(ref.owner for ref in self.spring if ref.owner in instant.arrangement.bodies)
-            yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy))
+            yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy), placed=self.placed)
+
+    @property
+    def placed(self) -> bool:
+        """Whether it runs from a place in the scene, so that the places of its ends tell its length."""
+        return any(ref.place is not None for ref in self.spring)
+
+    def elongation(self, instant: Instant) -> Formula:
+        """The letter for how far it is stretched, or its length by the places of its ends, less the rest length."""
+        gap = apart(self.spring[0], self.spring[1], instant) if self.placed else None
+        if gap is None or self.rest_length is None:
+            return instant.ask("elongation", self.name)
+        return add(distance(gap, instant), negate(self.rest_length))
 
     def along(self, instant: Instant) -> Vector:
-        """Unit vector from the first end to the second: from left to right along a level or sloping line of travel; else up from the
-        ground, down from the ceiling."""
+        """Unit vector from the first end to the second: where they are, if a place is named; from left to right along a level or
+        sloping line of travel; else up from the ground, down from the ceiling."""
         arrangement = instant.arrangement
+        straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
+        if straight is not None:
+            return straight
         anchor, body = self.spring if self.spring[0].owner not in arrangement.bodies else self.spring[::-1]
         line = arrangement.line(body.owner, instant.state) if body.owner in arrangement.bodies else None
         if line is not None and rough(line[0].cos()):

@@ -1,4 +1,4 @@
-"""Drafts: which laws and steps belong in which section, and the sections in the order of time."""
+"""Drafts: which laws and steps belong in which section, and the sections in the order in which they are read."""
 
 from __future__ import annotations
 

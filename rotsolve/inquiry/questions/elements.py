@@ -35,6 +35,8 @@ class OfElements(Moment):
                 return self._tension(path, [force for _, force in forces])
             case "normal_force" | "friction_force":
                 role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+                first = self._first_body(path.owner)
+                forces.sort(key=lambda pair: pair[0].name != first)
                 force = next((force for _, force in forces if force.role == role), None)
                 if force is None:
                     return ZERO
@@ -53,7 +55,11 @@ class OfElements(Moment):
                 parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
                 return total([_plain(part) for part in parts if part != ZERO])
             case "elongation":
-                return self.instant.ask("elongation", path.owner)
+                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                placed = stored is not None and stored.placed
+                return (
+                    stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+                )
             case "length":
                 stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
                 if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
@@ -151,6 +157,11 @@ class OfElements(Moment):
                 help="ask for `x` or `y`",
             )
         return about_centre(vector, arm, body.motion.sense, component)
+
+    def _first_body(self, owner: str) -> str:
+        """The body that a connection names first: of two that touch, the one that lies on the other."""
+        items = (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == owner)
+        return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies that it pushes, the one that the connection names last."""

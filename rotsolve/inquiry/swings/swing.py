@@ -112,11 +112,14 @@ class Swing:
     @cached_property
     def long(self) -> tuple[str, ...]:
         """Springs whose ends also move across them, which the laws leave out: they have to be long."""
+        placed = {stored.owner for stored in self.still.potentials if stored.placed}
         pulls = ((body, force) for body in self.within(self.still).bodies for force in body.forces)
         moving_across = (
             force.owner
             for body, force in pulls
-            if force.role == "spring" and not is_zero(body.motion.velocity_of(force.arm).cross(force.direction))
+            if force.role == "spring"
+            and force.owner not in placed
+            and not is_zero(body.motion.velocity_of(force.arm).cross(force.direction))
         )
         return tuple(dict.fromkeys(moving_across))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rotsolve.algebra.exact.normal import Problem
@@ -39,7 +40,8 @@ def best_place(course: Course, word: str, inquiry: Inquiry) -> tuple[Formula, Wo
     check_smooth(course, domain, inquiry)
     roots = roots_of(course, inquiry)
     turning = [] if roots else angles(course, inquiry)
-    inside = [root for root in roots if is_inside(root, domain, course, inquiry)] or turning
+    found = [root for root in roots if is_inside(root, domain, course, inquiry)]
+    inside = [root for root in found if course.value(root, inquiry) is not None] or turning
     ends = [end for end in (domain.low, domain.high) if end is not None and end not in inside]
     valued = [(at, value) for at in (*inside, *ends) if (value := course.value(at, inquiry)) is not None]
     side = 1 if word == "largest" else -1
@@ -58,17 +60,25 @@ def best_place(course: Course, word: str, inquiry: Inquiry) -> tuple[Formula, Wo
 def roots_of(course: Course, inquiry: Inquiry) -> list[Formula]:
     """The roots of the derivative, factor by factor; none where one of the factors is of a higher degree."""
     order, positive = inquiry.solver.order, inquiry.solver.positive
-    problem = Problem([course.slope], order, positive, extra=(course.letter,))
-    _, factors = problem.field.factor(problem.numerator())
     roots: dict[Formula, None] = {}
+    for part in factors_of(course.slope, course.letter, inquiry):
+        found = solve_polynomial(part, course.letter, order=order, positive=positive)
+        if not found:
+            return []
+        roots |= dict.fromkeys(found)
+    return list(roots)
+
+
+def factors_of(value: Formula, letter: str, inquiry: Inquiry) -> Iterator[Formula]:
+    """The factors in a letter that make a value vanish; a root vanishes with what stands under it."""
+    problem = Problem([value], inquiry.solver.order, inquiry.solver.positive, extra=(letter,))
+    _, factors = problem.field.factor(problem.numerator())
     for factor, _ in factors:
         part = problem.shaper.poly(factor)
-        if course.letter in part.symbols():
-            found = solve_polynomial(part, course.letter, order=order, positive=positive)
-            if not found:
-                return []
-            roots |= dict.fromkeys(found)
-    return list(roots)
+        if isinstance(part, Call) and part.function == "sqrt":
+            yield from factors_of(part.arguments[0], letter, inquiry)
+        elif letter in part.symbols():
+            yield part
 
 
 def angles(course: Course, inquiry: Inquiry) -> list[Formula]:

@@ -1,0 +1,90 @@
+"""Places: how far apart and in which direction two points are, where the scene tells both: fixed places, points of hinged bodies."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import length, simplify
+from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
+from rotsolve.core.heading import RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.elements.sides import rough
+from rotsolve.scene.model import PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.instant import Instant
+
+
+def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | None:
+    """Unit vector from a point to another; None where the scene does not tell."""
+    gap = apart(first, second, instant)
+    if gap is None:
+        return None
+    x, y = gap
+    for along, across, ahead in ((x, y, RIGHT), (y, x, UP)):
+        if across == ZERO:
+            return unit(straight(along, ahead, instant))
+    whole = distance(gap, instant)
+    right, up = (min((side / whole, simplify(side / whole)), key=length) for side in gap)
+    return vector(right, RIGHT) + vector(up, UP)
+
+
+def distance(gap: tuple[Formula, Formula], instant: Instant) -> Formula:
+    """Length of a gap; where its sign is known from the numbers, without bars."""
+    positive = instant.arrangement.positive
+    barred = simplify(sqrt(gap[0] ** 2 + gap[1] ** 2), positive=positive)
+
+    def unbarred(node: Formula) -> Formula:
+        sign = sign_of(node.arguments[0], instant) if isinstance(node, Call) and node.function == "abs" else None
+        if not sign or not isinstance(node, Call):
+            return node
+        return node.arguments[0] if sign > 0 else negate(node.arguments[0])
+
+    return simplify(barred.transform(unbarred), positive=positive)
+
+
+def straight(gap: Formula, ahead: Heading, instant: Instant) -> Heading:
+    """The direction of a level or upright gap: along `ahead` where it is positive."""
+    sign = sign_of(gap, instant)
+    return ahead if (rough(gap) if sign is None else sign) >= 0 else ahead.turned(180)
+
+
+def sign_of(value: Formula, instant: Instant) -> int | None:
+    """The sign of a value, by the numbers of the scene."""
+    values = {given.name: given.value for given in instant.arrangement.problem.givens if given.value is not None}
+    try:
+        return evaluate(value, values, digits=3).sign
+    except (Undefined, ValueError):
+        return None
+
+
+def apart(first: PointRef, second: PointRef, instant: Instant) -> tuple[Formula, Formula] | None:
+    """How far a point is to the right of another, and above it."""
+    if first.place or second.place:
+        places = [where(ref, instant) for ref in (first, second)]
+    else:
+        joint = joint_of(first.owner, second.owner, instant)
+        places = [instant.point(ref) - instant.point(pin) for ref, pin in zip((first, second), joint, strict=False)]
+    if len(places) < 2 or places[0] is None or places[1] is None:
+        return None
+    gap = places[1] - places[0]
+    return simplify(gap.along(RIGHT)), simplify(gap.along(UP))
+
+
+def joint_of(first: str, second: str, instant: Instant) -> tuple[PointRef, ...]:
+    """The points of two bodies at which a hinge joins them."""
+    for item in instant.arrangement.connections(instant.state):
+        held = {ref.owner: ref for ref in item.touches()} if item.word == "hinge" else {}
+        if first != second and held.keys() == {first, second}:
+            return held[first], held[second]
+    return ()
+
+
+def where(ref: PointRef, instant: Instant) -> Vector | None:
+    """A point in the scene's coordinates: a fixed place, or a point of a body whose fixed pivot is the origin."""
+    if ref.place is not None:
+        return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)
+    if ref.owner in instant.arrangement.bodies and instant.motion(ref.owner).kind == "axis":
+        return instant.point(ref)
+    return None
