@@ -18,7 +18,7 @@ from statistics import median
 from time import perf_counter
 
 PROBLEMS = Path(__file__).resolve().parent.parent / "problems"
-SCENES = ("block-on-disc.yaml", "atwood.yaml", "rod-released.yaml")
+SCENES = ("pulleys/block-on-disc.yaml", "pulleys/atwood.yaml", "hinged/rod-30.yaml")
 # An installed package has its bytecode; a checkout run with this variable set would be compiled anew in every process.
 KEEPING_BYTECODE = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 BARE, SYMPY = "python -c pass", 'python -c "import sympy"'
@@ -80,20 +80,13 @@ def table(rows: list[tuple[str, ...]]) -> str:
     )
 
 
-def default_scenes() -> list[Path]:
-    """Three scenes of the project; where one is not there, the next in the alphabet."""
-    named = [PROBLEMS / name for name in SCENES if (PROBLEMS / name).is_file()]
-    others = [path for path in sorted(PROBLEMS.glob("*.yaml")) if path not in named]
-    return (named + others)[:3]
-
-
 def main() -> None:
     """Measure and print both tables."""
     parser = argparse.ArgumentParser(description="What a cold start of rotsolve costs.")
     parser.add_argument("scenes", nargs="*", type=Path, help="scene files (three of problems/ where none is named)")
     parser.add_argument("--rounds", type=int, default=11, help="how often each command runs (11)")
     options = parser.parse_args()
-    scenes: list[Path] = options.scenes or default_scenes()
+    scenes: list[Path] = options.scenes or [PROBLEMS / name for name in SCENES]
     times = measure(commands(scenes), max(1, options.rounds))
     head: tuple[str, ...] = ("process", "ms", "× bare", "× import sympy")
     rows = [

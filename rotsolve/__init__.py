@@ -1,7 +1,7 @@
 """rotsolve: solves textbook rotational mechanics, exactly and with its derivation.
 
 >>> import rotsolve
->>> solution = rotsolve.solve("problems/block-on-disc.yaml")  # a path, or the text of a scene
+>>> solution = rotsolve.solve("problems/pulleys/block-on-disc.yaml")  # a path, or the text of a scene
 >>> solution.answers["a"].exact
 '2 m g/(2 m + M)'
 >>> print(solution)  # the whole derivation, as the command `rotsolve solve` prints it

@@ -125,8 +125,8 @@ def rotsolve(
 
     \b
     Examples:
-      rotsolve solve problems/block-on-disc.yaml
-      rotsolve solve problems/block-on-disc.yaml --law energy --set m=3kg
+      rotsolve solve problems/pulleys/block-on-disc.yaml
+      rotsolve solve problems/pulleys/block-on-disc.yaml --law energy --set m=3kg
       rotsolve elements string
 
     \b
@@ -153,11 +153,11 @@ def solve(
 
     \b
     Examples:
-      rotsolve solve problems/block-on-disc.yaml
-      rotsolve solve problems/block-on-disc.yaml --law energy
-      rotsolve solve problems/block-on-disc.yaml --set m=3kg --digits 10
-      rotsolve solve problems/*.yaml -o answers.tex
-      rotsolve solve problems/block-on-disc.yaml --show equations
+      rotsolve solve problems/pulleys/block-on-disc.yaml
+      rotsolve solve problems/pulleys/block-on-disc.yaml --law energy
+      rotsolve solve problems/pulleys/block-on-disc.yaml --set m=3kg --digits 10
+      rotsolve solve problems/rolling/*.yaml -o answers.tex
+      rotsolve solve problems/pulleys/block-on-disc.yaml --show equations
 
     A file that fails neither stops nor hides the others: its message goes to standard error, and the exit code is
     that of the worst file.

@@ -84,9 +84,9 @@ def test_shown_derivation_is_what_is_printed() -> None:
 
 def test_shown_scene_is_the_bundled_one() -> None:
     """Its lines stand in the bundled file in this order; the file may say more, such as its source."""
-    bundled = iter((ROOT / "problems" / "block-on-disc.yaml").read_text(encoding="utf-8").splitlines())
+    bundled = iter((ROOT / "problems" / "pulleys" / "block-on-disc.yaml").read_text(encoding="utf-8").splitlines())
     for line in blocks("yaml")[0].splitlines():
-        assert line in bundled, f"not in problems/block-on-disc.yaml, or out of order: {line}"
+        assert line in bundled, f"not in problems/pulleys/block-on-disc.yaml, or out of order: {line}"
 
 
 def test_shown_python_runs(tmp_path: Path) -> None:

@@ -44,10 +44,10 @@ def test_the_table_is_read() -> None:
 
 
 @pytest.mark.parametrize("case", CASES, ids=[case["name"] for case in CASES])
-def test_message(case: dict[str, str], command: Command, request: pytest.FixtureRequest) -> None:
+def test_message(case: dict[str, str], command: Command, regenerate: bool) -> None:
     Path("scene.yaml").write_text(case["scene"], encoding="utf-8")
     code, out, message = command("solve", "scene.yaml", *case["options"].split())
-    if request.config.getoption("--regenerate", default=False):
+    if regenerate:
         rewrite(case, code, message)
         return
     assert (code, out, message.rstrip("\n")) == (int(case["code"]), "", case["message"].rstrip("\n"))

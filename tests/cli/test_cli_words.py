@@ -114,7 +114,7 @@ def test_commands_import_nothing_heavy(arguments: list[str], tmp_path: Path) -> 
 
 
 def test_solving_imports_neither_sympy_nor_numpy(tmp_path: Path) -> None:
-    scene = Path(__file__).resolve().parents[2] / "problems" / "block-on-disc.yaml"
+    scene = Path(__file__).resolve().parents[2] / "problems" / "pulleys" / "block-on-disc.yaml"
     code = f"import atexit\natexit.register(lambda: exec({LOADED!r}))\nfrom rotsolve.cli import main\nmain(['solve', {str(scene)!r}])"
     done = python(code, cwd=tmp_path)
     assert done.returncode == 0, done.stderr

@@ -97,7 +97,8 @@ def bisect(gap: Callable[[float], float], low: float, high: float) -> float:
 @cache
 def solved(name: str, folder: Path = PROBLEMS, at: str | None = None) -> Solution:
     """A problem, solved once for all tests."""
-    return solve(folder / f"{name}.yaml", at=at)
+    (file,) = folder.rglob(f"{name}.yaml")
+    return solve(file, at=at)
 
 
 def numbers(solution: Solution) -> dict[str, float]:
