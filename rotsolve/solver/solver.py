@@ -226,6 +226,7 @@ class Solver(Textbook):
                 if item.sources:
                     chain = [Equality(item.left, item.right), Equality(square, value)]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
+                    self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
                 for other in others:
                     other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
                     other.sources.extend(ref for ref in refs if ref not in other.sources)
