@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly
 
-FEWEST, MOST = 4, 40  # terms of a sum that is worth grouping
+FEWEST, MOST = 4, 24  # terms of a sum that is worth grouping
 
 
 def groupings(field: Field, poly: Poly) -> Iterator[list[Poly]]:
@@ -19,6 +19,18 @@ def groupings(field: Field, poly: Poly) -> Iterator[list[Poly]]:
             for groups in (by_powers(field, poly, i), components(field, poly, i)):
                 if 1 < len(groups) < len(poly):
                     yield groups
+
+
+def shortest(field: Field, ways: Iterable[list[Poly]], number: int) -> list[list[Poly]]:
+    """Those few of many groupings that have the fewest letters once their groups are factored."""
+
+    def letters(poly: Poly) -> int:
+        return sum(1 + sum(exponents) for _, exponents in field.terms(poly))
+
+    def size(groups: list[Poly]) -> int:
+        return sum(letters(factor) for group in groups for factor, _ in field.factor(group)[1])
+
+    return sorted(ways, key=size)[:number]
 
 
 def components(field: Field, poly: Poly, i: int) -> list[Poly]:

@@ -13,7 +13,7 @@ from functools import partial
 from math import prod
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.grouping import FEWEST, groupings, singles, taken_apart
+from rotsolve.algebra.exact.grouping import FEWEST, groupings, shortest, singles, taken_apart
 from rotsolve.algebra.exact.products import Parts, Rank, share_number, written_fraction
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import (
@@ -34,6 +34,10 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.notation.letters import GLYPHS
 
+TRIED = (
+    4,
+    1,
+)  # ways to group a long sum that are written out, and a sum in it; the ways to nest deeper grow without bounds
 LAST = {"sin": 1, "cos": 2, "tan": 3}  # the order of functions of one argument
 
 
@@ -47,6 +51,8 @@ class Shaper:
         self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
         signs = Signs(ring, positive)
         self.unsure = {i for i, square in self.radicands.items() if not signs.nonnegative(square)}
+        self.grouped: dict[object, Formula] = {}  # long sums as they have been written, by terms and depth
+        self.depth = 0  # how many long sums stand round the one that is written
 
     def _is_sqrt(self, i: int) -> bool:
         atom = self.field.atoms[i]
@@ -77,12 +83,19 @@ class Shaper:
         first = next((k for k, (coefficient, e) in enumerate(terms) if coefficient > 0 and not self._has_root(e)), 0)
         terms.insert(0, terms.pop(first))
         plain = total([self._monomial(*term, below) for term in terms])
-        return plain if below != 1 else self._grouped(poly, plain)
+        if below != 1 or len(terms) < FEWEST or self.depth == len(TRIED):
+            return plain
+        key = (self.depth, frozenset(poly.to_dict().items()))
+        if key not in self.grouped:
+            self.depth += 1
+            self.grouped[key] = self._grouped(poly, plain)
+            self.depth -= 1
+        return self.grouped[key]
 
     def _grouped(self, poly: Poly, plain: Formula) -> Formula:
         """A long sum by the powers of one letter, where that is much shorter, or two brackets: m₂ (u − v) − m₁ (u + v)."""
         best, least = plain, extent(plain)
-        for groups in groupings(self.field, poly):
+        for groups in shortest(self.field, groupings(self.field, poly), TRIED[self.depth - 1]):
             groups.sort(key=lambda group: min(self._term_key(e) for _, e in self.field.terms(group)))
             shown = [self.ratio((group, self.field.one)) for group in groups]
             whole = total(sorted(shown, key=self._late))
