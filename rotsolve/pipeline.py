@@ -16,10 +16,10 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.varying import MIXED, POSITION
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
-from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered, NoAnswer
 from rotsolve.inquiry.choices import choose
-from rotsolve.inquiry.compose import Composer, in_letters
+from rotsolve.inquiry.compose import Composer, Letters, in_letters
 from rotsolve.inquiry.consistency import contradiction, turned_back
 from rotsolve.inquiry.explain import (
     contradicted,
@@ -33,6 +33,7 @@ from rotsolve.inquiry.explain import (
 from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.questions import NotYet, Unclear, resting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.inquiry.where import answer_where, over_a_letter
@@ -99,10 +100,12 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         check_law(inquiry, law)
     composer = Composer(inquiry, decision.numbered + 1, read_moment(at) if at else None)
     derivation = with_missing_told(
-        composer.derivation(checks(inquiry, composer), decision.sections), arrangement.problem
+        composer.derivation(checks(inquiry, composer.letters), decision.sections), arrangement.problem
     )
     trace = Trace(
-        lambda: facts_text(history), lambda: equations_text(inquiry, composer), lambda: plan_text(inquiry, composer)
+        lambda: facts_text(history),
+        lambda: equations_text(inquiry, composer.letters),
+        lambda: plan_text(inquiry, composer.letters),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
@@ -240,10 +243,10 @@ def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
     return "".join(to_text(part.substitute(letters)) if isinstance(part, Formula) else part for part in words)
 
 
-def equations_text(inquiry: Inquiry, composer: Composer) -> str:
+def equations_text(inquiry: Inquiry, letters: Letters) -> str:
     """All equations written, one a line, those that the plan used marked."""
     used = {index for answered in inquiry.answered for index in answered.used}
-    names = all_names(inquiry, composer)
+    names = all_names(inquiry, letters)
     lines = []
     for index, equation in enumerate(inquiry.history.equations):
         mark = "*" if index in used else " "
@@ -252,9 +255,9 @@ def equations_text(inquiry: Inquiry, composer: Composer) -> str:
     return "\n".join(lines)
 
 
-def plan_text(inquiry: Inquiry, composer: Composer) -> str:
+def plan_text(inquiry: Inquiry, letters: Letters) -> str:
     """For each question the equations that settle it."""
-    names = all_names(inquiry, composer)
+    names = all_names(inquiry, letters)
     lines = []
     for answered in inquiry.answered:
         name = names.get(answered.asked.letter, answered.asked.find.name)
@@ -265,11 +268,11 @@ def plan_text(inquiry: Inquiry, composer: Composer) -> str:
     return "\n".join(lines)
 
 
-def all_names(inquiry: Inquiry, composer: Composer) -> dict[str, str]:
+def all_names(inquiry: Inquiry, letters: Letters) -> dict[str, str]:
     """Printed names of all quantities, in the derivation's letters where it has one."""
     registry = inquiry.history.registry
-    taken = frozenset(inquiry.givens) - set(composer.names.values())
-    return registry.letters(registry.quantities, taken, composer.names)
+    taken = frozenset(inquiry.givens) - set(letters.names.values())
+    return registry.letters(registry.quantities, taken, letters.names)
 
 
 def in_text(equation: Equation, names: Mapping[str, str]) -> str:

@@ -14,7 +14,8 @@ from rotsolve.core.quantity import DIMENSIONS, INSIDE
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.inquiry.verify import SAID

@@ -19,8 +19,9 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant

@@ -15,10 +15,11 @@ from rotsolve.core.facts import Requirement
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry, NoAnswer, families_for
-from rotsolve.inquiry.answers import Answered
-from rotsolve.inquiry.compose import Composer
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import Answered, NoAnswer
+from rotsolve.inquiry.compose import Letters
 from rotsolve.inquiry.consistency import runs
+from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.solver.textbook import is_long_root
@@ -27,14 +28,14 @@ SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular mo
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
 
 
-def checks(inquiry: Inquiry, composer: Composer) -> tuple[Check, ...]:
+def checks(inquiry: Inquiry, letters: Letters) -> tuple[Check, ...]:
     """All checks of a solved inquiry, the second law first."""
     return (
         *alone(inquiry),
-        *second_law(inquiry, composer),
+        *second_law(inquiry, letters),
         *dimensions(inquiry),
-        *limits(inquiry, composer),
-        *requirements(inquiry, composer),
+        *limits(inquiry),
+        *requirements(inquiry, letters),
     )
 
 
@@ -47,7 +48,7 @@ def alone(inquiry: Inquiry) -> Iterator[Check]:
         yield Check((f"{SAID[inquiry.families[0]]} alone does not give ", *names, ": Newton's laws were used as well"))
 
 
-def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
+def second_law(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
     pending = [
         answered
@@ -71,7 +72,7 @@ def second_law(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
             elif over_a_phase(other):
                 pending.remove(answered)
                 name = Symbol(answered.asked.find.name)
-                yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(composer.letters)), False)
+                yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(letters.symbols)), False)
         if agreed:
             names: list[str | Formula] = []
             for answered in agreed:
@@ -160,7 +161,7 @@ def dimensions(inquiry: Inquiry) -> Iterator[Check]:
         yield Check(("dimensions agree",))
 
 
-def limits(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
+def limits(inquiry: Inquiry) -> Iterator[Check]:
     """What becomes of an answer when a mass is left out or an angle is square: the most telling one."""
     best: tuple[int, Words] | None = None
     for answered in inquiry.wholes()[:2]:
@@ -188,7 +189,7 @@ def limit(formula: Formula, name: str, inquiry: Inquiry) -> Formula | None:
         return None
 
 
-def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
+def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Inquiry(inquiry.history, families_for(NEWTON))
     told: set[str] = set()
@@ -206,12 +207,12 @@ def requirements(inquiry: Inquiry, composer: Composer) -> Iterator[Check]:
             if sign is None:
                 continue
             told.add(key)
-            words = said(need, inquiry, composer, judge) if sign > 0 else ()
+            words = said(need, inquiry, letters, judge) if sign > 0 else ()
             if words and words[-1] not in spoken_of and len(spoken_of) < 3:
                 spoken_of.append(words[-1])
                 yield Check(words)
             elif sign < 0:
-                yield Check(objection(need, place, inquiry, composer), False)
+                yield Check(objection(need, place, inquiry, letters), False)
 
 
 def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
@@ -240,31 +241,31 @@ def sign_of(value: Formula, inquiry: Inquiry) -> int | None:
         return None
 
 
-def objection(need: Requirement, state: str, inquiry: Inquiry, composer: Composer) -> Words:
+def objection(need: Requirement, state: str, inquiry: Inquiry, letters: Letters) -> Words:
     """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
-    letters = lettered(need, inquiry, composer)
-    left, right = (side.substitute(letters) for side in (need.left, need.right))
+    names = lettered(need, inquiry, letters)
+    left, right = (side.substitute(names) for side in (need.left, need.right))
     relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
 
 
-def lettered(need: Requirement, inquiry: Inquiry, composer: Composer) -> dict[str, Formula]:
+def lettered(need: Requirement, inquiry: Inquiry, letters: Letters) -> dict[str, Formula]:
     """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
     names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
     plain = {name: Symbol(inquiry.history.registry.quantities[name].letter) for name in names}
-    return {**plain, **composer.letters}
+    return {**plain, **letters.symbols}
 
 
-def said(need: Requirement, inquiry: Inquiry, composer: Composer, aside: Inquiry) -> Words:
+def said(need: Requirement, inquiry: Inquiry, letters: Letters, aside: Inquiry) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if isinstance(need.right, Call):
         size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     told = str(need.words[-1]).partition(": ")[2]
     what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
-    letters = {name for name in need.left.symbols() if SEPARATOR in name}
-    return (composer.printed(need.left), " > 0: ", what) if letters <= set(composer.names) else (what,)
+    names = {name for name in need.left.symbols() if SEPARATOR in name}
+    return (letters.printed(need.left), " > 0: ", what) if names <= set(letters.names) else (what,)
 
 
 def decimal(value: Formula | None, inquiry: Inquiry) -> str:

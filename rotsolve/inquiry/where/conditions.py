@@ -13,7 +13,8 @@ from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.history import NotYet, term_of
 from rotsolve.inquiry.questions import Asked
