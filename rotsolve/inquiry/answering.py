@@ -19,7 +19,7 @@ from rotsolve.inquiry.definitions import Definitions
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.planning import Search, families_for
 from rotsolve.inquiry.questions import Asked
-from rotsolve.inquiry.signs import Signs
+from rotsolve.inquiry.roots import Numbers, RootChoice
 from rotsolve.inquiry.stepwise import Stepwise
 from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.motion.positive import positive_letters
@@ -59,14 +59,8 @@ class Inquiry:
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
-        self.signs = Signs(
-            self.history,
-            self.givens,
-            self.values,
-            lambda value: self.solver.with_found(value),
-            self.aside,
-            self.definitions.formula,
-        )
+        self.numbers = Numbers(self.values, lambda value: self.solver.with_found(value), self.aside)
+        self.roots = RootChoice(self.history, self.givens, self.numbers, self.definitions.formula)
         self.running = {"time"} | places_and_speeds(self.history.passages.values())
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
         self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
@@ -75,7 +69,7 @@ class Inquiry:
             self._order(),
             positive_letters(problem.givens),
             self.values,
-            self.signs.choose,
+            self.roots.choose,
             self.refs,
             frozenset(self.running),
         )
@@ -224,7 +218,7 @@ class Inquiry:
 
     def number(self, value: Formula) -> float | None:
         """A rough value; None where it is not real or a given has no number."""
-        return self.signs.number(value)
+        return self.numbers.of(value)
 
     def aside(self, letter: str) -> Formula | None:
         """A letter by Newton's laws alone, without a trace in this inquiry."""
