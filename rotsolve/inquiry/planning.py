@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
 
-from rotsolve.core.equation import ANGULAR_MOMENTUM, KINEMATICS, LAWS, NEWTON
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, LAWS, NEWTON
 from rotsolve.plan import Plan, Planner, Shortage
 
+SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
 OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")

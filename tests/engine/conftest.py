@@ -28,9 +28,9 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.friction import decide, rubs
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed

@@ -10,7 +10,6 @@ from rotsolve.core.derivation import Check, Derivation, Equality, LawLine, Move,
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.compose.comparisons import comparisons
 from rotsolve.inquiry.compose.diagrams import Diagrams
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
@@ -18,6 +17,7 @@ from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.slope import slope
 from rotsolve.inquiry.compose.states import state_words
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.scene.model import Moment, Problem
 from rotsolve.solver import Ref, Step
 

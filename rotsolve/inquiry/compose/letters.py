@@ -9,9 +9,9 @@ from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import PRIME
 from rotsolve.core.derivation import Words
 from rotsolve.core.registry import SEPARATOR, TIME
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.compose.diagrams import Diagrams
 from rotsolve.inquiry.compose.draft import Draft
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.scene.model import Find
 
 

@@ -14,10 +14,10 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.tensor import ENTRIES, ONE_AXIS
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.courses import phases_of
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked, component
 from rotsolve.scene.model import ANY_TIME, Find, Moment
 from rotsolve.solver import Found

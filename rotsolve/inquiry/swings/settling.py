@@ -28,7 +28,7 @@ from rotsolve.principles.oscillation import (
 )
 
 if TYPE_CHECKING:
-    from rotsolve.inquiry.answering import Inquiry
+    from rotsolve.inquiry.inquiry import Inquiry
     from rotsolve.inquiry.questions import Asked
 
 

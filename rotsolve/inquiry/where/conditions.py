@@ -13,13 +13,13 @@ from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.finds import asked
+from rotsolve.inquiry.friction.sticking import limiting
 from rotsolve.inquiry.history import NotYet, term_of
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.questions.meaning import label_of
-from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.where.conclude import Conclusion, by_condition, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum

@@ -9,10 +9,10 @@ from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, NoAnswer
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Find
