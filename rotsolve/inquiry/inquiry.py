@@ -1,4 +1,4 @@
-"""Answering: plan and solve one asked quantity after the other, by the laws allowed."""
+"""Inquiry: one run over the questions of a scene: each is planned and solved by the laws allowed, and remembered for the next."""
 
 from __future__ import annotations
 
@@ -37,16 +37,14 @@ class Inquiry:
     history: History
     families: tuple[str, ...]
     spare: bool = False  # whether second-choice equations may be used from the start
-    extra: tuple[Equation, ...] = ()
     answered: list[Answered] = field(default_factory=list)
+    chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
+    helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
     swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
     displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
-    helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
-    chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
-    extrema: dict[tuple[Formula, str, str], Answered] = field(
-        default_factory=dict
-    )  # places, by (quantity, letter, word)
+    # the places of extrema, by (quantity, letter, word)
+    extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
@@ -54,8 +52,7 @@ class Inquiry:
         self.values: dict[str, Formula] = {
             given.name: given.value for given in problem.givens if given.value is not None
         }
-        self.pool = [*self.history.equations, *self.extra]
-        self.planner = Planner(self.pool, [given.name for given in problem.givens if given.asked])
+        self.planner = Planner(self.history.equations, [given.name for given in problem.givens if given.asked])
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
