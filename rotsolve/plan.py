@@ -13,9 +13,8 @@ from dataclasses import dataclass
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.equation import Equation
 
-BACKWARDS = (
-    6  # what a definition costs more once it has been used: it leads from what an answer is made of to the answer
-)
+# what a definition costs more once it has been used: it leads from what an answer is made of to the answer
+BACKWARDS = 6
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 

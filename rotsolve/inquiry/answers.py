@@ -1,10 +1,11 @@
-"""Answers: an asked quantity with its solution, and a choice with what decides it."""
+"""Answers: an asked quantity with its solution, a choice with what decides it, and why there may be none."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 from rotsolve.inquiry.questions import Asked
+from rotsolve.plan import Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Found
 
@@ -65,3 +66,15 @@ class Chosen:
     @property
     def sides(self) -> tuple[Answered, ...]:
         return tuple(side for verdict in self.verdicts for side in verdict.sides)
+
+
+class NoAnswer(ValueError):
+    """Nothing settles an asked quantity; `shortage` tells what is open where that is why, `equation` what contradicts the others."""
+
+    def __init__(
+        self, words: str, shortage: Shortage | None = None, equation: int | None = None, *, open_form: bool = False
+    ) -> None:
+        super().__init__(words)
+        self.shortage = shortage
+        self.equation = equation
+        self.open_form = open_form  # whether only a closed form is missing

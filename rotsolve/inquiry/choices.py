@@ -10,9 +10,9 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Call, Formula
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen, Compared, Verdict
 from rotsolve.inquiry.finds import asked
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.scene.model import Choice, Find
 from rotsolve.solver import Found

@@ -17,7 +17,7 @@ from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.inquiry.questions import NotYet, Reader
-from rotsolve.inquiry.stated import Statements
+from rotsolve.inquiry.states import Fixed, Statements
 from rotsolve.inquiry.swings.placing import Placing
 from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.motion.arrangement import Arrangement
@@ -44,7 +44,7 @@ class History:
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.stated += Statements(self.arrangement, self.registry, self.modes).take()
+        self.stated += Statements(Fixed(self.arrangement, self.registry, self.modes)).take()
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
         key = (state, generic, virtual)

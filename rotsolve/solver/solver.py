@@ -7,25 +7,23 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from fractions import Fraction
 
-from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.unwrap import solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Power, Sum, Symbol
-from rotsolve.algebra.periodic import period_of
+from rotsolve.algebra.exact.normal import coefficients, is_zero, length
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan
+from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
-from rotsolve.solver.step import Choice, Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
-from rotsolve.solver.textbook import Textbook, quarters_turned
+from rotsolve.solver.lines import line_in_letters, line_of
+from rotsolve.solver.step import Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
+from rotsolve.solver.textbook import quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
+NUMERICALLY = ("no closed form: solved numerically, with certified digits",)
+SUMMED_NUMERICALLY = ("no closed form: the integral is worked out numerically, with certified digits",)
 ENTANGLED = "no unknown can be told from the others"
 
 # equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
@@ -33,7 +31,7 @@ Elimination = tuple[Item, str, Formula, "Words | None"]
 
 
 @dataclass
-class Solver(Textbook):
+class Solver(Isolation):
     """Solves plans one after the other; remembers answers and steps."""
 
     pool: list[Equation]
@@ -127,16 +125,16 @@ class Solver(Textbook):
                 away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
-        return self._first_linear(ranked, asked)
+        return self._first_linear(ranked)
 
-    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], asked: str) -> Elimination:
+    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]]) -> Elimination:
         """Of the best-ranked eliminations the one with the shortest result."""
         best: tuple[int, Elimination] | None = None
         rank: tuple[int, ...] | None = None
         for key, item, name in ranked:
             if best is not None and key[:4] != (rank or ())[:4]:
                 break
-            found = self._value(item, name, alone=key[0] <= 1)
+            found = self.value_in(item, name, alone=key[0] <= 1)
             if found is None:
                 continue
             value, reason = found
@@ -147,43 +145,16 @@ class Solver(Textbook):
             raise NoClosedForm(ENTANGLED)
         return best[1]
 
-    def _value(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
-        """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""
-        explicit = isolated(item, name)
-        if explicit is not None:
-            explicit = self.carried_out(explicit)
-            return (self.simplify(explicit) if item.sources else explicit), ()
-        gap = item.left - item.right
-        if name not in inner(item):
-            gap = self.carried_out(item.left) - self.carried_out(item.right)
-        value = solve_linear(gap, name, order=self.order, positive=self.positive)
-        if value is not None and self._hollow(gap, name):
-            raise Redundant(item.index)
-        if value is None and alone:
-            return self._root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
-        return None if value is None else (value, ())
-
     def _within_function(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
-        """An equation whose only unknown stands within a function: sin n t = 0, log(u) = 3."""
+        """The first equation whose only unknown stands within a function and is not within an integral."""
         for item in items:
             names = item.unknowns(unknowns)
             if len(names) == 1 and asked not in names and not names & inner(item):
-                name, gap = names.pop(), self.carried_out(item.left) - self.carried_out(item.right)
-                if is_zero(gap, self.positive):
-                    raise Redundant(item.index)
-                roots = solve_unwrapped(gap, name, order=self.order, positive=self.positive)
-                roots = roots or [
-                    angle.formula for angle in solve_trig(gap, name, order=self.order, positive=self.positive)
-                ]
-                found = self._root(name, roots, gap)
+                name = names.pop()
+                found = self.value_within(item, name)
                 if found is not None:
                     return item, name, *found
         return None
-
-    def _root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
-        """The root that is meant of several, and why it is."""
-        choice = self._choice(name, roots, gap) if roots else None
-        return (self._chosen(choice, roots), choice.words) if choice else None
 
     def _check_alive(self, item: Item, names: set[str]) -> None:
         """An equation without unknowns left says nothing, or something false."""
@@ -198,7 +169,7 @@ class Solver(Textbook):
         self.told[name] = value
         refs: list[Ref] = [item.ref, *item.sources]
         if reason is not None or (item.sources and self.pool[item.index].family):
-            step = self._step(item, name, value, reason or ())
+            step = self._keep(item, line_of(item, name, value), name, reason or ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -240,19 +211,6 @@ class Solver(Textbook):
         )
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
-    def _step(self, item: Item, name: str, value: Formula, reason: Words, more: Sequence[Equality] = ()) -> Step:
-        """The printed line of an elimination: the equation with everything put in, then the unknown alone."""
-        chain = []
-        if item.sources and isolated(item, name) is None:
-            chain.append(Equality(item.left, item.right))
-        elif item.sources and isolated(item, name) != value:
-            chain.append(Equality(Symbol(name), isolated(item, name) or value))
-        chain.extend(more)
-        result = Equality(Symbol(name), value)
-        if not chain or chain[-1] != result:
-            chain.append(result)
-        return self._keep(item, chain, name, reason)
-
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
         """Write a step under the next number."""
         step = Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), name, item.section, reason)
@@ -263,119 +221,25 @@ class Solver(Textbook):
         """The asked unknown from the last equation."""
         written = isolated(item, asked)
         integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
-        candidates, more, reason = self._roots(item, asked)
+        candidates, more = self.roots(item, asked)
         if not candidates:
-            return self._numeric(item, asked)
-        picked = self._choice(asked, candidates, item.left - item.right)
+            root = self.certified_root(item, asked)
+            self._keep(item, [Equality(item.left, item.right)], asked, NUMERICALLY)
+            return Found(asked, None, root)
+        picked = self.choice(asked, candidates, item.left - item.right)
         if picked is None:
             raise Contradiction(item.index)
-        value = self._chosen(picked, candidates)
-        final = self._shortest(self.with_answers(value))
-        if any(isinstance(node, Integral) for node in final.walk()):
-            reason = ("no closed form: the integral is worked out numerically, with certified digits",)
+        value = self.chosen(picked, candidates)
+        final = self.shortest(self.with_answers(value))
+        summed = any(isinstance(node, Integral) for node in final.walk())
+        reason: Words = picked.words or (SUMMED_NUMERICALLY if summed else ())
         value = moved_alone(item, asked) or value
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
             first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
             item.sources[:0] = [("known", name) for name in used]
-            self._keep_written(item, asked, first, final, picked.words or reason)
+            self._keep(item, line_in_letters(item, asked, first, final), asked, reason)
         elif item.sources or written != final:
-            self._step(item, asked, final, picked.words or reason, more)
+            self._keep(item, line_of(item, asked, final, more), asked, reason)
         others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked.root)
         return Found(asked, final, None, others)
-
-    def _choice(self, name: str, roots: Sequence[Formula], gap: Formula) -> Choice | None:
-        """The root that is meant, of the equation gap = 0."""
-        period = period_of(self.with_answers(self.carried_out(gap)), name)
-        if len(roots) == 1 and period is None:
-            return Choice(0)
-        return self.choose(name, [self.with_answers(root) for root in roots], period)
-
-    def _chosen(self, choice: Choice, roots: Sequence[Formula]) -> Formula:
-        """The root itself, whole turns or periods beyond it."""
-        return self.simplify(choice.of(roots)) if choice.turns else roots[choice.root]
-
-    def _shortest(self, value: Formula) -> Formula:
-        """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
-        final = self.simplify(value)
-        bare = value.arguments[0] if isinstance(value, Call) and value.function == "abs" else None
-        if bare is not None and length(bare) < length(final) and is_zero(bare - final, self.positive):
-            return bare
-        roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
-        sums = all(isinstance(root, Sum) for root in roots)
-        much = 1 if is_size(value) else Fraction(3, 2)
-        return value if sums and much * length(value) < length(final) else final
-
-    def _keep_written(self, item: Item, asked: str, first: list[Equality], final: Formula, reason: Words) -> None:
-        """A step whose first equality is in letters found before, and whose last has them put in."""
-        chain = [equality for k, equality in enumerate(first) if k == 0 or equality != first[k - 1]]
-        explicit = isolated(item, asked)
-        if explicit is None and any(ref[0] != "known" for ref in item.sources):
-            chain.insert(0, Equality(item.left, item.right))
-        chain.append(Equality(Symbol(asked), final))
-        self._keep(item, chain, asked, reason)
-
-    def _hollow(self, gap: Formula, name: str) -> bool:
-        """Whether an unknown drops out once the answers found before are put in: letters such as a₁ and a₂ are not independent."""
-        whole = self.with_answers(gap)
-        return whole != gap and is_zero(whole, self.positive)
-
-    def _roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality], Words]:
-        """Closed forms of the asked unknown, with the line before the root where it is one."""
-        left, right = self.carried_out(item.left), self.carried_out(item.right)
-        gap = left - right
-        written = isolated(item, asked)
-        if written is not None:
-            return [self._shortest(self.carried_out(written))], [], ()
-        parts = coefficients(gap, asked, order=self.order, positive=self.positive)
-        if parts is not None and len(parts) < 2:
-            raise (
-                Redundant(item.index) if is_zero(self.with_answers(gap), self.positive) else Contradiction(item.index)
-            )
-        if parts is not None and len(parts) <= 3:
-            if self._hollow(gap, asked):
-                raise Redundant(item.index)
-            roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
-            pure = len(parts) == 3 and parts[1] == ZERO
-            square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
-            return roots, square or self._unfolded(item, Equality(left, right)), ()
-        if is_zero(self.with_answers(gap), self.positive):
-            raise Redundant(item.index)
-        for solve in (solve_polynomial, solve_unwrapped):
-            for whole in dict.fromkeys((gap, self.with_answers(gap))):
-                roots = solve(whole, asked, order=self.order, positive=self.positive)
-                if roots:
-                    return roots, self._unfolded(item, Equality(left, right)), ()
-        trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
-        return [candidate.formula for candidate in trig], [], ()
-
-    def _unfolded(self, item: Item, done: Equality) -> list[Equality]:
-        """The equation with its integrals carried out, where that is not how it stands."""
-        return [] if (done.left, done.right) == (item.left, item.right) else [done]
-
-    def _numeric(self, item: Item, asked: str) -> Found:
-        """A certified root where there is no closed form."""
-        if not self.numeric:
-            raise NoClosedForm("it has no closed form")
-        gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
-        if gap.symbols() - set(self.values) - {asked}:
-            raise NoClosedForm("it has no closed form, and not every given has a number")
-        for reach in (10, 1000, 10**6):
-            roots = real_roots(gap, asked, self.values, -reach, reach)
-            if roots.roots:
-                picked = self.choose(asked, [as_formula(root) for root in roots.roots], None)
-                reason: Words = ("no closed form: solved numerically, with certified digits",)
-                self._keep(item, [Equality(item.left, item.right)], asked, reason)
-                return Found(asked, None, roots.roots[picked.root if picked else 0])
-        raise NoClosedForm("no real value satisfies the equations")
-
-
-def is_size(value: Formula) -> bool:
-    """Whether a formula is the root of a sum of squares, as the size of a vector is."""
-    root = value.arguments[0] if isinstance(value, Call) and value.function == "sqrt" else value
-    return isinstance(root, Sum) and all(isinstance(term, Power) for term in root.terms)
-
-
-def as_formula(root: Certified) -> Formula:
-    """A certified root as a number, for choosing between roots only."""
-    return Number(Fraction(root.float))

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from fractions import Fraction
 from functools import partial
 
 from rotsolve.algebra.calculus import integrate, integrate_by_hand
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.exponentials import spread
-from rotsolve.algebra.exact.normal import length, simplify
+from rotsolve.algebra.exact.normal import is_zero, length, simplify
 from rotsolve.algebra.exact.powers import in_powers
-from rotsolve.algebra.formula import Call, Formula, Integral
+from rotsolve.algebra.formula import Call, Formula, Integral, Power, Sum
 from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.core.heading import heading
 from rotsolve.core.registry import TIME, in_midst
@@ -23,6 +24,12 @@ LONGEST = 1000  # nodes under a root, beyond which no form is one that a page wo
 def is_long_root(value: Formula) -> bool:
     """Whether a formula is a root, such as the size of a vector, of something so long that squaring it out leads nowhere."""
     return isinstance(value, Call) and value.function == "sqrt" and length(value) > LONGEST
+
+
+def is_size(value: Formula) -> bool:
+    """Whether a formula is the root of a sum of squares, as the size of a vector is."""
+    root = value.arguments[0] if isinstance(value, Call) and value.function == "sqrt" else value
+    return isinstance(root, Sum) and all(isinstance(term, Power) for term in root.terms)
 
 
 def quarters_turned(value: Formula) -> Formula:
@@ -55,6 +62,17 @@ class Textbook:
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
             value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
         return in_powers(value.transform(self._exponential), TIME, order=self.order, positive=self.positive)
+
+    def shortest(self, value: Formula) -> Formula:
+        """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
+        final = self.simplify(value)
+        bare = value.arguments[0] if isinstance(value, Call) and value.function == "abs" else None
+        if bare is not None and length(bare) < length(final) and is_zero(bare - final, self.positive):
+            return bare
+        roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
+        sums = all(isinstance(root, Sum) for root in roots)
+        much = 1 if is_size(value) else Fraction(3, 2)
+        return value if sums and much * length(value) < length(final) else final
 
     def _exponential(self, node: Formula) -> Formula:
         """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice."""

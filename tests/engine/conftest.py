@@ -28,12 +28,13 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.friction import decide, rubs
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
-from rotsolve.pipeline import answer
 from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 

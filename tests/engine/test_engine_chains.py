@@ -9,11 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
-from rotsolve.pipeline import answer
 from rotsolve.scene.read import read_text
 
 G = 9.8

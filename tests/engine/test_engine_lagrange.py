@@ -17,7 +17,7 @@ import sympy
 from sympy import cos, sin, symbols
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.scene.model import Problem
 
 HERE = Path(__file__).resolve().parent / "scenes"

@@ -15,12 +15,14 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.owndata import is_own
-from rotsolve.pipeline import answer, solve_problem
+from rotsolve.pipeline import solve_problem
 from rotsolve.scene.model import Body, Problem
 
 ProblemOf = Callable[[Path], Problem]

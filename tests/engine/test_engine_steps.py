@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Problem
 

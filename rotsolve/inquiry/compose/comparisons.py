@@ -25,7 +25,7 @@ def comparisons(chosen: Chosen, results: Results) -> Iterator[Move]:
 def written(answered: Answered, results: Results) -> Formula:
     """A compared quantity as the derivation writes it: by its letter, or the givens that it is made of."""
     asked = answered.asked
-    return results.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
+    return results.letters.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
 
 
 def told(numbers: Words) -> bool:

@@ -6,9 +6,9 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.solver import Ref, Step
 
 

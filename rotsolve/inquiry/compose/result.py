@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
@@ -15,9 +14,10 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.tensor import ENTRIES, ONE_AXIS
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered, Chosen
+from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.courses import phases_of
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked, component
 from rotsolve.scene.model import ANY_TIME, Find, Moment
 from rotsolve.solver import Found
@@ -30,11 +30,10 @@ NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimensi
 
 @dataclass(frozen=True)
 class Results:
-    """The answers of an inquiry; `printed` turns letters of the laws into printed ones."""
+    """The answers of an inquiry in the letters of its derivation."""
 
     inquiry: Inquiry
-    printed: Callable[[Formula], Formula]
-    named: Callable[[Find], str]
+    letters: Letters
     at: Moment | None = None  # when functions of time are evaluated
 
     def answers(self) -> tuple[Answer, ...]:
@@ -74,7 +73,7 @@ class Results:
     def answer(self, answered: Answered) -> Answer:
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
-        formula = self.printed(self._readable(answered)) if found.formula is not None else None
+        formula = self.letters.printed(self._readable(answered)) if found.formula is not None else None
         unit = asked.find.unit or unit_of(
             asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
         )
@@ -101,7 +100,7 @@ class Results:
         found, find = answered.found, answered.asked.find
         if self.at is None or found.formula is None or not find.runs:
             return ()
-        moment: Words = (self.printed(Symbol(TIME)), f" = {self.at.text}")
+        moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
         if not self._lasts(find):
             return (*moment, " is not in this phase")
         return ("at ", *moment) if TIME in found.formula.symbols() else ()
@@ -156,7 +155,9 @@ class Results:
 
     def _symbol(self, asked: Asked) -> Formula:
         """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
-        printed = self.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.named(asked.find))
+        printed = (
+            self.letters.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.letters.of_find(asked.find))
+        )
         return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
 
     def components(self, answered: Answered) -> tuple[Answer, ...]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
-from rotsolve.core.facts import BodyFacts, Force, signed
+from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
@@ -23,25 +23,27 @@ class OfElements(Moment):
     """Reads paths of connections and actions at one instant."""
 
     def of_element(self, path: Path) -> Formula | Meaning:
-        """A force, tension, torque or power of a connection or action."""
-        forces = [(body, force) for body in self.facts().bodies for force in body.forces if force.owner == path.owner]
-        couples = [
-            (body, couple) for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
-        ]
+        """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
+        bodies = self.facts().bodies
+        forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
+        couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
         if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
             raise NotYet(f"`{path.owner}` does not act{self._moment()}")
+        found = self._effort(path, forces, couples)
+        found = self._setting(path) if found is None else found
+        if found is None:
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+        return found
+
+    def _effort(
+        self, path: Path, forces: list[tuple[BodyFacts, Force]], couples: list[tuple[BodyFacts, Couple]]
+    ) -> Formula | Meaning | None:
+        """What an element does to the bodies on which it acts."""
         match path.quantity:
             case "tension":
                 return self._tension(path, [force for _, force in forces])
             case "normal_force" | "friction_force":
-                role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
-                first = self._first_body(path.owner)
-                forces.sort(key=lambda pair: pair[0].name != first)
-                force = next((force for _, force in forces if force.role == role), None)
-                if force is None:
-                    return ZERO
-                way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
-                return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
+                return self._contact_force(path, forces)
             case "torque":
                 parts = [signed(couple.torque, body.motion.sense) for body, couple in couples[-1:]]
                 parts += [signed(force.torque, body.motion.sense) for body, force in forces]
@@ -54,14 +56,19 @@ class OfElements(Moment):
                 parts = [couple.torque * body.motion.spin for body, couple in couples]
                 parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
                 return total([_plain(part) for part in parts if part != ZERO])
+        return None
+
+    def _setting(self, path: Path) -> Formula | Meaning | None:
+        """How an element stands or moves: its elongation, length, angle, or the angular velocity of what it holds."""
+        match path.quantity:
             case "elongation":
-                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                stored = self._stored(path.owner)
                 placed = stored is not None and stored.placed
                 return (
                     stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
                 )
             case "length":
-                stored = next((item for item in self.facts().potentials if item.owner == path.owner), None)
+                stored = self._stored(path.owner)
                 if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
                     return stored.elongation
             case "angle" if (contact := self._contact(path.owner)) is not None:
@@ -72,7 +79,22 @@ class OfElements(Moment):
                 name = self._turned_by(path.owner)
                 if name:
                     return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
-        raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+        return None
+
+    def _contact_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+        """The push of a surface or its friction, on the body that a contact names first."""
+        role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+        first = self._first_body(path.owner)
+        forces = sorted(forces, key=lambda pair: pair[0].name != first)
+        force = next((force for _, force in forces if force.role == role), None)
+        if force is None:
+            return ZERO
+        way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
+        return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
+
+    def _stored(self, owner: str) -> Potential | None:
+        """The energy that a spring or wire stores."""
+        return next((item for item in self.facts().potentials if item.owner == owner), None)
 
     def _given_power(self, owner: str) -> Formula:
         """The power of a motor that is told by its power."""

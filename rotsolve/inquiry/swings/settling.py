@@ -12,6 +12,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
+from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.inquiry.swings.swing import Swing
@@ -27,7 +28,7 @@ from rotsolve.principles.oscillation import (
 )
 
 if TYPE_CHECKING:
-    from rotsolve.inquiry.answering import Inquiry
+    from rotsolve.inquiry.inquiry import Inquiry
     from rotsolve.inquiry.questions import Asked
 
 
@@ -102,8 +103,6 @@ def large_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
 
 def settle_equilibrium(swing: Swing, inquiry: Inquiry) -> None:
     """How far springs and wires are stretched; what balance does not tell stays a letter, which has to drop out."""
-    from rotsolve.inquiry.answering import NoAnswer
-
     for place in swing.unsettled:
         try:
             inquiry.step(place)

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.solver import Found, Ref, Step
 

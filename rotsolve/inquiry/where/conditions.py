@@ -13,12 +13,13 @@ from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.finds import asked
+from rotsolve.inquiry.friction.sticking import limiting
 from rotsolve.inquiry.history import NotYet, term_of
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.questions.meaning import label_of
-from rotsolve.inquiry.sticking import limiting
 from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.where.conclude import Conclusion, by_condition, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
@@ -81,7 +82,7 @@ def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: 
     order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
-    picked = inquiry.signs.choose(letter, roots) if len(roots) > 1 else Choice(0)
+    picked = inquiry.roots.choose(letter, roots) if len(roots) > 1 else Choice(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     root = inquiry.solver.simplify(picked.of(roots))

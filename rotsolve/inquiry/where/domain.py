@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from rotsolve.algebra.certified import sign
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.elements.shapes import Rod
-from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.motion.positive import is_angle
 from rotsolve.scene.model import points_of
 

@@ -10,10 +10,10 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.answering import Inquiry
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.history import NotYet
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.where.conclude import Conclusion, by_answers, by_condition, forget
 from rotsolve.inquiry.where.places import Course, best_place

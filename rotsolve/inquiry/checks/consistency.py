@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Number, Symbo
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import POSITION, RATE, at_any_time
-from rotsolve.inquiry.answering import Inquiry
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.motion.timeline import Interval
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones

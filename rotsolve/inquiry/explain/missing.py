@@ -1,25 +1,25 @@
-"""Explain: why there is no answer, in the scene's words: what is missing or contradictory, where, and what may help."""
+"""Missing: what would settle a question that nothing settles, in the scene's words, and what may help."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Sequence
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.derivation import Answer, Derivation
+from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import NEWTON, Equation
-from rotsolve.core.faults import Fault, Span, Unsolvable
-from rotsolve.core.quantity import DIMENSIONS, INSIDE
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
+from rotsolve.core.varying import MIXED, POSITION
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Inquiry, NoAnswer
+from rotsolve.inquiry.answers import NoAnswer
+from rotsolve.inquiry.explain.contradictory import contradicted
+from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.questions import path_text
-from rotsolve.inquiry.verify import SAID
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import SAID
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.scene.model import Body, Find, Given, Problem
+from rotsolve.plan import Shortage
+from rotsolve.scene.model import Find
 from rotsolve.solver import ENTANGLED
 
 MANY = 6  # unknowns that a message names one by one
@@ -33,12 +33,6 @@ STATED = {  # what a state can say, with an example
     "rotation": "2 rev",
 }
 RATES = ("velocity", "angular_velocity")
-CHECK_DATA = "check the givens and what the states say"
-
-
-def unsolvable(problem: Problem, message: str, span: Span | None = None, help: str = "") -> Unsolvable:
-    """A message with its place in the file."""
-    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def no_answer(error: NoAnswer, inquiry: Inquiry, find: Find) -> Unsolvable:
@@ -185,110 +179,22 @@ def on_unknown_profile(arrangement: Arrangement, state: str) -> set[str]:
     return {orbit.owner for orbit in orbits if orbit is not None and orbit.radius is None}
 
 
-def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:
-    """Which law or line the data break; over a phase, that its end is never reached."""
-    problem, timeline = history.arrangement.problem, history.arrangement.timeline
-    line = next((condition for stated, condition in history.stated if stated is equation), None)
-    if line is not None:
-        path = path_text(line.path) if line.path is not None else line.owner
-        message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
-        return unsolvable(problem, message, line.span or fallback, CHECK_DATA)
-    broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
-    interval = timeline.interval(equation.section)
-    if interval is None:
-        state = next((state for state in timeline.states if state.name and state.name == equation.section), None)
-        where = f" at `{state.name}`" if state is not None else ""
-        span = state.span if state is not None and state.span is not None else fallback
-        return unsolvable(problem, f"the data contradict each other{where}", span, broken)
-    if interval.event is not None:
-        message = f"the data contradict each other: `{interval.end}` can not follow from `{interval.start}` by `{interval.name}`"
-    else:
-        message = f"`{interval.end}` is never reached from `{interval.start}`"
-    return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
-
-
-def said_otherwise(arrangement: Arrangement, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
-    """Contacts that a state says to stick where friction is too weak for it, or to slip where it is strong enough."""
-    problem = arrangement.problem
-    numbered = {given.name for given in problem.givens if given.value is not None}
-    for state in arrangement.timeline.states:
-        contacts = {item.name: item for item in arrangement.connections(state.name) if isinstance(item, Touch)}
-        for line in state.conditions if arrangement.phase_start(state.name) == state.name else ():
-            contact = contacts.get(line.path.owner) if line.path is not None else None
-            if contact is None or contact.grip().kind != "coefficient" or not known(contact.grip().static, numbered):
-                continue
-            slips = modes.get(f"{contact.name}@{state.name}", "sticks").startswith("slips")
-            if line.word in ("sticks", "rolls") and slips:
-                yield unsolvable(
-                    problem, f"`{contact.name}` slips at `{state.name}`: friction is too weak to hold it", line.span
-                )
-            elif line.word == "slips" and not slips:
-                yield unsolvable(
-                    problem, f"`{contact.name}` does not slip at `{state.name}`: friction is strong enough", line.span
-                )
-
-
-def known(value: Formula | None, numbered: Collection[str]) -> bool:
-    """Whether a value is there, with all its letters."""
-    return value is not None and value.symbols() <= set(numbered)
-
-
-def negative_inertia(problem: Problem) -> Iterator[Fault]:
-    """Moments of inertia given about a point that are smaller than m d² alone."""
-    values = {given.name: given.value for given in problem.givens if given.value is not None}
-    for body in problem.bodies:
-        if body.inertia is None or body.inertia_about is None or body.inertia.symbols() - set(values):
-            continue
-        sign = evaluate(body.inertia, values, digits=3).sign
-        if sign is not None and sign < 0:
-            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
-            yield Fault(message, body.span, "", "limits")
-
-
 def plural(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
-    """The derivation with a remark at each answer that has no number since the scene leaves a mass or a size out."""
-    missing = {given.name: given for given in problem.givens if given.automatic and given.value is None}
-    return replace(derivation, answers=tuple(told_missing(answer, missing, problem) for answer in derivation.answers))
-
-
-def told_missing(answer: Answer, missing: Mapping[str, Given], problem: Problem) -> Answer:
-    numbered = {given.name for given in problem.givens if given.value is not None}
-    if (
-        answer.formula is not None
-        and answer.value is None
-        and answer.formula.symbols() <= numbered
-        and not answer.remark
-    ):
-        return replace(answer, remark=("no number: with these givens it is not defined",))
-    names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
-    if not names or answer.remark:
-        return answer
-    words: list[str | Formula] = ["no number: "]
-    for name in names:
-        words += [", " if name != names[0] else "", Symbol(name), f", the {meaning(missing[name], problem)},"]
-    return replace(answer, remark=(*words, " is not given" if len(names) == 1 else " are not given"))
-
-
-def meaning(given: Given, problem: Problem) -> str:
-    """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
-    kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
-    owner = given.name.partition("_")[2]
-    body = next(
-        (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None
-    )
-    if body is None:
-        return f"{kind} of {spoken(owner.rstrip('_'))}"
-    line = f" in line {body.span.line}" if body.span is not None else ""
-    size = "radius" if kind == "length" and given.name.startswith("R") else kind
-    return f"{size} of {spoken(body.name)}{line}"
-
-
-def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
-    """Bodies with the parts that they are made of."""
-    for body in bodies:
-        yield body
-        yield from every_body(part.body for part in body.parts)
+def refuse_unsolved(inquiry: Inquiry, shortage: Shortage, find: Find) -> None:
+    """Refuse by name what is no lack of data: motion that varies with several things, the time of one that varies with the place."""
+    problem = inquiry.history.arrangement.problem
+    travels = [travel for passage in inquiry.history.passages.values() for travel in passage.travels]
+    several = next((travel.body for travel in travels if travel.pace == MIXED), "")
+    if several:
+        message = f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
+        raise unsolvable(problem, message, find.span)
+    quantities = inquiry.history.registry.quantities
+    open_ = {quantities[name].kind for name in shortage.unknowns if name in quantities}
+    driven = next((travel.body for travel in travels if travel.pace == POSITION and not travel.leads), "")
+    if driven and open_ == {"time"}:
+        message = f"how long `{driven}` takes is not solved yet, since what drives it varies with its place"
+        help = "say what drives it as a `couple` or `force` that speaks of the place, or ask for a `period`"
+        raise unsolvable(problem, message, find.span, help)

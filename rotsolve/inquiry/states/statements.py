@@ -1,8 +1,7 @@
-"""Statements: what the states of a scene fix: values of quantities, rest, balance, and what an event leaves as it was."""
+"""Statements: the lines of the states: values of quantities, rest, words such as `slack` and `leaves`."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from rotsolve.algebra.certified.ball import evaluate
@@ -11,20 +10,19 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.core.varying import paths_in
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.events import Grips
-from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions import NotYet, Reader
+from rotsolve.inquiry.states.balance import balance, check_shafts, check_steady
+from rotsolve.inquiry.states.carry import carry_over
+from rotsolve.inquiry.states.drives import prescribe
+from rotsolve.inquiry.states.fixed import Fixed
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.encounters import participants
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.passages import angle_turned, displacement
-from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
 
 RATE_OF = {  # what is zero where a quantity is largest or smallest
@@ -36,7 +34,6 @@ RATE_OF = {  # what is zero where a quantity is largest or smallest
     "height": "velocity",
     "velocity": "acceleration",
 }
-RATES = ("velocity", "angular_velocity")
 EXTREMES = ("largest", "smallest")
 
 
@@ -44,31 +41,32 @@ EXTREMES = ("largest", "smallest")
 class Statements:
     """Takes the lines of all states into the registry."""
 
-    arrangement: Arrangement
-    registry: Registry
-    modes: Mapping[str, str]
+    fixed: Fixed
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
+
+    @property
+    def arrangement(self) -> Arrangement:
+        return self.fixed.arrangement
 
     def take(self) -> list[tuple[Equation, Condition]]:
         """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
         for state in self.arrangement.timeline.states:
             self._clock(state)
-            self._driven(self._fresh(state.name))
-            self._driven(Instant(self.arrangement, self.registry, state.name, True, self.modes))
+            prescribe(self.fixed.instant(state.name), self.fixed)
+            prescribe(self.fixed.instant(state.name, generic=True), self.fixed)
         for state in self.arrangement.timeline.states:
-            self._check_shafts(state)
-            self._carry_over(state)
+            check_shafts(state, self.fixed)
+            carry_over(state, self.fixed)
             for condition in state.conditions:
                 self._fix(state, condition)
             if state.balance or state.steady:
-                self._check_steady(state)
+                check_steady(state, self.fixed)
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
-                self._balance(state.name)
-        self._as_drawn(self._fresh(self.arrangement.timeline.states[0].name))
+                balance(state.name, self.fixed)
+        self._as_drawn(self.fixed.instant(self.arrangement.timeline.states[0].name))
         for state in self.arrangement.timeline.states:
             for generic in (False, True):
-                instant = Instant(self.arrangement, self.registry, state.name, generic, self.modes)
-                self._driven(instant, by_motion=True)
+                prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         return self.stated
 
     def _as_drawn(self, first: Instant) -> None:
@@ -76,81 +74,21 @@ class Statements:
         for body in self.arrangement.present(first.state):
             angle = first.angle(body.name) if first.marked(body.name) else None
             if angle is not None:
-                self._set(angle, ZERO)
+                self.fixed.fix(angle, ZERO)
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
-        fresh, before = self._fresh(state.name), self.arrangement.timeline.before(state.name)
+        fresh, before = self.fixed.instant(state.name), self.arrangement.timeline.before(state.name)
         if before is None:
-            self._set(fresh.time(), ZERO)
+            self.fixed.fix(fresh.time(), ZERO)
             return
-        last = self._fresh(before.start).time()
+        last = self.fixed.instant(before.start).time()
         if before.event is not None:
-            self._set(fresh.time(), last)
+            self.fixed.fix(fresh.time(), last)
         for line in state.conditions:
             if line.path is not None and line.path.quantity == "time" and line.value is not None:
-                self._set(fresh.time(), simplify(last + line.value))
-                self._set(fresh.ask("time", "", when=before.name), line.value)
-
-    def _carry_over(self, state: State) -> None:
-        """An event moves nothing, and leaves what it does not touch."""
-        timeline, fresh = self.arrangement.timeline, self._fresh(state.name)
-        before = timeline.before(state.name)
-        if before is not None and before.event is not None:
-            last = self._fresh(before.start)
-            said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
-            touched = self._touched(before) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
-            for item in self.arrangement.connections(state.name):
-                for word in item.kept:
-                    self._set(fresh.ask(word, item.name), last.ask(word, item.name))
-            self._same_places(before, last, fresh)
-            for body in self.arrangement.present(state.name):
-                old, new = last.angle(body.name), fresh.angle(body.name)
-                if new is not None:
-                    same = old is not None and fresh.offset(body.name) == last.offset(body.name)
-                    # a new hinge counts the angle from its own side
-                    turned = last.orientation(body.name) + fresh.offset(body.name)
-                    self._set(new, old if same and old is not None else turned.formula())
-                if body.name not in touched and "all" not in touched:
-                    for one, other in zip(self._rates(last, body.name), self._rates(fresh, body.name), strict=False):
-                        self._set(other, one)
-
-    def _same_places(self, event: Interval, last: Instant, fresh: Instant) -> None:
-        """An event moves nothing: a body stays where it touches a curved surface, also one that it only meets in the event."""
-        met = {event.event.grips} if isinstance(event.event, Grips) else set()
-        acting = {item.name for item in self.arrangement.connections(event.start)} | met
-        for item in self.arrangement.connections(event.end):
-            if isinstance(item, Touch) and item.name in acting:
-                surface = item.surface(self.arrangement, event.end)
-                if isinstance(surface, Curved):
-                    self._set(item.angle(fresh), item.angle(last))
-
-    def _touched(self, interval: Interval) -> frozenset[str]:
-        """Bodies whose velocities an event changes."""
-        found: frozenset[str] = frozenset()
-        for ref in participants(interval, self.arrangement):
-            for state in (interval.start, interval.end):
-                found |= self.arrangement.component(ref.owner, state)
-        return found
-
-    def _fresh(self, state: str) -> Instant:
-        return Instant(self.arrangement, self.registry, state, False, self.modes)
-
-    def _rates(self, instant: Instant, name: str) -> list[Formula]:
-        """The velocity letters of a body at an instant."""
-        motion, line = instant.motion(name), instant.line(name)
-        rates: list[Formula] = []
-        if motion.kind == "line":
-            rates.append(instant.travel("velocity", name, line[1] if line else ""))
-        elif motion.kind == "plane":
-            rates += [instant.component("velocity", name, axis) for axis in "xy"]
-        if motion.turns:
-            rates.append(instant.rate("angular_velocity", name))
-        return rates
-
-    def _set(self, letter: Formula, value: Formula) -> None:
-        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
-            self.registry.known[letter.name] = value
+                self.fixed.fix(fresh.time(), simplify(last + line.value))
+                self.fixed.fix(fresh.ask("time", "", when=before.name), line.value)
 
     def _fix(self, state: State, condition: Condition) -> None:
         """Take a line of a state; one that can not be worked out is refused at its place."""
@@ -169,7 +107,7 @@ class Statements:
         elif condition.path is not None and condition.path.quantity in OSCILLATING:
             return  # taken where the swings are placed
         elif condition.path is not None and condition.word == "slack":
-            self._set(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
+            self.fixed.fix(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
         elif condition.path is not None and condition.word == "leaves":
             self._leaves(state, condition, condition.path.owner)
         elif condition.path is not None and condition.word in EXTREMES:
@@ -186,7 +124,7 @@ class Statements:
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""
         if isinstance(letter, Symbol) and SEPARATOR in letter.name:
-            self._set(letter, value)
+            self.fixed.fix(letter, value)
         elif letter != value:
             path = condition.path
             label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
@@ -243,7 +181,7 @@ class Statements:
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
-        instant = self._fresh(state)
+        instant = self.fixed.instant(state)
         if path.quantity in ("displacement", "rotation"):
             before = self.arrangement.timeline.before(state)
             if before is None:
@@ -254,55 +192,11 @@ class Statements:
         return Reader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: State, condition: Condition) -> None:
-        instant = self._fresh(state.name)
+        instant = self.fixed.instant(state.name)
         for body in self.arrangement.present(state.name):
             if condition.owner in ("all", "", body.name):
-                for rate in self._rates(instant, body.name):
+                for rate in self.fixed.rates(instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
         for item in self.arrangement.rides(state.name):
             if condition.owner in ("all", "", item.rides[0].owner):
-                self._set(instant.outward(item.rides[0].owner), ZERO)
-
-    def _check_shafts(self, state: State) -> None:
-        """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
-        for item in self.arrangement.connections(state.name):
-            if item.word == "shaft":
-                name = item.touches()[0].owner
-                if len(self.arrangement.component(name, state.name)) > 1:
-                    raise NotYet(
-                        f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span
-                    )
-
-    def _check_steady(self, state: State) -> None:
-        """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
-        carried = any(item.word == "shaft" for item in self.arrangement.connections(state.name))
-        if state.balance and carried:
-            raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
-        if state.steady and not carried:
-            raise NotYet("`steady: true` is solved on a turning `shaft` only", state.span, "write `balance: true`")
-
-    def _balance(self, state: str) -> None:
-        """In equilibrium nothing accelerates."""
-        instant = self._fresh(state)
-        for body in self.arrangement.present(state):
-            motion = instant.motion(body.name)
-            rates = [size for size, _ in motion.acceleration.parts]
-            if motion.turns:
-                rates.append(instant.rate("angular_acceleration", body.name))
-            for rate in rates:
-                self._set(rate, ZERO)
-
-    def _driven(self, instant: Instant, *, by_motion: bool = False) -> None:
-        """What a drive prescribes at a moment, and rates of it that vanish; what goes `by_motion` itself waits for what the states say."""
-        bodies = self.arrangement.present(instant.state)
-        drives = [drive for body in bodies for drive in self.arrangement.drives(body.name, instant.state)]
-        drives = [drive for drive in drives if any(paths_in(drive.function)) == by_motion]
-        for drive in drives:
-            if by_motion and drive.order < 2:
-                word = spoken(drive.word)
-                raise NotYet(f"a given {word} is a formula of `time` alone", help="give the acceleration instead")
-            self._set(instant.driven(drive, drive.word), instant.now(drive.function))
-        for drive in drives:
-            for word, function in drive.rates().items():
-                if function == ZERO:
-                    self._set(instant.driven(drive, word), ZERO)
+                self.fixed.fix(instant.outward(item.rides[0].owner), ZERO)

@@ -9,10 +9,10 @@ from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts import Touch
-from rotsolve.inquiry.answering import Inquiry, NoAnswer
-from rotsolve.inquiry.answers import Answered
+from rotsolve.inquiry.answers import Answered, NoAnswer
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Find
@@ -106,11 +106,11 @@ def shown(trial: Trial, first: int) -> tuple[Section, int]:
         for value in (needed, limit)
         if (certified := composer.results.value(value)) is not None
     ]
-    letter = Symbol(composer.names[trial.friction.asked.letter])
+    letter = Symbol(composer.letters.names[trial.friction.asked.letter])
     words: Words = (f"{' N > '.join(sizes)} N: more than the contact can give, so {body} slips",)
     move = Move(
         "",
-        (Equality(call("abs", letter), static * Symbol(composer.names[trial.normal.asked.letter]), ">"),),
+        (Equality(call("abs", letter), static * Symbol(composer.letters.names[trial.normal.asked.letter]), ">"),),
         None,
         words,
     )

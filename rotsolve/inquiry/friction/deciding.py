@@ -19,9 +19,10 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.connections.contacts import Touch
 from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.inquiry.answering import Inquiry, families_for
+from rotsolve.inquiry.friction.sticking import BACK, FORWARD, STICKS, shown, tried
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.sticking import BACK, FORWARD, STICKS, shown, tried
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.principles.energy import one_motion

@@ -1,0 +1,106 @@
+"""Requirements: whether strings stay taut, contacts touch and friction suffices at the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.core.derivation import Check, Words
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import Requirement
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.compose import Letters
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
+from rotsolve.motion.freebody import free_bodies
+
+
+def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
+    """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
+    aside = Inquiry(inquiry.history, families_for(NEWTON))
+    told: set[str] = set()
+    spoken_of: list[str | Formula] = []
+    for place, needs in needed(inquiry):
+        for need in needs:
+            key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
+            if key in told or not concerns(need, inquiry):
+                continue
+            judge, gap = aside, aside.settled(need.left - need.right)
+            if gap is None:
+                judge = inquiry.apart()
+                gap = judge.settled(need.left - need.right)
+            sign = sign_of(gap, inquiry) if gap is not None else None
+            if sign is None:
+                continue
+            told.add(key)
+            words = said(need, inquiry, letters, judge) if sign > 0 else ()
+            if words and words[-1] not in spoken_of and len(spoken_of) < 3:
+                spoken_of.append(words[-1])
+                yield Check(words)
+            elif sign < 0:
+                yield Check(objection(need, place, inquiry, letters), False)
+
+
+def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
+    history = inquiry.history
+    for state in history.arrangement.timeline.states:
+        yield state.name, history.facts(state.name).requirements
+    for swing in history.swings.values():
+        if swing.found:
+            yield swing.near.state, free_bodies(swing.rest).requirements
+
+
+def concerns(need: Requirement, inquiry: Inquiry) -> bool:
+    """Whether the body that the requirement is about takes part in the derivation."""
+    used = {
+        name for answered in inquiry.answered for index in answered.used for name in inquiry.planner.pool[index].bodies
+    }
+    item = next((item for item in inquiry.history.arrangement.problem.connections if item.name == need.owner), None)
+    return item is None or any(ref.owner in used for ref in item.touches())
+
+
+def sign_of(value: Formula, inquiry: Inquiry) -> int | None:
+    try:
+        return evaluate(value, inquiry.values, digits=6).sign
+    except (Undefined, ValueError):
+        return None
+
+
+def objection(need: Requirement, state: str, inquiry: Inquiry, letters: Letters) -> Words:
+    """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
+    names = lettered(need, inquiry, letters)
+    left, right = (side.substitute(names) for side in (need.left, need.right))
+    relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
+    moment = f" at {spoken(state)}" if state else ""
+    return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
+
+
+def lettered(need: Requirement, inquiry: Inquiry, letters: Letters) -> dict[str, Formula]:
+    """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
+    names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
+    plain = {name: Symbol(inquiry.history.registry.quantities[name].letter) for name in names}
+    return {**plain, **letters.symbols}
+
+
+def said(need: Requirement, inquiry: Inquiry, letters: Letters, aside: Inquiry) -> Words:
+    """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
+    if isinstance(need.right, Call):
+        size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
+        return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
+    told = str(need.words[-1]).partition(": ")[2]
+    what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
+    names = {name for name in need.left.symbols() if SEPARATOR in name}
+    return (letters.printed(need.left), " > 0: ", what) if names <= set(letters.names) else (what,)
+
+
+def decimal(value: Formula | None, inquiry: Inquiry) -> str:
+    if value is None:
+        return "?"
+    try:
+        return evaluate(value, inquiry.values).text(4)
+    except (Undefined, ValueError):
+        return "?"

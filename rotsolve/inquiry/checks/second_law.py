@@ -1,0 +1,114 @@
+"""Second law: each answer again by a law that its plan did not use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Check
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
+from rotsolve.inquiry.answers import Answered, NoAnswer
+from rotsolve.inquiry.checks.consistency import runs
+from rotsolve.inquiry.compose import Letters
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import SAID, families_for
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.solver.textbook import is_long_root
+
+
+def second_law(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
+    """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
+    pending = [
+        answered
+        for answered in inquiry.wholes()
+        if answered.found.formula is not None
+        and not is_long_root(answered.found.formula)
+        and depends(answered, inquiry)
+    ]
+    for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
+        other = Inquiry(inquiry.history, families_for(law), spare=True)
+        agreed = []
+        for answered in list(pending):
+            if law in families(answered, inquiry):
+                continue
+            formula = again(other, answered)
+            if formula is None or not independent(other, law):
+                continue
+            if same(formula, answered.found.formula, inquiry):
+                pending.remove(answered)
+                agreed.append(answered)
+            elif over_a_phase(other):
+                pending.remove(answered)
+                name = Symbol(answered.asked.find.name)
+                yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(letters.symbols)), False)
+        if agreed:
+            names: list[str | Formula] = []
+            for answered in agreed:
+                names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
+            verb = "give" if SAID[law].endswith("s") else "gives"
+            yield Check((f"{SAID[law]} {verb} the same ", *names))
+
+
+def over_a_phase(other: Inquiry) -> bool:
+    """Whether the other way sums over a phase; all that holds at single moments has been compared with the answers before."""
+    return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
+
+
+def depends(answered: Answered, inquiry: Inquiry) -> bool:
+    """Whether an answer rests on a law at all, and not on definitions alone."""
+    return bool(families(answered, inquiry))
+
+
+def families(answered: Answered, inquiry: Inquiry) -> set[str]:
+    """The laws behind an answer: those of its own plan, and of the answers that it uses."""
+    found: set[str] = set()
+    by_letter = {item.asked.letter: item for item in inquiry.answered}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
+    while pending:
+        item = pending.pop()
+        for index in item.used:
+            equation = inquiry.planner.pool[index]
+            if equation.family:
+                found.add(equation.family)
+            elif inquiry.refs.get(index, ("law", 0))[0] == "step":
+                found |= {
+                    equation.family
+                    for other in inquiry.answered
+                    for k in other.used
+                    if (equation := inquiry.planner.pool[k]).family
+                }
+            for name in equation.symbols():
+                if name in by_letter and name not in seen:
+                    seen.add(name)
+                    pending.append(by_letter[name])
+    return found & set(LAWS)
+
+
+def again(other: Inquiry, answered: Answered) -> Formula | None:
+    """The answer by another inquiry's laws, None where they do not give it."""
+    try:
+        return other.answer(answered.asked).found.formula
+    except (NoAnswer, NotYet):
+        return None
+
+
+def independent(other: Inquiry, law: str) -> bool:
+    """Whether the other way really used its law for the last answer."""
+    return law in families(other.answered[-1], other)
+
+
+def same(one: Formula, other: Formula | None, inquiry: Inquiry) -> bool:
+    """Exact equality, else agreement of the certified numbers."""
+    if other is None:
+        return False
+    if equal(one, other, inquiry.solver.positive):
+        return True
+    try:
+        gap = evaluate(one - other, inquiry.values, digits=12)
+        size = evaluate(other, inquiry.values, digits=12)
+    except (Undefined, ValueError):
+        return False
+    return abs(gap.float) <= 1e-9 * max(abs(size.float), 1e-300)

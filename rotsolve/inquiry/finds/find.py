@@ -1,0 +1,94 @@
+"""Finds: a `find` line of the scene as one formula over the letters of the laws, with the letter that stands for it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from types import MappingProxyType
+
+from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
+from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.inquiry.courses import Beside
+from rotsolve.inquiry.finds.conversion import conversion
+from rotsolve.inquiry.finds.differences import DIFFERENCE
+from rotsolve.inquiry.finds.terms import meaning_of
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Asked, Meaning, in_parts
+from rotsolve.scene.model import Find
+
+Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
+
+
+def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}), beside: Beside | None = None) -> Asked:
+    """What a `find` line asks for; it may speak of `earlier` answers by name."""
+    terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
+    swings = tuple((history.swing(term), term.path.quantity) for term in terms)
+    return replace(quantity_asked(find, history, earlier, beside), swings=swings)
+
+
+def quantity_asked(find: Find, history: History, earlier: Earlier, beside: Beside | None) -> Asked:
+    """The formula of a `find` line, and the letter that stands for it."""
+    meanings = [meaning_of(term, history, beside) for term in find.terms]
+    formula = formula_of(find, [meaning.formula for meaning, _ in meanings], earlier)
+    own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
+    dimension = own.dimension if own is not None else dimension_of_find(find, meanings, history, earlier)
+    question = Asked(
+        find,
+        formula,
+        f"asked{SEPARATOR}{find.name}",
+        dimension,
+        section=meanings[0][1] if meanings else "",
+        definitions=tuple(dict.fromkeys(step for meaning, _ in meanings for step in meaning.definitions)),
+        laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
+    )
+    givens = {given.name: given for given in history.arrangement.problem.givens}
+    if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
+        question = replace(question, letter=formula.name)
+        return question if own is None else replace(question, vector=own.vector, words=own.words)
+    if isinstance(formula, Symbol) and formula.name in givens:
+        note = conversion(find, givens[formula.name])
+        return Asked(find, formula, question.letter, dimension, label="conversion of units" if note else "", said=note)
+    return question if own is None else of_one_path(question, own)
+
+
+def formula_of(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> Formula:
+    """The arithmetic of a `find` line with the meanings of its paths, and the letters of earlier answers, put in."""
+    values = {f"#{index}": meaning for index, meaning in enumerate(meanings)}
+    values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
+    formula = find.formula.substitute(values)
+    return Call("abs", (formula,)) if find.modifier == "size of" and formula.symbols() else formula
+
+
+def of_one_path(question: Asked, meaning: Meaning) -> Asked:
+    """A question that is a single path, with all that is to be said of it; that for a vector with its components."""
+    modifier, whole = question.find.terms[0].modifier, question.find.modifier == ""
+    question = replace(
+        question,
+        vector=meaning.vector,
+        remark=meaning.remark,
+        label=meaning.label,
+        words=meaning.words if modifier == "" and whole else ("", ""),
+        moving=meaning.moving,
+        said=meaning.said,
+    )
+    return in_parts(question) if modifier in ("", "mean", *DIFFERENCE) and whole else question
+
+
+def is_unknown(name: str, history: History) -> bool:
+    """Whether a letter of the scene is itself asked for."""
+    return any(given.name == name and given.asked for given in history.arrangement.problem.givens)
+
+
+def dimension_of_find(
+    find: Find, meanings: list[tuple[Meaning, str]], history: History, earlier: Earlier
+) -> Dimension | None:
+    """Dimension of an arithmetic expression of paths and givens."""
+    known = {given.name: given.dimension for given in history.arrangement.problem.givens if given.dimension is not None}
+    known.update({name: dimension for name, (_, dimension) in earlier.items() if dimension is not None})
+    known.update({f"#{index}": meaning.dimension for index, (meaning, _) in enumerate(meanings)})
+    try:
+        return dimension_of(find.formula, known)
+    except (DimensionError, KeyError, ValueError):
+        return None

@@ -1,0 +1,108 @@
+"""Terms: what one path of a question means at its state, in its phase or event, or as a function of time."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotsolve.algebra.formula import ONE, Call, Formula
+from rotsolve.core.quantity import BY_WORD, OSCILLATING
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, whole_way
+from rotsolve.inquiry.finds.differences import DIFFERENCE, difference
+from rotsolve.inquiry.finds.spans import span, spanned
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
+from rotsolve.scene.model import ANY_TIME, Path, Term
+
+SUMMED = {  # what the mean of a quantity is the mean of, over time
+    "power": "work",
+    "angular_velocity": "rotation",
+    "velocity": "displacement",
+    "speed": "distance",
+    "acceleration": "velocity",
+    "angular_acceleration": "angular_velocity",
+    "force": "impulse",
+    "torque": "angular_impulse",
+}
+
+
+def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
+    """A term's meaning, and the state, phase or event where it belongs."""
+    timeline = history.arrangement.timeline
+    if term.path.quantity in OSCILLATING:
+        swing = history.swing(term)
+        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
+    start, end = term.start, term.end
+    if term.at == ANY_TIME:
+        return at_any_time(term, history)
+    if term.during is not None:
+        interval = timeline.interval(term.during)
+        if interval is None:
+            raise Unclear(f"there is no phase or event `{term.during}`")
+        start, end = interval.start, interval.end
+    if term.modifier == "total" or term.path.quantity == "distance":
+        return whole_way(term, *span(term, start, end, history), history, beside)
+    if term.modifier in ("largest", "smallest"):
+        return extreme(term, *span(term, start, end, history), history, beside)
+    if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
+        return spanned(term, start, end, history)
+    if term.modifier in DIFFERENCE and start and end:
+        return difference(term, start, end, history)
+    if term.modifier == "mean" and start and end:
+        return mean(term, start, end, history, beside)
+    return at_state(term, history)
+
+
+def at_state(term: Term, history: History) -> tuple[Meaning, str]:
+    """The meaning at one state: the one named, the only one, or any where it is the same throughout."""
+    states = [term.at] if term.at else list(history.arrangement.timeline.named)
+    found: dict[Formula, tuple[Meaning, str]] = {}
+    failed: NotYet | None = None
+    for state in states:
+        try:
+            meaning = history.reader(state).meaning(term.path, term)
+        except NotYet as error:
+            failed = error
+            continue
+        if term.modifier == "size of":
+            meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
+        found.setdefault(meaning.formula, (meaning, section_of(term.path, meaning, state, history)))
+    if not found:
+        raise failed or Unclear("nothing is asked")
+    if len(found) > 1:
+        raise Unclear(
+            f"`{path_text(term.path)}` is not the same at all states", help=f"say `at` which: {', '.join(states)}"
+        )
+    return next(iter(found.values()))
+
+
+def section_of(path: Path, meaning: Meaning, state: str, history: History) -> str:
+    """Where a definition is written: with the accelerations of a phase, or at its state."""
+    moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
+    if (
+        BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
+        or state in moments
+    ):
+        return state
+    return history.section(state)
+
+
+def mean(term: Term, start: str, end: str, history: History, beside: Beside | None) -> tuple[Meaning, str]:
+    """Mean over time: work over time for a power, angle or way over time for a rate, its change for an acceleration."""
+    summed = SUMMED.get(term.path.quantity)
+    if summed is None:
+        raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
+    duration, section = spanned(Term(Path("", "time")), start, end, history)
+    other = replace(
+        term, path=replace(term.path, quantity=summed), modifier="change of" if summed.endswith("velocity") else ""
+    )
+    amount, _ = meaning_of(replace(other, start=start, end=end), history, beside)
+    word = term.path.quantity.replace("_", " ")
+    vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
+    return Meaning(
+        amount.formula / duration.formula,
+        BY_WORD[term.path.quantity].dimension,
+        vector,
+        label=f"mean {word}",
+        laws=amount.laws,
+    ), section

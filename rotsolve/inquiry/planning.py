@@ -1,0 +1,122 @@
+"""Planning: which of the laws a question is planned with, as a textbook would choose.
+
+Newton's laws alone for what belongs to one moment, where they do; no more equations of constant acceleration than are independent;
+equations that restate others only where the rest does not do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import combinations
+
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, LAWS, NEWTON
+from rotsolve.plan import Plan, Planner, Shortage
+
+SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
+SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
+MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
+OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")
+
+
+def families_for(law: str | None) -> tuple[str, ...]:
+    """The equation families that a law may use; all for none."""
+    return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
+
+
+@dataclass(frozen=True)
+class Search:
+    """The search for a plan that settles `letter`, a quantity of a `kind`, from what is known."""
+
+    planner: Planner
+    letter: str
+    kind: str
+    known: Collection[str]
+    families: tuple[str, ...]
+    spare: bool  # whether second-choice equations may be used from the start
+    barred: Collection[int]  # pool indices of equations that may not be used
+
+    def best(self) -> Plan | Shortage:
+        """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
+        if self.kind in OF_ONE_MOMENT and NEWTON in self.families and not self.spare:
+            plan = self._from(self._of_families(self._first_choice(self._allowed), ("", NEWTON)))
+            if isinstance(plan, Plan):
+                return plan
+        first = self._allowed if self.spare else self._first_choice(self._allowed)
+        plans = [self._from(pool) for pool in self._starts(first)]
+        settled = [plan for plan in plans if isinstance(plan, Plan)]
+        if settled:
+            sound = [plan for plan in settled if not self._crowded(plan)] or self._with_few_times(first)
+            return min(sound or settled, key=lambda plan: plan.cost)
+        return plans[0] if self.spare else self._from(self._allowed)
+
+    @cached_property
+    def _allowed(self) -> list[int]:
+        """The equations of the laws chosen, definitions and rules among them."""
+        indices = [index for index in range(len(self.planner.pool)) if index not in self.barred]
+        return self._of_families(indices, ("", *self.families))
+
+    def _from(self, indices: Collection[int]) -> Plan | Shortage:
+        """The cheapest plan with some equations."""
+        return self.planner.plan(self.letter, self.known, indices)
+
+    def _of_families(self, indices: Iterable[int], families: Collection[str]) -> list[int]:
+        return [index for index in indices if self.planner.pool[index].family in families]
+
+    def _first_choice(self, indices: Iterable[int]) -> list[int]:
+        return [index for index in indices if self.planner.pool[index].cost < SECOND_CHOICE]
+
+    def _starts(self, allowed: list[int]) -> list[list[int]]:
+        """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
+        laws = [law for law in self.families if law in LAWS]
+        if len(laws) <= 1:
+            return [allowed]
+        alone = [self._of_families(allowed, ("", KINEMATICS, law)) for law in laws]
+        summed = self._of_families(allowed, ("", ANGULAR_MOMENTUM))  # impulses sum over a phase without kinematics
+        return [allowed, *alone, summed]
+
+    # equations of constant acceleration
+
+    def _in_time(self, indices: Iterable[int]) -> dict[str, dict[str, list[int]]]:
+        """The equations of constant acceleration among some, by phase and by coordinate."""
+        phases: dict[str, dict[str, list[int]]] = {}
+        for index in indices:
+            equation = self.planner.pool[index]
+            if equation.family == KINEMATICS and equation.label.startswith("constant"):
+                phases.setdefault(equation.section, {}).setdefault(equation.label, []).append(index)
+        return phases
+
+    def _crowded(self, plan: Plan, *, strict: bool = False) -> list[int]:
+        """Three or more equations of constant acceleration of one phase: of the four only two are independent, and the rules tie
+        the coordinates of a phase together; if `strict` also any of two coordinates."""
+        for coordinates in self._in_time(plan.equations).values():
+            together = [index for own in coordinates.values() for index in own]
+            if len(together) > 2 or (strict and len(coordinates) > 1):
+                return together
+        return []
+
+    def _with_few_times(self, allowed: list[int]) -> list[Plan]:
+        """Plans with at most two equations of constant acceleration, of one coordinate; of one in each phase where there are several."""
+        phases = self._in_time(allowed)
+        coordinates = [own for phase in phases.values() for own in phase.values()]
+        rest = [index for index in allowed if not any(index in own for own in coordinates)]
+        chosen = [pair for own in coordinates for pair in (*combinations(own, 1), *combinations(own, 2))]
+        plans = [self._from([*rest, *pair]) for pair in ((), *chosen)]
+        found = [plan for plan in plans if isinstance(plan, Plan)]
+        return found + self._thinned(allowed) if len(phases) > 1 else found
+
+    def _thinned(self, allowed: list[int]) -> list[Plan]:
+        """Plans for several phases: of too many equations of constant acceleration in one each is left out in its turn."""
+        found: list[Plan] = []
+        pending, seen = [frozenset[int]()], set[frozenset[int]]()
+        while pending and len(seen) < MOST_PLANS:
+            dropped = pending.pop(0)
+            if dropped in seen:
+                continue
+            seen.add(dropped)
+            plan = self._from([index for index in allowed if index not in dropped])
+            crowded = self._crowded(plan, strict=True) if isinstance(plan, Plan) else []
+            found += [plan] if isinstance(plan, Plan) and not crowded else []
+            pending += [dropped | {index} for index in crowded]
+        return found

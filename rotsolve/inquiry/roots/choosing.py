@@ -1,0 +1,108 @@
+"""Choosing: which of several roots is meant: the first moment, the stable place, the first place reached, the expected sign."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from fractions import Fraction
+from math import floor
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Words
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.roots.expected import Expected
+from rotsolve.inquiry.roots.numbers import Numbers
+from rotsolve.inquiry.roots.reached import FirstReached
+from rotsolve.inquiry.swings.steady import OUTWARDS, STABLE, on_shaft, stable_roots
+from rotsolve.motion.positive import is_angle
+from rotsolve.scene.model import Given
+from rotsolve.solver import Choice
+
+TINY = 1e-14
+
+
+@dataclass(frozen=True)
+class RootChoice:
+    """Chooses between the roots of an equation; `definition` tells what an asked letter stands for."""
+
+    history: History
+    givens: Mapping[str, Given]
+    numbers: Numbers
+    definition: Callable[[str], Formula | None]
+
+    def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+        """The root that is meant, with the reason; a `period` later the equation holds again."""
+        outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
+        if outwards and len(roots) > 1 and on_shaft(name, self.history):
+            return Choice(outwards[0], OUTWARDS)
+        real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
+        if not real:
+            return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
+        later = self._first_moment(name, real, period)
+        if later is not None:
+            return later
+        moved = [entry for entry in real if abs(entry[1]) > TINY]
+        dropped: Words = ()
+        if len(moved) < len(real) and moved and self._is_change(name):
+            real, dropped = moved, ("the root 0 is the start itself",)
+        if len(real) == 1:
+            return Choice(real[0][0], dropped)
+        stable = stable_roots(name, [roots[index] for index, _ in real], self.history, self.numbers.values)
+        if stable:
+            real = [real[place] for place in stable]
+            return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], STABLE)
+        reached = FirstReached(self.history, self.numbers, self.definition).choose(name, real)
+        if reached is not None:
+            return reached
+        sign, words = Expected(self.history, self.givens, self.numbers).sign(name)
+        if sign:
+            fitting = [entry for entry in real if entry[1] * sign > 0]
+            if fitting:
+                return Choice(min(fitting, key=lambda entry: abs(entry[1]))[0], words)
+        if self._is_angle(name):
+            return Choice(min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",))
+        return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
+
+    def _first_moment(self, name: str, roots: Sequence[tuple[int, float]], period: Formula | None) -> Choice | None:
+        """Of times that come again the first one after the state before."""
+        quantity = self.history.registry.quantities.get(name)
+        step = self.numbers.of(period) if period is not None else None
+        if quantity is None or quantity.kind != "time" or period is None or not step:
+            return None
+        begun = self._begun(quantity.when)
+        if begun is None:
+            return None
+        turns = [(index, floor((begun - root) / step + TINY) + 1 if step > 0 else 0, root) for index, root in roots]
+        index, count, _ = min(turns, key=lambda entry: entry[2] + entry[1] * step)
+        return Choice(index, ("the first moment at which this holds",), Fraction(count), period)
+
+    def _begun(self, when: str) -> float | None:
+        """The time at the state before a state; 0 for the duration of a phase."""
+        timeline = self.history.arrangement.timeline
+        if timeline.interval(when) is not None:
+            return 0.0
+        before = timeline.before(when) if when in timeline.order else None
+        return self.numbers.found(self.history.instant(before.start).time()) if before else None
+
+    def _is_change(self, name: str) -> bool:
+        """Whether a quantity is a change since the state before, or the time that it took."""
+        quantity = self.history.registry.quantities.get(name)
+        return quantity is not None and quantity.kind in ("displacement", "rotation", "time", "elongation")
+
+    def _is_angle(self, name: str) -> bool:
+        """Whether a letter is an angle."""
+        given, quantity = self.givens.get(name), self.history.registry.quantities.get(name)
+        if quantity is not None:
+            return quantity.kind == "angle"
+        return given is not None and (given.dimension is None or is_angle(given))
+
+    def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:
+        """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
+        sign, words = Expected(self.history, self.givens, self.numbers).sign(name)
+        if sign < 0 and len(roots) > 1:
+            return Choice(1, words)
+        return Choice(0, words or ("the root along the positive sense",))
+
+    def _lacks_numbers(self, root: Formula) -> bool:
+        """Whether a root holds a given without a number."""
+        return bool(root.symbols() - set(self.numbers.values))

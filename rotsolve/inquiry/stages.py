@@ -1,0 +1,76 @@
+"""Stages: what lies between a scene and its derivation, as text: facts, equations, plan."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import Equation
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.compose import Letters, in_letters
+from rotsolve.inquiry.explain.missing import plural
+from rotsolve.inquiry.history import History
+from rotsolve.inquiry.inquiry import Inquiry
+
+
+def facts_text(history: History) -> str:
+    """All facts, state by state: bodies with their forces, rules, requirements."""
+    lines = []
+    registry = history.registry
+    for state in history.arrangement.timeline.states:
+        history.facts(state.name)
+    taken = frozenset(given.name for given in history.arrangement.problem.givens)
+    letters = {key: Symbol(name) for key, name in registry.letters(registry.quantities, taken, {}).items()}
+    for state in history.arrangement.timeline.states:
+        facts = history.facts(state.name)
+        lines.append(f"at {spoken(state.name)}" if state.name else "facts")
+        for body in facts.bodies:
+            lines.append(f"  {spoken(body.name)}: {body.motion.kind}; positive: {body.positive or 'none'}")
+            lines += [f"    {words_to_text(item.words, letters)}" for item in body.acting]
+        for rule in facts.rules:
+            left, right = (to_text(side.substitute(letters)) for side in rule.acceleration or rule.velocity)
+            lines.append(f"  {rule.label}: {left} = {right}")
+    return "\n".join(lines)
+
+
+def words_to_text(words: Words, letters: Mapping[str, Formula]) -> str:
+    return "".join(to_text(part.substitute(letters)) if isinstance(part, Formula) else part for part in words)
+
+
+def equations_text(inquiry: Inquiry, letters: Letters) -> str:
+    """All equations written, one a line, those that the plan used marked."""
+    used = {index for answered in inquiry.answered for index in answered.used}
+    names = all_names(inquiry, letters)
+    lines = []
+    for index, equation in enumerate(inquiry.history.equations):
+        mark = "*" if index in used else " "
+        place = f"[{spoken(equation.section)}] " if equation.section else ""
+        lines.append(f"{mark} {place}{equation.label}: {in_text(equation, names)}")
+    return "\n".join(lines)
+
+
+def plan_text(inquiry: Inquiry, letters: Letters) -> str:
+    """For each question the equations that settle it."""
+    names = all_names(inquiry, letters)
+    lines = []
+    for answered in inquiry.answered:
+        name = names.get(answered.asked.letter, answered.asked.find.name)
+        lines.append(f"{name}: {plural(len(answered.used), 'equation')}")
+        for index in answered.used:
+            equation = inquiry.planner.pool[index]
+            lines.append(f"  {equation.label or 'found before'}: {in_text(equation, names)}")
+    return "\n".join(lines)
+
+
+def all_names(inquiry: Inquiry, letters: Letters) -> dict[str, str]:
+    """Printed names of all quantities, in the derivation's letters where it has one."""
+    registry = inquiry.history.registry
+    taken = frozenset(inquiry.givens) - set(letters.names.values())
+    return registry.letters(registry.quantities, taken, letters.names)
+
+
+def in_text(equation: Equation, names: Mapping[str, str]) -> str:
+    left, right = (to_text(in_letters(side, names)) for side in (equation.left, equation.right))
+    return f"{left} = {right}"

@@ -1,0 +1,229 @@
+"""Sections: the sections of a scene, read in the order in which they lean on each other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import replace
+from typing import Any
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.quantities import parse_quantity
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.scene.model import Given, Problem
+from rotsolve.scene.phrase.choices import read_choice
+from rotsolve.scene.phrase.phrases import read_find
+from rotsolve.scene.reader.answers import read_answer
+from rotsolve.scene.reader.bodies import read_body
+from rotsolve.scene.reader.declared import read_value
+from rotsolve.scene.reader.elements import read_element
+from rotsolve.scene.reader.states import read_phase, read_state
+from rotsolve.scene.sections import SECTIONS
+from rotsolve.scene.tree.nodes import List, Map, Node, Text, plain
+from rotsolve.scene.values.givens import read_givens
+from rotsolve.scene.values.literals import Want
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import value
+
+STANDARD_GRAVITY = "9.8 m/s^2"
+NAMED = {
+    "given": "given",
+    "surfaces": "surface",
+    "bodies": "body",
+    "connections": "connection",
+    "actions": "action",
+    "states": "state",
+    "phases": "phase",
+    "events": "event",
+    "find": "find",
+}
+Entries = dict[str, tuple[Text, Node]]
+
+
+class Sections:
+    """Reads the sections in the order in which they lean on each other."""
+
+    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
+        self.scope = scope
+        self.settings = settings
+        self.written = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
+        self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
+        if not isinstance(root, Map):
+            scope.fault(root, "a scene is a map", "begin with `title:`, `given:`, `bodies:`, `find:`", "form")
+
+    def node(self, section: str) -> Node | None:
+        return self.top[section][1] if section in self.top else None
+
+    def entries(self, section: str) -> Entries:
+        """The entries of a section whose names are new; names were entered by `declare`."""
+        node = self.node(section)
+        if not isinstance(node, Map):
+            return {}
+        kind = NAMED[section]
+        return {
+            key.value: (key, item)
+            for key, item in node.entries
+            if self.scope.kinds.get(key.value) == kind and self.scope.places.get(key.value) == key.span
+            if not (isinstance(item, Text) and item.empty)
+        }
+
+    def declare(self) -> None:
+        """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
+        unknown = self.node("unknown")
+        for item in unknown.items if isinstance(unknown, List) else (unknown,) if isinstance(unknown, Text) else ():
+            if isinstance(item, Text):
+                self.scope.declare(item, "given")
+        for section, kind in NAMED.items():
+            node = self.node(section)
+            if node is None:
+                continue
+            self.scope.entries(node, f"`{section}`")
+            seen: set[str] = set()
+            for key, item in node.entries if isinstance(node, Map) else ():
+                empty = isinstance(item, Text) and item.empty
+                again = key.value in seen or (section == "find" and self.asked(key.value))
+                seen.add(key.value)
+                if not empty and not again:
+                    self.scope.declare(key, kind)
+
+    def asked(self, name: str) -> bool:
+        """Whether the name is a given that is unknown."""
+        given = self.node("given")
+        item = given.get(name) if isinstance(given, Map) else None
+        listed = self.node("unknown")
+        names = [entry.value for entry in listed.items if isinstance(entry, Text)] if isinstance(listed, List) else []
+        if isinstance(listed, Text):
+            names = [listed.value]
+        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in names
+
+    def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
+        """All sections; None when the root is no map."""
+        if not self.top and self.scope.faults:
+            return None
+        scope = self.scope
+        self.required()
+        self.declare()
+        self.givens()
+        fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
+        fields["title"] = fields["title"] or ""
+        fields["gravity"] = self.gravity()
+        fields["plane"] = self.choice("plane") or "vertical"
+        self.choice("up")
+        fields["surfaces"] = self.each("surfaces", self.element("surfaces"))
+        fields["bodies"] = self.each("bodies", lambda name, key, node: read_body(scope, name, key, node))
+        for section in ("connections", "actions", "events"):
+            fields[section] = self.each(section, self.element(section))
+        fields["states"] = self.each("states", lambda name, key, node: read_state(scope, name, key, node))
+        fields["phases"] = self.each("phases", lambda name, key, node: read_phase(scope, name, key, node))
+        fields["assume"] = self.assume()
+        asked: dict[str, Any] = {}
+        fields["finds"] = self.finds(asked)
+        fields["answers"] = self.answers(asked)
+        for name in ("marking", "vary"):
+            fields[name] = self.raw(name)
+        return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
+
+    def required(self) -> None:
+        scope = self.scope
+        for section, declared in SECTIONS.items():
+            if declared.required and section not in self.written:
+                scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
+        find = self.node("find")
+        if isinstance(find, Map) and not find.entries:
+            scope.fault(find, "`find` is empty", "ask for something: `a: block.acceleration`", "missing")
+
+    def givens(self) -> None:
+        scope = self.scope
+        read_givens(scope, self.node("given"), self.settings)
+        for name in scope.names("given"):
+            if name not in scope.givens:
+                scope.givens[name] = Given(name, None, None, asked=True, text="unknown", span=scope.places[name])
+                scope.dimensions[name] = None
+
+    def each(self, section: str, reader: Callable[[str, Text, Node], Any]) -> tuple[Any, ...]:
+        found = [reader(name, key, node) for name, (key, node) in self.entries(section).items()]
+        return tuple(item for item in found if item is not None)
+
+    def element(self, section: str) -> Callable[[str, Text, Node], Any]:
+        return lambda name, key, node: read_element(self.scope, section, name, key, node)
+
+    def finds(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        """The asked quantities in order; an earlier answer may stand in a later one."""
+        node = self.node("find")
+        if not isinstance(node, Map):
+            return ()
+        own = self.entries("find")
+        found = []
+        for key, item in node.entries:
+            if isinstance(item, Text) and item.empty:
+                continue
+            if key.value in own or self.asked(key.value):
+                if isinstance(item, Map):
+                    find = read_choice(self.scope, key.value, key, item, asked)
+                else:
+                    find = read_find(self.scope, key.value, key, item, asked)
+                asked.setdefault(key.value, None)
+                found.append(find)
+        return tuple(find for find in found if find is not None)
+
+    def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        node = self.node("answers")
+        if node is None:
+            return ()
+        entries = self.scope.entries(node, "`answers`", asked)
+        found = [read_answer(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        return tuple(answer for answer in found if answer is not None)
+
+    def text(self, name: str) -> str:
+        node = self.node(name)
+        if node is None:
+            return ""
+        if isinstance(node, Text):
+            return node.value.strip()
+        self.scope.fault(node, f"`{name}` wants a text", "put it in quotes", "form")
+        return ""
+
+    def choice(self, name: str) -> str | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
+        if SECTIONS[name].later and found == "z":
+            self.scope.later(self.top[name][0], "up: z")
+        return found
+
+    def gravity(self) -> Formula | None:
+        """`none`, a value, the given `g`, or 9.8 m/s² under an automatic letter."""
+        scope, node = self.scope, self.node("gravity")
+        if isinstance(node, Text) and node.value.strip() == "none":
+            return None
+        if node is not None:
+            return value(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
+        given = scope.givens.get("g")
+        if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
+            if given.dimension is None:
+                scope.dimensions["g"] = DIMENSIONS["acceleration"]
+            return Symbol("g")
+        return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
+
+    def assume(self) -> tuple[str, ...]:
+        node = self.node("assume")
+        if node is None:
+            return ()
+        self.scope.later(self.top["assume"][0], "assume")
+        items = node.items if isinstance(node, List) else (node,)
+        return tuple(item.value for item in items if isinstance(item, Text))
+
+    def raw(self, name: str) -> object | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        if not isinstance(node, Map):
+            self.scope.fault(node, f"`{name}` wants a map", kind="form")
+        return plain(node)
+
+    def all_givens(self) -> tuple[Given, ...]:
+        """The givens with the dimensions that their use has settled."""
+        return tuple(
+            given if given.dimension is not None else replace(given, dimension=self.scope.dimensions.get(given.name))
+            for given in self.scope.givens.values()
+        )

@@ -1,0 +1,125 @@
+"""Isolation: one equation solved for one unknown: as it is written, in closed form, or as a certified root."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from rotsolve.algebra.certified.ball import Certified
+from rotsolve.algebra.certified.rootfind import real_roots
+from rotsolve.algebra.exact.normal import coefficients, is_zero, solve_linear
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.unwrap import solve_unwrapped
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
+from rotsolve.algebra.periodic import period_of
+from rotsolve.core.derivation import Equality, Words
+from rotsolve.solver.item import Item, inner, isolated
+from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant
+from rotsolve.solver.textbook import Textbook
+
+REACHES = (10, 1000, 10**6)  # how far from zero roots are looked for, one after the other
+
+
+class Isolation(Textbook):
+    """Solves single equations; `choose` tells which of several roots is meant."""
+
+    choose: Chooser
+    numeric: bool  # whether a root may be found numerically where there is no closed form
+
+    def value_in(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
+        """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""
+        explicit = isolated(item, name)
+        if explicit is not None:
+            explicit = self.carried_out(explicit)
+            return (self.simplify(explicit) if item.sources else explicit), ()
+        gap = item.left - item.right
+        if name not in inner(item):
+            gap = self.carried_out(item.left) - self.carried_out(item.right)
+        value = solve_linear(gap, name, order=self.order, positive=self.positive)
+        if value is not None and self.hollow(gap, name):
+            raise Redundant(item.index)
+        if value is None and alone:
+            return self.one_root(name, solve_polynomial(gap, name, order=self.order, positive=self.positive), gap)
+        return None if value is None else (value, ())
+
+    def value_within(self, item: Item, name: str) -> tuple[Formula, Words] | None:
+        """The value of an unknown that stands within a function: sin n t = 0, log(u) = 3."""
+        gap = self.carried_out(item.left) - self.carried_out(item.right)
+        if is_zero(gap, self.positive):
+            raise Redundant(item.index)
+        roots = solve_unwrapped(gap, name, order=self.order, positive=self.positive)
+        roots = roots or [angle.formula for angle in solve_trig(gap, name, order=self.order, positive=self.positive)]
+        return self.one_root(name, roots, gap)
+
+    def roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality]]:
+        """Closed forms of the asked unknown, with the line before the root where it is one."""
+        left, right = self.carried_out(item.left), self.carried_out(item.right)
+        gap = left - right
+        written = isolated(item, asked)
+        if written is not None:
+            return [self.shortest(self.carried_out(written))], []
+        parts = coefficients(gap, asked, order=self.order, positive=self.positive)
+        if parts is not None and len(parts) < 2:
+            raise (
+                Redundant(item.index) if is_zero(self.with_answers(gap), self.positive) else Contradiction(item.index)
+            )
+        if parts is not None and len(parts) <= 3:
+            if self.hollow(gap, asked):
+                raise Redundant(item.index)
+            roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
+            pure = len(parts) == 3 and parts[1] == ZERO
+            square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
+            return roots, square or self.unfolded(item, Equality(left, right))
+        if is_zero(self.with_answers(gap), self.positive):
+            raise Redundant(item.index)
+        for solve in (solve_polynomial, solve_unwrapped):
+            for whole in dict.fromkeys((gap, self.with_answers(gap))):
+                roots = solve(whole, asked, order=self.order, positive=self.positive)
+                if roots:
+                    return roots, self.unfolded(item, Equality(left, right))
+        trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
+        return [candidate.formula for candidate in trig], []
+
+    def certified_root(self, item: Item, asked: str) -> Certified:
+        """A certified root where there is no closed form."""
+        if not self.numeric:
+            raise NoClosedForm("it has no closed form")
+        gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
+        if gap.symbols() - set(self.values) - {asked}:
+            raise NoClosedForm("it has no closed form, and not every given has a number")
+        for reach in REACHES:
+            found = real_roots(gap, asked, self.values, -reach, reach).roots
+            if found:
+                picked = self.choose(asked, [as_formula(root) for root in found], None)
+                return found[picked.root if picked else 0]
+        raise NoClosedForm("no real value satisfies the equations")
+
+    def one_root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
+        """The root that is meant of several, and why it is."""
+        choice = self.choice(name, roots, gap) if roots else None
+        return (self.chosen(choice, roots), choice.words) if choice else None
+
+    def choice(self, name: str, roots: Sequence[Formula], gap: Formula) -> Choice | None:
+        """The root that is meant, of the equation gap = 0."""
+        period = period_of(self.with_answers(self.carried_out(gap)), name)
+        if len(roots) == 1 and period is None:
+            return Choice(0)
+        return self.choose(name, [self.with_answers(root) for root in roots], period)
+
+    def chosen(self, choice: Choice, roots: Sequence[Formula]) -> Formula:
+        """The root itself, whole turns or periods beyond it."""
+        return self.simplify(choice.of(roots)) if choice.turns else roots[choice.root]
+
+    def hollow(self, gap: Formula, name: str) -> bool:
+        """Whether an unknown drops out once the answers found before are put in: letters such as a₁ and a₂ are not independent."""
+        whole = self.with_answers(gap)
+        return whole != gap and is_zero(whole, self.positive)
+
+    def unfolded(self, item: Item, done: Equality) -> list[Equality]:
+        """The equation with its integrals carried out, where that is not how it stands."""
+        return [] if (done.left, done.right) == (item.left, item.right) else [done]
+
+
+def as_formula(root: Certified) -> Formula:
+    """A certified root as a number, for choosing between roots only."""
+    return Number(Fraction(root.float))
