@@ -13,7 +13,7 @@ from rotsolve.core.faults import Fault, Span, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS, INSIDE
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.answering import Inquiry, NoAnswer
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text

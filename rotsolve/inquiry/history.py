@@ -14,8 +14,8 @@ from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.stated import Statements
 from rotsolve.inquiry.swings.placing import Placing

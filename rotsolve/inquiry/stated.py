@@ -14,7 +14,7 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Grips
 from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions import NotYet, Reader

@@ -20,7 +20,7 @@ from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface

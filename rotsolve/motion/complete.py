@@ -12,8 +12,9 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
-from rotsolve.elements.connections.contacts import Contact, Rolls
-from rotsolve.elements.connections.rubbing import Clutch, Rims
+from rotsolve.elements.connections.contacts.contact import Contact
+from rotsolve.elements.connections.contacts.rolling import Rolls
+from rotsolve.elements.connections.contacts.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of

@@ -9,7 +9,7 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
 from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.elements.actions import pointing
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.elements.rims import rim_radius
 from rotsolve.motion.arrangement import Arrangement

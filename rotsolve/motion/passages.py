@@ -16,7 +16,7 @@ from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import CONSTANT, POSITION, RATE, RATES, UNKNOWN, at_any_time, running
 from rotsolve.elements.connections import Hinge
 from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.leading import Lead, leading_place, leading_rate, place_of, share, stored_place

@@ -12,7 +12,7 @@ from rotsolve.core.facts import Couple, Force, Rule
 from rotsolve.core.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.connections.contacts import Friction
+from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
