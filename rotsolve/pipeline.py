@@ -37,8 +37,8 @@ from rotsolve.inquiry.questions import NotYet, Unclear, resting
 from rotsolve.inquiry.verify import SAID, checks
 from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
-from rotsolve.motion.running import check_values
 from rotsolve.motion.timeline import Interval
 from rotsolve.plan import Shortage
 from rotsolve.scene.model import Find, Problem
@@ -87,7 +87,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(inquiry, arrangement.problem.finds)
-    if at is not None and not arrangement.functions:
+    if at is not None and not arrangement.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     back = turned_back(inquiry)
     if back is not None:

@@ -14,8 +14,8 @@ from rotsolve.core.heading import Vector
 class Travel:
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `words` name it ("block", "disc, rotation"); `pace` is as in core.varying; for varying paces `midway` is the
-    acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
+    `pace` is as in core.varying; for varying paces `acceleration` is that at any moment and `moving` the rate then; `coordinate`
+    is the angle or position symbol that it may depend on.
     """
 
     body: str

@@ -28,8 +28,8 @@ from rotsolve.inquiry.questions import (
 )
 from rotsolve.inquiry.questions.conversion import conversion
 from rotsolve.inquiry.transfers import blow, impulse, potential_change, work
-from rotsolve.motion.passages import angle_turned
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.phases.travels import angle_turned
 from rotsolve.scene.model import ANY_TIME, Find, Path, PointRef, Term
 
 STORED = ("potential_energy", "energy")

@@ -19,11 +19,12 @@ from rotsolve.elements.events import Grips
 from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.motion.encounters import participants
+from rotsolve.motion.followed import marked
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.owndata import is_own
-from rotsolve.motion.passages import angle_turned, displacement
+from rotsolve.motion.phases.travels import angle_turned, displacement
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Condition, Path, State
 
@@ -74,7 +75,7 @@ class Statements:
     def _as_drawn(self, first: Instant) -> None:
         """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
         for body in self.arrangement.present(first.state):
-            angle = first.angle(body.name) if first.marked(body.name) else None
+            angle = first.angle(body.name) if marked(body.name, first) else None
             if angle is not None:
                 self._set(angle, ZERO)
 

@@ -10,7 +10,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.tensor import AXES
 from rotsolve.core.writing import flat, is_negative, spoken
-from rotsolve.motion.spread import DENSITY, Spread
+from rotsolve.motion.bodies.spread import DENSITY, Spread
 from rotsolve.principles.integration import centre_letter, origin
 from rotsolve.principles.pieces import noun
 

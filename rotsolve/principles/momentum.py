@@ -14,7 +14,7 @@ from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import at_any_time
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.principles.rotation import about, response
 
 

@@ -10,7 +10,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
 from rotsolve.core.heading import Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:

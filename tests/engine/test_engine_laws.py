@@ -19,7 +19,7 @@ from rotsolve.inquiry.answering import Inquiry, families_for
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.owndata import is_own
+from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.pipeline import answer, solve_problem
 from rotsolve.scene.model import Body, Problem
 

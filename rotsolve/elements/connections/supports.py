@@ -75,7 +75,7 @@ class Driven(Connection):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
-            if self.driven or (self.friction_torque is None and instant.arrangement.asks(self.name, "torque")):
+            if self.driven or (self.friction_torque is None and instant.arrangement.mentions.asks(self.name, "torque")):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
 

@@ -15,9 +15,9 @@ from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
+from rotsolve.motion.bodies.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import height
-from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
+from rotsolve.motion.phases.heights import height
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
 

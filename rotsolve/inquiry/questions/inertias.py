@@ -16,10 +16,10 @@ from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet
 from rotsolve.inquiry.questions.moment import Moment
-from rotsolve.motion.instant import locate, rise
+from rotsolve.motion.bodies.frame import locate, rise
+from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.bodies.spread import Spread
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import tidy
-from rotsolve.motion.spread import Spread
 from rotsolve.principles import inertia
 from rotsolve.principles.centre import Told, centre
 from rotsolve.principles.integration import NotSliced, mass

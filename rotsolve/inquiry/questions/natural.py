@@ -7,7 +7,7 @@ from rotsolve.algebra.formula import Formula, sqrt
 from rotsolve.core.facts import signed
 from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.questions.meaning import absolute
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 
 NATURAL = ("tangential", "normal")
 

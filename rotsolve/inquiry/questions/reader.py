@@ -18,7 +18,7 @@ from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.points import OfPoints
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, Term
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.directions import along_text, opposite
+from rotsolve.core.directions import TURNS, along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
 from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
@@ -65,7 +65,7 @@ class Touch(Connection):
             return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := arrangement.surfaces.get(ref.owner)) is not None]
         bent = [surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None]
-        if len(found) > 1 and bent and arrangement.says(state, self.name, "angle", "leaves"):
+        if len(found) > 1 and bent and arrangement.mentions.says(state, self.name, "angle", "leaves"):
             return bent[0]
         return found[0] if found else None
 
@@ -100,7 +100,7 @@ class Touch(Connection):
             met = surface.met(rim)
             if met is not None:
                 return met
-        return instant.ask("angle", self.name, words=("counterclockwise", "clockwise"))
+        return instant.ask("angle", self.name, words=TURNS)
 
     def normal(self, surface: Surface, instant: Instant) -> Heading:
         """Direction out of the surface where the body touches it."""

@@ -13,7 +13,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.core.tensor import ORIGIN, Place
-from rotsolve.motion.rigid import Piece
+from rotsolve.motion.bodies.rigid import Piece
 
 DENSITY = {"line": ("lambda", "length"), "surface": ("sigma", "area"), "volume": ("rho", "volume")}
 EXTENTS = {"line": ("s", "length"), "surface": ("A", "area"), "volume": ("V", "volume")}
