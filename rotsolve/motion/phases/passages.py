@@ -2,32 +2,30 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.heights import height_pair
-from rotsolve.motion.phases.leading import leading_place, leading_rate, stored_place
+from rotsolve.motion.phases.leading import Lead, leading_place, leading_rate, stored_place
 from rotsolve.motion.phases.travels import led, travels_of
 from rotsolve.motion.phases.works import Way, inner_works, summed, why_conserved, works_on
 from rotsolve.motion.timeline import Interval
 
+Moment = tuple[Instant, Facts]
 
-def passage(
-    interval: Interval, start: tuple[Instant, Facts], end: tuple[Instant, Facts], midst: tuple[Instant, Facts]
-) -> Passage:
+
+def passage(interval: Interval, start: Moment, end: Moment, midst: Moment) -> Passage:
     """All that the laws read about one phase."""
     (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
     arrangement = first.arrangement
     times = (first.time(), last.time())
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
     groups = groups_of(arrangement, midst_facts, interval.start)
-    leads = {
-        name: leading_place(group, first, last, middle) or stored_place(group, start_facts, end_facts, midst_facts)
-        for group in groups
-        for name in group
-    }
+    leads = leads_of(groups, start, end, midst)
     rates = {leading_rate(group, midst_facts) for group in groups}
     travels = tuple(
         led(travel, leads[body.name], rates)
@@ -55,6 +53,16 @@ def passage(
         groups,
         idle,
     )
+
+
+def leads_of(groups: Sequence[frozenset[str]], start: Moment, end: Moment, midst: Moment) -> dict[str, Lead | None]:
+    """By body: the place with which the forces on its group vary, where there is one."""
+    (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
+    return {
+        name: leading_place(group, first, last, middle) or stored_place(group, start_facts, end_facts, midst_facts)
+        for group in groups
+        for name in group
+    }
 
 
 def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
