@@ -9,9 +9,9 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.core.heading import Heading
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import pace_of
+from rotsolve.core.vectors.heading import Heading
 
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
 TRAVELLING = ("position", "velocity", "acceleration")

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.facts import BodyFacts, Facts, Force
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,10 +8,10 @@ from types import MappingProxyType
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol, add, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
-from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.core.tensor import AXES, ENTRIES
+from rotsolve.core.vectors.heading import RIGHT, UP
+from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, way, whole_way
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import (

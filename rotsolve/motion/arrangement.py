@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.directions import WORDS
 from rotsolve.core.drive import Drive, along_line
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import UP, Heading
 from rotsolve.core.letters import letter_order
 from rotsolve.core.varying import UNKNOWN, combined
+from rotsolve.core.vectors.directions import WORDS
+from rotsolve.core.vectors.heading import UP, Heading
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.passage import Encounter, Meeting
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.elements.actions import pointing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes

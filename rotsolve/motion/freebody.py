@@ -23,9 +23,9 @@ from rotsolve.core.facts import (
     square,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.elements.rims import shape_of
 from rotsolve.motion.bodies.frame import Frame
 from rotsolve.motion.bodies.rigid import mass_of, moment_about, product_about

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field
 from functools import cached_property
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.directions import TURNS, opposite
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
-from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
+from rotsolve.core.vectors.directions import TURNS, opposite
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.motion.arrangement import Arrangement

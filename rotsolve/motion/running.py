@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.directions import TURNS, opposite
 from rotsolve.core.registry import GENERIC, TIME
 from rotsolve.core.varying import paths_in
+from rotsolve.core.vectors.directions import TURNS, opposite
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

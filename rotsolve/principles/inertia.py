@@ -9,8 +9,8 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.heading import NOWHERE, RIGHT, Heading
-from rotsolve.core.tensor import AXES, ONE_AXIS
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading
+from rotsolve.core.vectors.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.bodies.rigid import MINUS, Piece
 from rotsolve.motion.bodies.spread import Spread

@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, multiply
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.tensor import AXES, ONE_AXIS, Place, displaced
+from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
 from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.motion.bodies.rigid import Piece
 from rotsolve.motion.bodies.spread import DENSITY, EXTENTS, Spread

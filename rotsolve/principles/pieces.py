@@ -5,7 +5,7 @@ from __future__ import annotations
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Power, Product, Sum, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.tensor import ONE_AXIS, Place
+from rotsolve.core.vectors.tensor import ONE_AXIS, Place
 from rotsolve.core.writing import is_negative, spoken
 from rotsolve.motion.bodies.rigid import Piece
 from rotsolve.motion.bodies.spread import Spread

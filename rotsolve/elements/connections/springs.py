@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
-from rotsolve.core.directions import TURNS, along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
-from rotsolve.core.heading import DOWN, UP, Vector, unit
+from rotsolve.core.vectors.directions import TURNS, along_text
+from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import apart, between, distance
 from rotsolve.elements.sides import rough

@@ -10,8 +10,8 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Couple, Force, Rule, held_still, signed
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.core.varying import combined, pace_of
+from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef

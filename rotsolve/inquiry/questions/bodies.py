@@ -7,8 +7,8 @@ from fractions import Fraction
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, total
 from rotsolve.core.facts import BodyFacts, signed, square
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.inquiry.questions.inertias import OfInertias

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force, signed
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.connections.ropes.strings import String

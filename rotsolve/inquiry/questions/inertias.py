@@ -9,9 +9,9 @@ from dataclasses import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.core.tensor import AXES, Place
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
+from rotsolve.core.vectors.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, add
 from rotsolve.core.facts import Motion, signed, square
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.core.quantity import BY_WORD, INSIDE
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length

@@ -8,10 +8,10 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rotsolve.algebra.formula import Formula, total
-from rotsolve.core.directions import opposite
 from rotsolve.core.facts import signed
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.directions import opposite
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.elements import OfElements
 from rotsolve.inquiry.questions.inertias import OfInertias

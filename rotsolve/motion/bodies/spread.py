@@ -12,7 +12,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
-from rotsolve.core.tensor import ORIGIN, Place
+from rotsolve.core.vectors.tensor import ORIGIN, Place
 from rotsolve.motion.bodies.rigid import Piece
 
 DENSITY = {"line": ("lambda", "length"), "surface": ("sigma", "area"), "volume": ("rho", "volume")}

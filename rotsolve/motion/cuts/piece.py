@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import BodyFacts, Couple, Cut, Force, Inertia, Motion
-from rotsolve.core.heading import DOWN, RIGHT, Vector, unit, vector
+from rotsolve.core.vectors.heading import DOWN, RIGHT, Vector, unit, vector
 from rotsolve.elements.shapes import Rod
 from rotsolve.motion.bodies.rigid import Piece, centre_of_mass, moment_about, positive_part, tidy
 from rotsolve.motion.cuts.section import Loads, Section, free_side, section_of

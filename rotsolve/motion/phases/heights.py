@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, negate
-from rotsolve.core.heading import UP, heading
+from rotsolve.core.vectors.heading import UP, heading
 from rotsolve.elements.connections import Hinge
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.connections.contacts.touch import Touch

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, total
 from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.core.heading import Vector
 from rotsolve.core.passage import Work
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import CONSTANT, RATES, UNKNOWN, at_any_time, running
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.leading import Lead, place_of, share
 from rotsolve.motion.phases.travels import displacement, rotation

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Rule
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.connections.connection import Fact
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.connections.contacts.touch import Touch

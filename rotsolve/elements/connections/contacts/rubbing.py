@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import Couple, Force, Rule
-from rotsolve.core.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.contacts.friction import Friction

@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.directions import TURNS, along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
-from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
+from rotsolve.core.vectors.directions import TURNS, along_text, opposite
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact, Orbit
 from rotsolve.elements.connections.contacts.friction import Friction

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Force, Requirement, Rule
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.ropes.legs import Course, Leg
