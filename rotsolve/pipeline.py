@@ -19,8 +19,8 @@ from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
-from rotsolve.motion.running import check_values
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
@@ -60,7 +60,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     answer_all(inquiry, arrangement.problem.finds)
-    if at is not None and not arrangement.functions:
+    if at is not None and not arrangement.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     check_consistent(inquiry)
     if law is not None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.tensor import ENTRIES, ROWS
+from rotsolve.core.vectors.tensor import ENTRIES, ROWS
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified

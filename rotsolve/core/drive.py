@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from rotsolve.algebra.calculus import differentiate
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import pace_of
+from rotsolve.core.vectors.heading import Heading
 
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
 TRAVELLING = ("position", "velocity", "acceleration")
@@ -58,3 +60,18 @@ class Drive:
 def derivative(function: Formula) -> Formula:
     """df/dt, a polynomial by its powers: 2 c t + 3 d t²."""
     return in_powers(simplify(differentiate(function, TIME)), TIME)
+
+
+def along_line(drives: tuple[Drive, ...], way: Heading, span: Span | None) -> tuple[Drive, ...]:
+    """Prescribed components as one motion along a body's line of travel."""
+    parts = {(drive.word, drive.component): drive for drive in drives}
+    result = [drive for drive in drives if not drive.component]
+    for (word, component), drive in parts.items():
+        if component == "x":
+            x, y = drive.function, parts[word, "y"].function
+            if not is_zero(y * way.cos() - x * way.sin()):
+                said = f"the prescribed `{word}` of `{drive.body}` is not along the line on which it moves"
+                raise Unsolvable(said, span=span, help="leave out `moves` for a body that moves freely in the plane")
+            function = in_powers(simplify(x * way.cos() + y * way.sin()), TIME)
+            result.append(replace(drive, function=function, component=""))
+    return tuple(result)

@@ -13,7 +13,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import Drive
-from rotsolve.core.heading import NOWHERE, Heading, Vector
+from rotsolve.core.vectors.heading import NOWHERE, Heading, Vector
 from rotsolve.core.writing import spoken
 
 

@@ -7,15 +7,15 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.facts import BodyFacts, Facts, Force
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 
 
 @dataclass(frozen=True, slots=True)
 class Travel:
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `words` name it ("block", "disc, rotation"); `pace` is as in core.varying; for varying paces `midway` is the
-    acceleration at any moment and `moving` the rate then; `coordinate` is the angle or position symbol that midway may depend on.
+    `pace` is as in core.varying; for varying paces `acceleration` is that at any moment and `moving` the rate then; `coordinate`
+    is the angle or position symbol that it may depend on.
     """
 
     body: str

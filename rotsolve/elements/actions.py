@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
-from rotsolve.core.directions import along_text
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.core.varying import POSITION, RATE, combined, pace_of
+from rotsolve.core.vectors.directions import along_text
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
 from rotsolve.scene.keys import key

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.scene.keys import key
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.answers import Answered, NoAnswer
 from rotsolve.inquiry.choices import choose
 from rotsolve.inquiry.explain import no_answer, refuse_unsolved, unsolvable

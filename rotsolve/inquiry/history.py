@@ -14,8 +14,8 @@ from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states import Fixed, Statements
 from rotsolve.inquiry.swings.placing import Placing
@@ -24,7 +24,7 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of, passage
+from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.principles import constraints, driven, energy, inside, kinematics, momentum, newton, separation
 from rotsolve.principles import rotation as turning
@@ -201,14 +201,14 @@ class History:
         yield from momentum.kept_over(passage, section)
         yield from momentum.about_common_axes(passage, section)
         yield from constraints.for_displacements(self.thought(interval.start), self.changes(passage), section)
-        if self.varies(interval) or self.arrangement.runs:
+        if self.varies(interval) or self.arrangement.mentions.runs:
             yield from turning.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
             yield from turning.law_of_rotation(passage.midst, section)
             yield from constraints.for_accelerations(passage.midst, section)
             yield from constraints.for_velocities(passage.midst, section)
             yield from driven.rates(passage.midst, section)
-        if self.arrangement.runs:
+        if self.arrangement.mentions.runs:
             changes = self.changes(passage, running=True)
             yield from constraints.for_displacements(self.thought(interval.start), changes, section)
 

@@ -77,7 +77,7 @@ class Inquiry:
 
     def beside(self) -> Beside:
         """What can be worked out without a trace in this inquiry."""
-        other = Inquiry(self.history, families_for(None)) if self.history.arrangement.runs else self
+        other = Inquiry(self.history, families_for(None)) if self.history.arrangement.mentions.runs else self
         return Beside(other.settled, self.values)
 
     def in_order(self) -> list[Answered | Chosen]:

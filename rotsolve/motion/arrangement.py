@@ -3,59 +3,29 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
-from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.powers import in_powers
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.core.directions import WORDS
-from rotsolve.core.drive import Drive
-from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.core.heading import UP, Heading
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.drive import Drive, along_line
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import letter_order
-from rotsolve.core.quantity import INSIDE
-from rotsolve.core.registry import TIME
 from rotsolve.core.varying import UNKNOWN, combined
+from rotsolve.core.vectors.directions import WORDS
+from rotsolve.core.vectors.heading import UP, Heading
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.events import Cuts, Fixes, Grips, Joins, Removes
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.events import Fixes, Joins
 from rotsolve.elements.surfaces import Surface
-from rotsolve.motion.owndata import Version, versions
+from rotsolve.motion.absence import absent, gripped
+from rotsolve.motion.bodies.frame import frame
+from rotsolve.motion.bodies.members import Member, rider, welded
+from rotsolve.motion.bodies.owndata import Version, versions
+from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, Path, PointRef, Problem, points_of
-
-MEAN = ("mean", "speed")
-RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
-
-
-@dataclass(frozen=True)
-class Member:
-    """A body that is part of another (joined or welded): its host, and the host's point where it sits."""
-
-    name: str
-    host: str
-    at: PointRef
-    own: PointRef
-
-
-def along_line(drives: tuple[Drive, ...], way: Heading, span: Span | None) -> tuple[Drive, ...]:
-    """Prescribed components as one motion along a body's line of travel."""
-    parts = {(drive.word, drive.component): drive for drive in drives}
-    result = [drive for drive in drives if not drive.component]
-    for (word, component), drive in parts.items():
-        if component == "x":
-            x, y = drive.function, parts[word, "y"].function
-            if not is_zero(y * way.cos() - x * way.sin()):
-                said = f"the prescribed `{word}` of `{drive.body}` is not along the line on which it moves"
-                raise Unsolvable(said, span=span, help="leave out `moves` for a body that moves freely in the plane")
-            function = in_powers(simplify(x * way.cos() + y * way.sin()), TIME)
-            result.append(replace(drive, function=function, component=""))
-    return tuple(result)
+from rotsolve.scene.model import Body, PointRef, Problem
 
 
 @dataclass(frozen=True)
@@ -67,6 +37,10 @@ class Arrangement:
     @cached_property
     def timeline(self) -> Timeline:
         return timeline(self.problem)
+
+    @cached_property
+    def mentions(self) -> Mentions:
+        return Mentions(self.problem, self.timeline)
 
     @cached_property
     def order(self) -> tuple[str, ...]:
@@ -118,46 +92,20 @@ class Arrangement:
         return {surface.name: surface for surface in self.problem.surfaces}
 
     @cached_property
-    def _gone(self) -> dict[str, frozenset[str]]:
-        """Names of what does not act at each state: cut, removed, or a contact that an event has yet to begin."""
-        gone = frozenset(item.name for item in self.gripped)
-        result = {self.timeline.states[0].name: gone}
-        for interval in self.timeline.intervals:
-            event = interval.event
-            if isinstance(event, Cuts):
-                gone |= frozenset(event.cuts)
-            elif isinstance(event, Removes):
-                gone |= frozenset(event.removes)
-            elif isinstance(event, Grips):
-                gone = (gone | self._left_by(event.grips)) - {event.grips}
-            elif isinstance(event, Fixes) and event.fixes is not None:
-                gone |= self._surfaces_of(event.fixes.owner)
-            result[interval.end] = gone
-        return result
+    def _absent(self) -> dict[str, frozenset[str]]:
+        return absent(self.problem, self.timeline)
 
     @cached_property
     def gripped(self) -> tuple[Connection, ...]:
-        """The contacts that events begin."""
-        names = {event.grips for event in self.problem.events if isinstance(event, Grips)}
-        return tuple(item for item in self.problem.connections if item.name in names)
-
-    def _left_by(self, contact: str | None) -> frozenset[str]:
-        """The surfaces that a body leaves for a contact: a ball that hits a corner turns about it and leaves the floor."""
-        taken = (item.pair()[0].owner for item in self.gripped if isinstance(item, Touch) and item.name == contact)
-        return frozenset[str]().union(*(self._surfaces_of(owner) for owner in taken))
-
-    def _surfaces_of(self, name: str) -> frozenset[str]:
-        """The contacts of a body with surfaces."""
-        touches = (item for item in self.problem.connections if isinstance(item, Touch))
-        return frozenset(item.name for item in touches if item.pair()[0].owner == name)
+        return gripped(self.problem)
 
     def connections(self, state: str) -> tuple[Connection, ...]:
         """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""
         after = self.timeline.after(state)
-        absent = self._gone[state] | frozenset(after.without if after and after.event is None else ())
+        gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
         events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
         held = [Hinge(item.name, hinge=(item.fixes,)) for item in events if isinstance(item, Fixes) and item.fixes]
-        return (*(item for item in self.problem.connections if item.name not in absent), *held)
+        return (*(item for item in self.problem.connections if item.name not in gone), *held)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -165,7 +113,7 @@ class Arrangement:
         last = self.timeline.after(state) is None
         result = []
         for item in self.problem.actions:
-            if item.name in self._gone[state]:
+            if item.name in self._absent[state]:
                 continue
             begins = order.get(item.from_ or "", 0)
             ends = order.get(item.to or "", len(order))
@@ -179,18 +127,19 @@ class Arrangement:
 
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
-        absent = self._gone[state] | {member.name for member in self.members(state)}
-        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in absent)
+        carried = self._absent[state] | {member.name for member in self.members(state)}
+        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in carried)
 
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         now = self.timeline.order[state]
-        riders = [self._rider(item, state) for item in self.rides(state)]
+        riders = [rider(item, self.pivot(item.rides[1].owner, state)) for item in self.rides(state)]
         pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
         for interval in self.timeline.intervals[:now]:
             if isinstance(interval.event, Joins):
                 pairs.append(interval.event.joins)
-        return (*riders, *(self._member(first, second, state) for first, second in pairs))
+        held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points()) if pairs else ()
+        return (*riders, *(welded(first, second, held, self.bodies) for first, second in pairs))
 
     def rides(self, state: str) -> tuple[Rides, ...]:
         """The bodies that slide along others at a state."""
@@ -199,19 +148,6 @@ class Arrangement:
     def ride(self, name: str, state: str) -> Rides | None:
         """What makes a body slide along another, with which it turns."""
         return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
-
-    def _rider(self, item: Rides, state: str) -> Member:
-        """A body that rides on another: its distance is counted from the carrier's axis."""
-        rider, carrier = item.rides
-        axis = self.pivot(carrier.owner, state) or PointRef(carrier.owner, "center")
-        return Member(rider.owner, carrier.owner, axis, PointRef(rider.owner, "center"))
-
-    def _member(self, first: PointRef, second: PointRef, state: str) -> Member:
-        """The joined pair as host and member: a body on an axis, else the extended one, else the last-named is the host."""
-        held = {ref.owner for item in self.connections(state) for ref in item.fixed_points()}
-        weight = [(ref.owner in held, shape_of(self.bodies[ref.owner]).word != "particle") for ref in (first, second)]
-        member, host = (first, second) if weight[1] >= weight[0] else (second, first)
-        return Member(member.owner, host.owner, host, member)
 
     def host(self, name: str, state: str) -> str:
         """The body that carries `name` at a state: itself, unless joined."""
@@ -332,8 +268,6 @@ class Arrangement:
 
     def balanced(self, name: str, state: str) -> bool:
         """Whether a body on an axis carries its centre of mass on that axis."""
-        from rotsolve.motion.instant import frame
-
         return not frame(self, name, state).cm.parts
 
     def span(self, name: str, state: str) -> str:
@@ -347,49 +281,6 @@ class Arrangement:
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
-
-    @cached_property
-    def functions(self) -> bool:
-        """Whether the scene asks for a function of time."""
-        return any(find.runs for find in self.problem.finds)
-
-    @cached_property
-    def runs(self) -> bool:
-        """Whether what it asks takes the laws at any moment of a phase: functions of time, whole ways, extremes."""
-        terms = [term for find in self.problem.finds for term in find.terms if find.where is None]
-        return self.functions or any(
-            term.modifier in RUNNING or term.path.quantity == "distance" or (term.modifier, term.path.quantity) == MEAN
-            for term in terms
-        )
-
-    def says(self, state: str, owner: str, *words: str) -> bool:
-        """Whether a state speaks of a quantity of an element, or says a word about it."""
-        lines = self.timeline.state(state).conditions
-        said = ({line.path.quantity, line.word} for line in lines if line.path is not None and line.path.owner == owner)
-        return any(found & set(words) for found in said)
-
-    def asks(self, owner: str, word: str) -> bool:
-        """Whether the scene asks for, or states, a quantity of an element."""
-        return any(path.owner == owner and path.quantity == word for path in self.paths)
-
-    @cached_property
-    def paths(self) -> tuple[Path, ...]:
-        """All quantities that the states and questions speak of, those of conditions too."""
-        spoken_of = points_of((self.problem.states, self.problem.finds))
-        return tuple(path for path in spoken_of if isinstance(path, Path))
-
-    @cached_property
-    def cuts(self) -> dict[str, Path]:
-        """The points at which the scene asks what acts inside a rod, by the index that their letters get."""
-        found: dict[tuple[str, str | None, Formula | None], Path] = {}
-        for path in self.paths:
-            if path.quantity in INSIDE:
-                found.setdefault((path.owner, path.point, path.argument), path)
-        letters = [path.argument.name if isinstance(path.argument, Symbol) else "cut" for path in found.values()]
-        return {
-            letter if letters.count(letter) == 1 else f"{letter}{number}": path
-            for number, (letter, path) in enumerate(zip(letters, found.values(), strict=True), 1)
-        }
 
     def driven(self, name: str, state: str) -> bool:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""

@@ -12,19 +12,20 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
 from rotsolve.elements.connections.connection import Connection
-from rotsolve.elements.connections.contacts import Contact, Rolls
-from rotsolve.elements.connections.rubbing import Clutch, Rims
+from rotsolve.elements.connections.contacts.contact import Contact
+from rotsolve.elements.connections.contacts.rolling import Rolls
+from rotsolve.elements.connections.contacts.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
-from rotsolve.motion.admissible import check, on_axes
-from rotsolve.motion.fits import check_holding, check_surfaces
-from rotsolve.motion.instant import locate
-from rotsolve.motion.owndata import versions
+from rotsolve.motion.bodies.frame import locate
+from rotsolve.motion.bodies.owndata import versions
+from rotsolve.motion.bodies.rigid import centre_of_mass, pieces, place, tidy
+from rotsolve.motion.checks.admissible import check, on_axes
+from rotsolve.motion.checks.fits import check_holding, check_surfaces
+from rotsolve.motion.checks.sequence import check_sequence
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import centre_of_mass, pieces, place, tidy
-from rotsolve.motion.sequence import check_sequence
 from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 

@@ -23,13 +23,14 @@ from rotsolve.core.facts import (
     square,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
+from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.elements.rims import shape_of
+from rotsolve.motion.bodies.frame import Frame
+from rotsolve.motion.bodies.rigid import mass_of, moment_about, product_about
 from rotsolve.motion.cuts import cuts_at
-from rotsolve.motion.instant import Frame, Instant
-from rotsolve.motion.rigid import mass_of, moment_about, product_about
+from rotsolve.motion.instant import Instant
 from rotsolve.scene.model import Body, PointRef
 
 
@@ -121,7 +122,7 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         forces,
         couples,
         instant.is_round(body.name),
-        period=instant.ask("period", body.name) if instant.arrangement.asks(body.name, "period") else None,
+        period=instant.ask("period", body.name) if instant.arrangement.mentions.asks(body.name, "period") else None,
         axis=instant.arrangement.axis(body.name, instant.state),
         lays=instant.arrangement.laid(body.name),
         changing=instant.arrangement.changing(body.name, instant.state),

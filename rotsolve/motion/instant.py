@@ -3,91 +3,24 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
-from rotsolve.core.directions import opposite
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
-from rotsolve.core.quantity import BY_WORD, PLANE
+from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
-from rotsolve.core.varying import paths_in
+from rotsolve.core.vectors.directions import TURNS, opposite
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.elements.shapes.shape import WHEEL
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.rigid import Piece, centre_of_mass, direction_of, part_frame, pieces, place, polar, tidy
+from rotsolve.motion.bodies.frame import ON_RIM, Frame, frame, locate
+from rotsolve.motion.bodies.rigid import direction_of, polar, tidy
+from rotsolve.motion.followed import followed
 from rotsolve.motion.running import value_now
-from rotsolve.scene.keys import varying
 from rotsolve.scene.model import Body, PointRef
-
-STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
-FOLLOWED = ("position", "velocity", "acceleration")
-TURNS = ("counterclockwise", "clockwise")
-ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
-
-
-@dataclass(frozen=True)
-class Frame:
-    """A rigid body (with all that is joined to it) in its own axes: pieces, centre of mass and reference point."""
-
-    pieces: tuple[Piece, ...]
-    reference: Vector
-    cm: Vector  # from the reference
-
-
-def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
-    """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-    body = arrangement.body(name, state)
-    items = list(pieces(body))
-    for member in arrangement.cluster(name, state):
-        if member.host == name:
-            base = locate(body, member.at)
-            offset = locate(arrangement.body(member.name, state), member.own)
-            own = frame(arrangement, member.name, state).pieces
-            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
-    pivot = arrangement.pivot(name, state)
-    centre = centre_of_mass(tuple(items))
-    reference = locate(body, pivot) if pivot is not None else centre
-    return Frame(tuple(items), reference, polar(tidy(centre - reference)))
-
-
-def locate(body: Body, ref: PointRef | None) -> Vector:
-    """Place of a point in a body's own axes; of a rim, the place that it has while the body stands as drawn."""
-    if ref is None or ref.point in (None, "center"):
-        return NOWHERE
-    radius = rim_radius(body, ref.point)
-    if ref.point in ON_RIM and radius is not None:
-        return vector(radius, ON_RIM[ref.point])
-    if ref.point == "cm":
-        return centre_of_mass(pieces(body))
-    for name, at in body.points:
-        if name == ref.point:
-            return place(at)
-    for part in body.parts:
-        if part.body.name == ref.point:
-            return part_frame(part)[1]
-    return place(shape_of(body).locate(ref.point or "", ref.argument))
-
-
-def rise(body: Body, ref: PointRef) -> Formula:
-    """Height of a point above the picture, in the body's axes."""
-    if ref.point == "cm":
-        items = pieces(body)
-        if all(piece.height == ZERO for piece in items):
-            return ZERO
-        whole = total([piece.mass for piece in items])
-        return simplify(total([piece.mass * piece.height for piece in items]) / whole)
-    for name, at in body.points:
-        if name == ref.point:
-            return at[2] if len(at) > 2 else ZERO
-    for part in body.parts:
-        if part.body.name == ref.point:
-            return part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
-    return shape_of(body).rise(ref.point or "center")
 
 
 @dataclass(frozen=True)
@@ -189,48 +122,7 @@ class Instant:
 
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
-        body = self.body(name)
-        rod = shape_of(body).word == "rod"
-        if self.swings(name):
-            return self.ask("angle", name, words=TURNS)
-        followed = self._speaks_of_angle(name) or self.marked(name)
-        if not (rod and self.arrangement.heavy) and not followed:
-            return None
-        if not rod and self._stands(name):
-            return None
-        return self.ask("angle", name, words=TURNS)
-
-    def marked(self, name: str) -> bool:
-        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
-        arrangement, body = self.arrangement, self.body(name)
-        slanted = self.frame(name).cm.parts and shape_of(body).word != "rod"
-        if len(arrangement.timeline.states) < 2 or slanted:
-            return False
-        asked = (term.path for find in arrangement.problem.finds for term in find.terms if term.path.owner == name)
-        still = (*STILL, *dict(body.radii))
-        return any(
-            path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
-        )
-
-    def _stands(self, name: str) -> bool:
-        """Whether a body slides along as it is drawn, with nothing said of its angle."""
-        flat = self.line(name) is not None
-        return flat and not self.can_turn(name, flat) and not self.arrangement.says(self.state, name, "angle")
-
-    def swings(self, name: str) -> bool:
-        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
-        hinged = self.generic and self.mark != GENERIC and self.arrangement.pivot(name, self.state) is not None
-        return hinged and self.arrangement.heavy and bool(self.frame(name).cm.parts)
-
-    def _speaks_of_angle(self, name: str) -> bool:
-        problem = self.arrangement.problem
-        said = self.arrangement.paths
-        if any(path.owner == name and path.quantity == "angle" and not path.point for path in said):
-            return True
-        if any(drive.word == "angle" for drive in self.arrangement.drives(name, self.state)):
-            return True
-        values = (value for item in (*problem.connections, *problem.actions) for value in varying(item))
-        return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
+        return self.ask("angle", name, words=TURNS) if followed(name, self) else None
 
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""

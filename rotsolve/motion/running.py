@@ -5,14 +5,11 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.directions import opposite
-from rotsolve.core.faults import Unsolvable
-from rotsolve.core.registry import GENERIC, TIME, Registry
+from rotsolve.core.registry import GENERIC, TIME
 from rotsolve.core.varying import paths_in
-from rotsolve.scene.keys import varying
+from rotsolve.core.vectors.directions import TURNS, opposite
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
     from rotsolve.motion.instant import Instant
 
 
@@ -28,7 +25,7 @@ def letter_of(word: str, name: str, instant: Instant) -> Formula:
     """Place or rate of a body at a moment, along its declared sense; even at a moment of a motion only thought of, the real rate."""
     match word:
         case "angle":
-            return instant.ask("angle", name, words=("counterclockwise", "clockwise"))
+            return instant.ask("angle", name, words=TURNS)
         case "angular_velocity":
             return instant.ask(word, name, when=instant.when, words=instant.turn_words(name))
         case "velocity":
@@ -51,25 +48,6 @@ def since_first(word: str, name: str, instant: Instant) -> Formula:
 
 
 def line_words(name: str, instant: Instant) -> tuple[str, str]:
+    """The words for the two senses in which a body travels along its line."""
     line = instant.line(name)
     return (line[1], opposite(line[1])) if line else ("", "")
-
-
-def check_values(arrangement: Arrangement) -> None:
-    """A value that varies speaks of a body that moves as it is said to, and that is tied to the body on which it acts."""
-    from rotsolve.motion.instant import Instant
-
-    for state in arrangement.timeline.states:
-        instant = Instant(arrangement, Registry(), state.name)
-        for body in arrangement.present(state.name):
-            arrangement.drives(body.name, state.name)  # refuses what can not be driven so
-        for item in arrangement.acting(state.name):
-            held = [ref for ref in item.touches() if ref.owner in arrangement.bodies]
-            for name, owner, word in (path for value in varying(item) for path in paths_in(value)):
-                motion = instant.motion(owner)
-                if motion.kind != "line" if word in ("displacement", "velocity") else not motion.turns:
-                    how = "travel along a line" if word in ("displacement", "velocity") else "turn"
-                    raise Unsolvable(f"there is no `{name}`: `{owner}` does not {how}", span=held[-1].span)
-                if instant.host(owner) not in arrangement.component(held[-1].owner, state.name):
-                    message = f"`{item.name}` varies with a body that is not tied to `{held[-1].owner}`: not solved yet"
-                    raise Unsolvable(message, span=held[-1].span)

@@ -8,9 +8,9 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, multiply, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.tensor import AXES
+from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.writing import flat, is_negative, spoken
-from rotsolve.motion.spread import DENSITY, Spread
+from rotsolve.motion.bodies.spread import DENSITY, Spread
 from rotsolve.principles.integration import centre_letter, origin
 from rotsolve.principles.pieces import noun
 

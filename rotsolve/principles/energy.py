@@ -11,8 +11,8 @@ from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, Product, Q
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
-from rotsolve.core.heading import UP
 from rotsolve.core.passage import Passage
+from rotsolve.core.vectors.heading import UP
 from rotsolve.core.writing import flat, is_negative, moved, positive_first
 
 HALF = Number(Fraction(1, 2))

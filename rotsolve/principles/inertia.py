@@ -9,11 +9,11 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.heading import NOWHERE, RIGHT, Heading
-from rotsolve.core.tensor import AXES, ONE_AXIS
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading
+from rotsolve.core.vectors.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
-from rotsolve.motion.rigid import MINUS, Piece
-from rotsolve.motion.spread import Spread
+from rotsolve.motion.bodies.rigid import MINUS, Piece
+from rotsolve.motion.bodies.spread import Spread
 from rotsolve.principles.centre import Told, from_centre, piece_masses, plain
 from rotsolve.principles.integration import INDICES, NotSliced, by_integration, mass
 from rotsolve.principles.pieces import about_axis, apart, arm_of, distance_words, entry_of, noun, sum_of_squares

@@ -9,10 +9,10 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, multiply
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.tensor import AXES, ONE_AXIS, Place, displaced
+from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
 from rotsolve.elements.shapes.slicing import Slicing
-from rotsolve.motion.rigid import Piece
-from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
+from rotsolve.motion.bodies.rigid import Piece
+from rotsolve.motion.bodies.spread import DENSITY, EXTENTS, Spread
 
 Steps = tuple[Equation, ...]
 Law = tuple[Formula, str, Words]

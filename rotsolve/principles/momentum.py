@@ -9,12 +9,12 @@ from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
-from rotsolve.core.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import at_any_time
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.principles.rotation import about, response
 
 

@@ -8,7 +8,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, multiply
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
-from rotsolve.core.heading import Heading
+from rotsolve.core.vectors.heading import Heading
 from rotsolve.core.writing import law, spoken
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Power, Product, Sum, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.tensor import ONE_AXIS, Place
+from rotsolve.core.vectors.tensor import ONE_AXIS, Place
 from rotsolve.core.writing import is_negative, spoken
-from rotsolve.motion.rigid import Piece
-from rotsolve.motion.spread import Spread
+from rotsolve.motion.bodies.rigid import Piece
+from rotsolve.motion.bodies.spread import Spread
 
 OTHERS = {"xx": (1, 2), "yy": (0, 2), "zz": (0, 1)}  # the coordinates whose squares make the distance from an axis
 

@@ -8,9 +8,9 @@ from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 
 
 def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:

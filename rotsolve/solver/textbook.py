@@ -14,8 +14,8 @@ from rotsolve.algebra.exact.normal import is_zero, length, simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Call, Formula, Integral, Power, Sum
 from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
-from rotsolve.core.heading import heading
 from rotsolve.core.registry import TIME, in_midst
+from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.step import Found
 
 LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold

@@ -13,8 +13,8 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units import dimension as dims
 from rotsolve.algebra.units.dimension import TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
-from rotsolve.core.heading import UP
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.vectors.heading import UP
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.inquiry.history import History
 from rotsolve.motion.arrangement import Arrangement

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.tensor import AXES, ENTRIES, ROWS, InertiaTensor, Place, displaced
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, ROWS, InertiaTensor, Place, displaced
 from rotsolve.elements.shapes import SHAPES, Shape
 from rotsolve.elements.shapes.cylinders import Cylinder, CylindricalShell
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle

@@ -21,7 +21,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.owndata import is_own
+from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.pipeline import solve_problem
 from rotsolve.scene.model import Body, Problem
 

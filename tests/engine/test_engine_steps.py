@@ -10,8 +10,8 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.registry import GENERIC, VIRTUAL
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.motion.instant import GENERIC, VIRTUAL
 from rotsolve.scene.model import Problem
 
 Number = Callable[[Formula, dict[str, float]], float]

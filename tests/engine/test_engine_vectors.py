@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Number, call
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import heading
+from rotsolve.core.vectors.heading import heading
 from rotsolve.pipeline import solve
 from rotsolve.solution import AnswerView
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule, Turntable
-from rotsolve.core.heading import Heading
+from rotsolve.core.vectors.heading import Heading
 from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import Couple, Force, signed
-from rotsolve.core.heading import RIGHT, UP, Heading, unit
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.model import Body, PointRef
 

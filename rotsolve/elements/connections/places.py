@@ -8,7 +8,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import length, simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
-from rotsolve.core.heading import RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.elements.sides import rough
 from rotsolve.scene.model import PointRef
 

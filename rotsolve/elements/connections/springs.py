@@ -9,9 +9,9 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
-from rotsolve.core.directions import along_text
 from rotsolve.core.facts import Couple, Force, Potential, square
-from rotsolve.core.heading import DOWN, UP, Vector, unit
+from rotsolve.core.vectors.directions import TURNS, along_text
+from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import apart, between, distance
 from rotsolve.elements.sides import rough
@@ -111,9 +111,9 @@ class Torsion(Connection):
         """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
         names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.arrangement.bodies]
         last = names[-1]
-        twist = instant.ask("angle", last, words=("counterclockwise", "clockwise"))
+        twist = instant.ask("angle", last, words=TURNS)
         if len(names) == 2:
-            twist = twist - instant.ask("angle", names[0], words=("counterclockwise", "clockwise"))
+            twist = twist - instant.ask("angle", names[0], words=TURNS)
         if self.rest_angle is not None:
             twist = simplify(twist - self.rest_angle)
         stiffness = self.stiffness if self.stiffness is not None else ZERO

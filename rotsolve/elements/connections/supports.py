@@ -10,8 +10,8 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.facts import Couple, Force, Rule, held_still, signed
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.heading import RIGHT, UP, unit
 from rotsolve.core.varying import combined, pace_of
+from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
@@ -75,7 +75,7 @@ class Driven(Connection):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
-            if self.driven or (self.friction_torque is None and instant.arrangement.asks(self.name, "torque")):
+            if self.driven or (self.friction_torque is None and instant.arrangement.mentions.asks(self.name, "torque")):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
 

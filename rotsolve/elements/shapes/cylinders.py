@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number
-from rotsolve.core.tensor import InertiaTensor, round_about
+from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.round import Annulus, Disc, Radii, Ring, walls
 from rotsolve.elements.shapes.shape import WHEEL, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate
-from rotsolve.core.tensor import InertiaTensor
+from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.elements.shapes import shoelace
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line

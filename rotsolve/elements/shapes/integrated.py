@@ -9,8 +9,8 @@ from rotsolve.algebra.calculus import carried_out
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words
-from rotsolve.core.tensor import AXES, ENTRIES, InertiaTensor, displaced
-from rotsolve.core.tensor import Place as Spot
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
+from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis
 from rotsolve.scene.keys import key

@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
-from rotsolve.core.tensor import InertiaTensor, round_about
+from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.shape import WHEEL, Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis
 from rotsolve.scene.keys import key

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.tensor import ORIGIN, InertiaTensor
-from rotsolve.core.tensor import Place as Spot
+from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
+from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.scene.keys import key
 

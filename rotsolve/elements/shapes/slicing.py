@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.core.tensor import AXES, ENTRIES, ORIGIN, Place
+from rotsolve.core.vectors.tensor import AXES, ENTRIES, ORIGIN, Place
 
 SQUARES = {"xx": ("yy", "zz"), "yy": ("xx", "zz"), "zz": ("xx", "yy")}  # Σ m (y² + z²), …
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
-from rotsolve.core.tensor import InertiaTensor, round_about
+from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.shape import Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis, on_line
 from rotsolve.scene.keys import key

@@ -7,8 +7,8 @@ from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, call
-from rotsolve.core.tensor import InertiaTensor
-from rotsolve.core.tensor import Place as Spot
+from rotsolve.core.vectors.tensor import InertiaTensor
+from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.scene.keys import key

@@ -145,7 +145,7 @@ class Composer:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
         arrangement = self.history.arrangement
-        if arrangement.functions:
+        if arrangement.mentions.functions:
             first = arrangement.timeline.states[0].name
             said.append(
                 (self.letters.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time")

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.core.registry import SEPARATOR, TIME
-from rotsolve.core.tensor import ENTRIES, ONE_AXIS
+from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.courses import phases_of

@@ -8,8 +8,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, Formula, Number
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
-from rotsolve.core.heading import heading
 from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import State
 

@@ -11,7 +11,7 @@ from rotsolve.core.varying import CONSTANT
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import displacement, so_far
+from rotsolve.motion.phases.travels import displacement, so_far
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Path, Term
 

@@ -18,7 +18,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
 from rotsolve.inquiry.questions.meaning import size_of
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import rotation, so_far
+from rotsolve.motion.phases.travels import rotation, so_far
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Path, PointRef, Term
 

@@ -8,7 +8,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import Equation
 from rotsolve.core.faults import Fault, Span, Unsolvable
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text

@@ -9,7 +9,7 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.inquiry.finds.transfers import potential_change
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, size_of, whole_vector
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.scene.model import Term
 
 STORED = ("potential_energy", "energy")

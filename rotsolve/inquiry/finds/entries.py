@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rotsolve.algebra.formula import Symbol
-from rotsolve.core.tensor import AXES, ENTRIES
+from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.inquiry.history import History
 from rotsolve.scene.model import Find, Term
 

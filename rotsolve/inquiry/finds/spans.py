@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, total
-from rotsolve.core.heading import RIGHT, UP
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.inquiry.courses import way
 from rotsolve.inquiry.finds.transfers import blow, impulse, work
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
-from rotsolve.motion.passages import angle_turned
+from rotsolve.motion.phases.travels import angle_turned
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Path, PointRef, Term
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate, sqrt
 from rotsolve.core.facts import BodyFacts, signed
-from rotsolve.core.heading import UP, Vector
 from rotsolve.core.passage import Encounter, Passage
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import running
+from rotsolve.core.vectors.heading import UP, Vector
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.encounters import participants

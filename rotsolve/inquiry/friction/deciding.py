@@ -17,8 +17,8 @@ from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.rubbing import Rubbing
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.friction.sticking import BACK, FORWARD, STICKS, shown, tried
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry

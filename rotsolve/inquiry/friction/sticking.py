@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import Formula, Symbol, call, negate
 from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.answers import Answered, NoAnswer
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.history import History

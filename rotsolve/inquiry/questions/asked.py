@@ -9,8 +9,8 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.scene.model import Find, Path
 
 if TYPE_CHECKING:

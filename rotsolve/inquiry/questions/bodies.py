@@ -7,17 +7,17 @@ from fractions import Fraction
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, total
 from rotsolve.core.facts import BodyFacts, signed, square
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
+from rotsolve.motion.bodies.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import height
-from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
+from rotsolve.motion.phases.heights import height
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
 

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
-from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.ropes.strings import String
 from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of

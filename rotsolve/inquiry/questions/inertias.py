@@ -9,17 +9,17 @@ from dataclasses import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.core.tensor import AXES, Place
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
+from rotsolve.core.vectors.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet
 from rotsolve.inquiry.questions.moment import Moment
-from rotsolve.motion.instant import locate, rise
+from rotsolve.motion.bodies.frame import locate, rise
+from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.bodies.spread import Spread
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.rigid import tidy
-from rotsolve.motion.spread import Spread
 from rotsolve.principles import inertia
 from rotsolve.principles.centre import Told, centre
 from rotsolve.principles.integration import NotSliced, mass

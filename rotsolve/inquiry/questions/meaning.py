@@ -12,8 +12,8 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import square
 from rotsolve.core.faults import Span
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.quantity import POINT, QUANTITIES
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import Path, Term
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, sqrt
 from rotsolve.core.facts import signed
-from rotsolve.core.heading import RIGHT, UP, Vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.questions.meaning import absolute
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 
 NATURAL = ("tangential", "normal")
 

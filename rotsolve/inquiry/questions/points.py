@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import ZERO, add
 from rotsolve.core.facts import Motion, signed, square
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.core.quantity import BY_WORD, INSIDE
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length
-from rotsolve.motion.instant import STILL
+from rotsolve.motion.followed import STILL
 from rotsolve.scene.model import Path, PointRef
 
 
@@ -62,7 +62,7 @@ class OfPoints(Moment):
     def _inside(self, path: Path) -> Meaning:
         """What acts at a cut through a rod."""
         same = (path.owner, path.point, path.argument)
-        cuts = self.instant.arrangement.cuts.items()
+        cuts = self.instant.arrangement.mentions.cuts.items()
         index = next(index for index, cut in cuts if (cut.owner, cut.point, cut.argument) == same)
         cut = next((cut for cut in self.facts().cuts if cut.index == index), None)
         if cut is not None and cut.jumps and path.quantity != "bending_moment":

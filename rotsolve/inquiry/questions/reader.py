@@ -8,17 +8,17 @@ from __future__ import annotations
 from dataclasses import replace
 
 from rotsolve.algebra.formula import Formula, total
-from rotsolve.core.directions import opposite
 from rotsolve.core.facts import signed
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.directions import opposite
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.elements import OfElements
 from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.points import OfPoints
-from rotsolve.motion.rigid import tidy
+from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, Term
 

@@ -12,17 +12,18 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states.balance import balance, check_shafts, check_steady
 from rotsolve.inquiry.states.carry import carry_over
 from rotsolve.inquiry.states.drives import prescribe
 from rotsolve.inquiry.states.fixed import Fixed
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.bodies.owndata import is_own
+from rotsolve.motion.followed import marked
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.owndata import is_own
-from rotsolve.motion.passages import angle_turned, displacement
+from rotsolve.motion.phases.travels import angle_turned, displacement
 from rotsolve.scene.model import Condition, Path, State
 
 RATE_OF = {  # what is zero where a quantity is largest or smallest
@@ -72,7 +73,7 @@ class Statements:
     def _as_drawn(self, first: Instant) -> None:
         """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
         for body in self.arrangement.present(first.state):
-            angle = first.angle(body.name) if first.marked(body.name) else None
+            angle = first.angle(body.name) if marked(body.name, first) else None
             if angle is not None:
                 self.fixed.fix(angle, ZERO)
 

@@ -13,9 +13,10 @@ from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import PLACES, SEVERAL_WAYS, stable_angle
 from rotsolve.inquiry.swings.swing import Swing, displacements, moving, places, rates
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.followed import swings
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.passages import groups_of
+from rotsolve.motion.phases.passages import groups_of
 from rotsolve.principles import energy
 from rotsolve.scene.model import Term
 
@@ -164,12 +165,12 @@ class Placing:
         key = angle_key(rest, name)
         if key in self.registry.quantities:
             return self.registry.known.get(key, Symbol(key))
-        return rest.offset(name).formula() if near.swings(name) else None
+        return rest.offset(name).formula() if swings(name, near) else None
 
 
 def driven_back(name: str, near: Instant) -> bool:
     """Whether the weight of a body can drive it back: of one that hangs from a hinge, or lies on a curved surface."""
-    return near.swings(name) or (near.arrangement.heavy and near.orbit(name) is not None)
+    return swings(name, near) or (near.arrangement.heavy and near.orbit(name) is not None)
 
 
 def angle_key(instant: Instant, name: str) -> str:

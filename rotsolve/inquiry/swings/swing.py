@@ -9,12 +9,12 @@ from functools import cached_property
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.directions import opposite
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
-from rotsolve.core.heading import heading
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.vectors.directions import opposite
+from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies

@@ -9,17 +9,17 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import BodyFacts, Couple, Cut, Force, Inertia, Motion
-from rotsolve.core.heading import DOWN, RIGHT, Vector, unit, vector
+from rotsolve.core.vectors.heading import DOWN, RIGHT, Vector, unit, vector
 from rotsolve.elements.shapes import Rod
+from rotsolve.motion.bodies.rigid import Piece, centre_of_mass, moment_about, positive_part, tidy
 from rotsolve.motion.cuts.section import Loads, Section, free_side, section_of
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Piece, centre_of_mass, moment_about, positive_part, tidy
 
 
 def cuts_at(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
     """The cuts that the scene asks for; none of a rod where it is not certain on which side of the cut something acts."""
     found = []
-    for index, path in instant.arrangement.cuts.items():
+    for index, path in instant.arrangement.mentions.cuts.items():
         facts = next((item for item in bodies if item.name == path.owner), None)
         section = section_of(path, index, instant) if facts is not None else None
         if facts is not None and section is not None:

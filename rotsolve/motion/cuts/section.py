@@ -8,11 +8,11 @@ from rotsolve.algebra.certified.sign import sign_of
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import BodyFacts, Couple, Force
-from rotsolve.core.heading import RIGHT, UP, Vector
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.elements.shapes import Rod
+from rotsolve.motion.bodies.rigid import Piece, tidy
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.rigid import Piece, tidy
 from rotsolve.scene.model import Body, Path, PointRef
 
 

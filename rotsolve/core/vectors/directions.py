@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading
 
+TURNS = ("counterclockwise", "clockwise")
 WORDS = {"right": RIGHT, "up": UP, "left": LEFT, "down": DOWN}
 OPPOSITE = {
     "right": "left",

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import Couple, Force, Rule
-from rotsolve.core.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
+from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.connections.contacts import Friction
+from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef

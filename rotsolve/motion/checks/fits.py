@@ -8,7 +8,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.faults import Unsolvable
-from rotsolve.elements.connections.contacts import Touch
+from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Fixes, Grips, Joins
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.surfaces import Curved, Surface

@@ -12,8 +12,8 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
-from rotsolve.core.tensor import ORIGIN, Place
-from rotsolve.motion.rigid import Piece
+from rotsolve.core.vectors.tensor import ORIGIN, Place
+from rotsolve.motion.bodies.rigid import Piece
 
 DENSITY = {"line": ("lambda", "length"), "surface": ("sigma", "area"), "volume": ("rho", "volume")}
 EXTENTS = {"line": ("s", "length"), "surface": ("A", "area"), "volume": ("V", "volume")}

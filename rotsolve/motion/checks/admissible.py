@@ -7,8 +7,9 @@ from collections.abc import Mapping
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.actions import Action, Press
 from rotsolve.elements.connections import Connection, Contact, Rides
-from rotsolve.elements.connections.contacts import Touch, Unrolls
-from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.contacts.rolling import Unrolls
+from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.ropes.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle

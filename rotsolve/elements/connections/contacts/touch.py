@@ -1,21 +1,21 @@
-"""Contacts: a body on a surface, with or without friction, sliding or rolling."""
+"""Touch: a body on a surface or on another body: where they touch, the push of the one on the other, and friction between them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.directions import along_text, opposite
 from rotsolve.core.facts import Force, Requirement, Rule, square
-from rotsolve.core.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
+from rotsolve.core.vectors.directions import TURNS, along_text, opposite
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact, Orbit
+from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Curved, Level, Surface
-from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:
@@ -24,17 +24,21 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
-class Friction:
-    """Friction of a contact: `none`, one coefficient, static and kinetic, or `any` (rough enough; the engine decides)."""
-
-    kind: str = "none"  # none | coefficient | any
-    static: Formula | None = None
-    kinetic: Formula | None = None
-
-
-@dataclass(frozen=True)
 class Touch(Connection):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
+
+    quantities: ClassVar[tuple[str, ...]] = (
+        "force",
+        "normal_force",
+        "friction_force",
+        "friction",
+        "torque",
+        "angle",
+        "work",
+        "power",
+        "impulse",
+    )
+    words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
 
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly."""
@@ -61,7 +65,7 @@ class Touch(Connection):
             return replace(below, name=carrier) if below is not None else Level(carrier)
         found = [surface for ref in self.places() if (surface := arrangement.surfaces.get(ref.owner)) is not None]
         bent = [surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None]
-        if len(found) > 1 and bent and arrangement.says(state, self.name, "angle", "leaves"):
+        if len(found) > 1 and bent and arrangement.mentions.says(state, self.name, "angle", "leaves"):
             return bent[0]
         return found[0] if found else None
 
@@ -96,7 +100,7 @@ class Touch(Connection):
             met = surface.met(rim)
             if met is not None:
                 return met
-        return instant.ask("angle", self.name, words=("counterclockwise", "clockwise"))
+        return instant.ask("angle", self.name, words=TURNS)
 
     def normal(self, surface: Surface, instant: Instant) -> Heading:
         """Direction out of the surface where the body touches it."""
@@ -270,7 +274,6 @@ def travel_words(forward: Heading, path: Heading | None, instant: Instant, name:
 
 def contact_arm(ref: PointRef, facing: Heading, instant: Instant) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
-
     radius = rim_radius(instant.body(ref.owner), ref.point)
     if radius is not None and instant.is_round(ref.owner):
         centre = PointRef(ref.owner, "center")
@@ -278,81 +281,3 @@ def contact_arm(ref: PointRef, facing: Heading, instant: Instant) -> Vector:
     if instant.motion(ref.owner).kind == "line" and not instant.motion(ref.owner).turns:
         return NOWHERE
     return instant.point(ref)
-
-
-@dataclass(frozen=True)
-class Contact(Touch):
-    word = "contact"
-    about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
-    quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
-    words = ("rolls", "slips", "leaves", "sticks")
-    contact: tuple[PointRef, ...] = key(
-        "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
-    )
-    friction: Friction = key(
-        "friction",
-        "`none`, a coefficient, {static: , kinetic: }, or `any`",
-        default=Friction(),
-        letter="mu",
-        limits="nonnegative",
-    )
-    press: Formula | None = key(
-        "quantity",
-        "force that presses two wheels together at their rims",
-        dimension="force",
-        letter="F",
-        limits="positive",
-        default=None,
-    )
-
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.contact
-
-    def grip(self) -> Friction:
-        return self.friction
-
-
-@dataclass(frozen=True)
-class Rolls(Touch):
-    word = "rolls"
-    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
-    quantities = ("force", "normal_force", "friction_force", "friction", "torque", "angle", "work", "power", "impulse")
-    words = ("rolls", "slips", "leaves", "sticks")
-    rolls: tuple[PointRef, ...] = key(
-        "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
-    )
-
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.rolls
-
-    def grip(self) -> Friction:
-        return Friction("any")
-
-
-@dataclass(frozen=True)
-class Unrolls(Touch):
-    word = "unrolls"
-    about = "a roll, of a carpet say, lays itself out on a level surface; a state says how large its `radius` is still"
-    quantities = ("force", "normal_force", "friction_force", "torque")
-    unrolls: tuple[PointRef, ...] = key(
-        "points", "[roll, surface]", count=(2, 2), required=True, example="[carpet, floor]"
-    )
-
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.unrolls
-
-    def grip(self) -> Friction:
-        return Friction("any")
-
-    def lays(self, body: Body) -> bool:
-        return self.unrolls[0].owner == body.name
-
-    def pace(self, arrangement: Arrangement, state: str) -> str:
-        return "position"
-
-    def friction_facts(
-        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
-    ) -> Iterator[Fact]:
-        """As of a wheel that rolls, with v = r ω at any moment; for accelerations there is no such rule, since r changes."""
-        for fact in super().friction_facts(instant, name, arm, surface, normal):
-            yield replace(fact, acceleration=None, linear=False) if isinstance(fact, Rule) else fact

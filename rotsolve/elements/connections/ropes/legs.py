@@ -9,7 +9,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.core.directions import along_text, opposite
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.directions import along_text, opposite
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.sides import rough
 
 if TYPE_CHECKING:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, negate, total
 from rotsolve.core.facts import Force, Potential, Requirement, Rule, square
-from rotsolve.core.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
+from rotsolve.core.vectors.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.rims import rim_radius

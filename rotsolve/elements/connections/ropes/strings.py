@@ -13,11 +13,11 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Force, Requirement, Rule
-from rotsolve.core.heading import Vector
+from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.connections.legs import Course, Leg
-from rotsolve.elements.connections.told import said, told_along
+from rotsolve.elements.connections.ropes.legs import Course, Leg
+from rotsolve.elements.connections.ropes.told import said, told_along
 from rotsolve.scene.keys import key
 from rotsolve.scene.model import Body, PointRef
 

@@ -11,9 +11,9 @@ from fractions import Fraction
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
-from rotsolve.core.tensor import InertiaTensor, about_z
-from rotsolve.core.tensor import Place as Spot
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
+from rotsolve.core.vectors.tensor import InertiaTensor, about_z
+from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape

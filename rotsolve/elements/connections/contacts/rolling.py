@@ -1,0 +1,66 @@
+"""Rolling: wheels that roll without slipping, and rolls that lay themselves out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.facts import Rule
+from rotsolve.core.vectors.heading import Vector
+from rotsolve.elements.connections.connection import Fact
+from rotsolve.elements.connections.contacts.friction import Friction
+from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.surfaces import Surface
+from rotsolve.scene.keys import key
+from rotsolve.scene.model import Body, PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.instant import Instant
+
+
+@dataclass(frozen=True)
+class Rolls(Touch):
+    word = "rolls"
+    about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
+    rolls: tuple[PointRef, ...] = key(
+        "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
+    )
+
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.rolls
+
+    def grip(self) -> Friction:
+        return Friction("any")
+
+
+@dataclass(frozen=True)
+class Unrolls(Touch):
+    word = "unrolls"
+    about = "a roll, of a carpet say, lays itself out on a level surface; a state says how large its `radius` is still"
+    quantities = ("force", "normal_force", "friction_force", "torque")
+    words = ()
+    unrolls: tuple[PointRef, ...] = key(
+        "points", "[roll, surface]", count=(2, 2), required=True, example="[carpet, floor]"
+    )
+
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.unrolls
+
+    def grip(self) -> Friction:
+        return Friction("any")
+
+    def lays(self, body: Body) -> bool:
+        return self.unrolls[0].owner == body.name
+
+    def pace(self, arrangement: Arrangement, state: str) -> str:
+        return "position"
+
+    def friction_facts(
+        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
+    ) -> Iterator[Fact]:
+        """As of a wheel that rolls, with v = r ω at any moment; for accelerations there is no such rule, since r changes."""
+        for fact in super().friction_facts(instant, name, arm, surface, normal):
+            yield replace(fact, acceleration=None, linear=False) if isinstance(fact, Rule) else fact

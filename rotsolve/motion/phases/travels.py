@@ -1,0 +1,182 @@
+"""Travels: how each coordinate of a body runs through a phase: its displacement or the angle that it turns, and the rates at both ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from rotsolve.algebra.formula import ONE, Formula, Symbol, negate
+from rotsolve.core.drive import TRAVELLING, TURNING, Drive
+from rotsolve.core.facts import BodyFacts, signed
+from rotsolve.core.passage import Travel
+from rotsolve.core.varying import POSITION, RATE
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.phases.leading import Lead
+from rotsolve.motion.running import line_words
+from rotsolve.motion.timeline import Interval
+
+
+def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
+    """The coordinates of a body: along its line, and its turning."""
+    pace = first.arrangement.pace(body.name, interval.start)
+    if body.motion.kind == "line":
+        yield line_travel(body.name, interval, pace, first, last, middle)
+    elif body.motion.kind == "plane":
+        for drive in first.arrangement.drives(body.name, interval.start):
+            if drive.component:
+                yield component_travel(drive, interval, first, last, middle)
+    if body.motion.turns:
+        yield turn_travel(body.name, interval, pace, first, last, middle)
+
+
+def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """The way of a body along its line."""
+    words = first.line(name)
+    label = words[1] if words else ""
+    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TRAVELLING]
+    pace, given = (drives[0].pace, drives[0].order) if drives else (pace, None)
+    places = [moment.travel("position", name, label) if given == 0 else None for moment in (first, last, middle)]
+    before, after = (moment.travel("velocity", name, label) for moment in (first, last))
+    moving = middle.travel("velocity", name, label)
+    source = middle if pace != "constant" else first
+    acceleration = source.travel("acceleration", name, label)
+    initial = first.travel("acceleration", name, label)
+    change = displacement(name, interval, first)
+    running = so_far("displacement", name, middle) if first.arrangement.mentions.runs else None
+    ends = (places[0], places[1], places[2])
+    travel = Travel(
+        name,
+        "line",
+        before,
+        after,
+        acceleration,
+        change,
+        pace,
+        moving,
+        *ends,
+        initial,
+        given=given,
+        running=running,
+    )
+    orbits = [moment.orbit(name) for moment in (first, last, middle)]
+    circle = orbits[0]
+    if given == 0 or circle is None or circle.radius is None or any(orbit != circle for orbit in orbits):
+        return travel
+    start, end, midway = (moment.place_on(circle) for moment in (first, last, middle))
+    start, end = (signed(angle, circle.way) for angle in (start, end))
+    return replace(travel, start=start, end=end, coordinate=midway, sense=circle.way, arm=circle.radius)
+
+
+def component_travel(drive: Drive, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """One component of the way of a body that is moved freely in the plane."""
+    name, axis = drive.body, drive.component
+    before, after, moving = (moment.component("velocity", name, axis) for moment in (first, last, middle))
+    initial, later = (moment.component("acceleration", name, axis) for moment in (first, middle))
+    acceleration = initial if drive.pace == "constant" else later
+    places = [moment.component("position", name, axis) for moment in (first, last, middle)]
+    change = displacement(name, interval, first, axis)
+    running = so_far("displacement", name, middle, axis) if first.arrangement.mentions.runs else None
+    ends = (places[0], places[1], places[2])
+    return Travel(
+        name,
+        "line",
+        before,
+        after,
+        acceleration,
+        change,
+        drive.pace,
+        moving,
+        *ends,
+        initial,
+        axis=axis,
+        given=drive.order,
+        running=running,
+    )
+
+
+def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
+    """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
+    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TURNING]
+    pace = drives[0].pace if drives else pace
+    before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
+    source = middle if pace != "constant" else first
+    acceleration = source.rate("angular_acceleration", name)
+    angles = tuple(moment.angle(name) for moment in (first, last, middle))
+    sense = first.sense(name)
+    start, end = (None if angle is None else signed(angle, sense) for angle in angles[:2])
+    change = rotation(name, interval, first)
+    initial = first.rate("angular_acceleration", name)
+    given = drives[0].order if drives else None
+    running = so_far("rotation", name, middle) if first.arrangement.mentions.runs else None
+    ends = (start, end, angles[2])
+    return Travel(
+        name,
+        "turn",
+        before,
+        after,
+        acceleration,
+        change,
+        pace,
+        moving,
+        *ends,
+        initial,
+        sense,
+        given=given,
+        running=running,
+    )
+
+
+def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
+    """A travel whose coordinate or rate is the one with which the forces vary."""
+    if isinstance(travel.moving, Symbol) and travel.pace == RATE and travel.moving.name in rates:
+        return replace(travel, leads=True)
+    if travel.arm != ONE or lead is None or travel.pace != POSITION:
+        return travel  # on a circle its weight varies with the place there
+    if lead.rate not in (travel.moving, negate(travel.moving)):
+        return travel
+    sense = 1 if lead.rate == travel.moving else -1
+    start, end = signed(lead.start, sense), signed(lead.end, sense)
+    return replace(
+        travel,
+        coordinate=lead.letter,
+        start=start,
+        end=end,
+        sense=sense,
+        leads=True,
+        told=travel.start is None and lead.stored,
+    )
+
+
+def displacement(name: str, interval: Interval, instant: Instant, component: str = "") -> Formula:
+    """Displacement of a body along its line in a phase, counted along its positive sense; or a component of it."""
+    return instant.ask(
+        "displacement", name, when=interval.name, words=ways(name, instant, component), component=component
+    )
+
+
+def ways(name: str, instant: Instant, component: str) -> tuple[str, str]:
+    """The words for the two senses in which a body travels."""
+    if component:
+        return ("right", "left") if component == "x" else ("up", "down")
+    return line_words(name, instant)
+
+
+def rotation(name: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle that a body turns through in a phase, counted along its positive sense."""
+    return instant.ask("rotation", name, when=interval.name, words=instant.turn_words(name))
+
+
+def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formula:
+    """Displacement or rotation of a body from the start of a phase up to any moment in it."""
+    words = ways(name, middle, component) if word == "displacement" else middle.turn_words(name)
+    return middle.ask(word, name, words=words, component=component, letter="phi" if word == "rotation" else "s")
+
+
+def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
+    """Angle through which a body turns in a phase, or the last body of a connection against its first."""
+    item = next((item for item in instant.arrangement.connections(interval.start) if item.name == owner), None)
+    if item is None or not item.between():
+        return rotation(instant.host(owner), interval, instant)
+    first, last = (instant.host(ref.owner) for ref in item.between())
+    way = instant.sense(first) * instant.sense(last)
+    return rotation(last, interval, instant) - signed(rotation(first, interval, instant), way)
