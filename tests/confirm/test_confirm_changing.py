@@ -115,7 +115,7 @@ def test_man_walking_round_by_the_force_of_his_feet() -> None:
 
 def test_wheel_on_a_stool_by_rubbing_hand_and_motor() -> None:
     """A hand rubs with a torque of its own until the wheel is at rest against him, then drives it back."""
-    stool, wheel, omega = 3.6, 0.4, 20.0
+    stool, wheel, omega = 1.6375, 0.4625, 57.7
 
     def rub(time: float, state: State) -> State:
         torque = 1.3 + math.sin(7 * time) ** 2
