@@ -103,7 +103,7 @@ def held_back(mass: float, pull: float, inertia: float, radius: float, brake: fl
 
 
 def test_yoyo_on_its_axle_by_steps() -> None:
-    mass, inertia, axle, way = 0.06, 30e-7, 0.004, 0.7
+    mass, inertia, axle, way = 116.0, 116 * 0.32**2 / 2, 0.032, 20.0
     acceleration, tension = held_back(mass, mass * G, inertia, axle)
 
     def rate(_: float, state: State) -> State:

@@ -115,7 +115,7 @@ def test_man_walking_round_by_the_force_of_his_feet() -> None:
 
 def test_wheel_on_a_stool_by_rubbing_hand_and_motor() -> None:
     """A hand rubs with a torque of its own until the wheel is at rest against him, then drives it back."""
-    stool, wheel, omega = 3.6, 0.4, 20.0
+    stool, wheel, omega = 1.6375, 0.4625, 57.7
 
     def rub(time: float, state: State) -> State:
         torque = 1.3 + math.sin(7 * time) ** 2
@@ -132,30 +132,32 @@ def test_wheel_on_a_stool_by_rubbing_hand_and_motor() -> None:
 
 def test_brake_block_by_the_rubbed_length() -> None:
     """Time, turns and the heat f · (length of rim that has passed under the block)."""
-    inertia, radius, friction = 40 * 0.3**2 / 2, 0.3, 0.35 * 80
+    inertia, radius, friction = 90 * 0.34**2 / 2, 0.34, 0.2 * 20
 
     def rate(_: float, state: State) -> State:
         return -friction * radius / inertia, state[0], friction * radius * state[0]
 
-    time, final = until(rate, (150 * 2 * math.pi / 60, 0.0, 0.0), lambda _, state: state[0])
+    time, final = until(rate, (90 * 2 * math.pi / 60, 0.0, 0.0), lambda _, state: state[0])
     found = answers("brake-block")
     assert found["t"] == pytest.approx(time, rel=1e-9)
     assert found["n"] == pytest.approx(final[1] / (2 * math.pi), rel=1e-9)
     assert found["Q"] == pytest.approx(final[2], rel=1e-9)
     assert found["tau"] == pytest.approx(-friction * radius)
+    assert found["alpha"] == pytest.approx(rate(0, final)[0])
 
 
 def test_clutch_by_friction_of_the_plates() -> None:
-    first, second, torque = 0.8, 0.5, 12.0
+    first, second, torque, omega = 1.0, 3.0, 12.0, 20 * math.pi
 
     def rate(_: float, state: State) -> State:
         one, two = state[:2]
         return -torque / first, torque / second, one, two, torque * (one - two)
 
-    time, final = until(rate, (60.0, 0.0, 0.0, 0.0, 0.0), lambda _, state: state[0] - state[1])
+    time, final = until(rate, (omega, 0.0, 0.0, 0.0, 0.0), lambda _, state: state[0] - state[1])
     found = answers("clutch-of-two-discs")
     assert found["t"] == pytest.approx(time, rel=1e-9)
-    for key, value in zip(("omega", "a1", "a2", "Q"), (final[0], *final[2:]), strict=True):
+    share = final[4] / (first * omega**2 / 2)
+    for key, value in zip(("omega", "a1", "a2", "Q", "share"), (final[0], *final[2:], share), strict=True):
         assert found[key] == pytest.approx(value, rel=1e-9), key
 
 
@@ -212,7 +214,7 @@ def test_ball_with_back_spin_by_steps() -> None:
 
 def test_bowling_ball_by_steps() -> None:
     """Friction slows it and turns it until it rolls; the heat is friction times the length slipped."""
-    mass, radius, mu, speed = 6.0, 0.11, 0.2, 7.0
+    mass, radius, mu, speed = 6.0, 0.11, 0.21, 8.5
     slide = sliding(0.4, mu, radius, 1.0)
 
     def rate(time: float, state: State) -> State:
@@ -221,6 +223,7 @@ def test_bowling_ball_by_steps() -> None:
     time, final = until(rate, (speed, 0.0, 0.0, 0.0, 0.0), lambda _, state: state[0] - radius * state[1])
     found = answers("bowling-ball")
     expected = {"t": time, "v": final[0], "x": final[2], "share": final[4] / (mass * speed**2 / 2)}
+    expected |= dict(zip(("a", "alpha"), rate(0, final)[:2], strict=True))
     for key, value in expected.items():
         assert found[key] == pytest.approx(value, rel=1e-9), key
 

@@ -74,9 +74,13 @@ def test_marble_in_the_bowl_step_by_step() -> None:
     assert answer("marble-in-bowl", "N") == pytest.approx(mass * (G + path * rate**2), rel=1e-9)
 
 
-@pytest.mark.parametrize(("name", "arm"), [("wheel-on-step-pushed", 0.0), ("wheel-on-step-pulled", 0.20)])
-def test_wheel_on_the_point_of_leaving_the_floor(name: str, arm: float) -> None:
-    mass, radius, height = 3.0, 0.20, 0.08
+@pytest.mark.parametrize(
+    ("name", "mass", "radius", "height", "arm"),
+    [("wheel-on-step-pushed", 0.8, 0.06, 0.03, 0.0), ("wheel-on-step-pulled", 3.0, 0.20, 0.08, 0.20)],
+)
+def test_wheel_on_the_point_of_leaving_the_floor(
+    name: str, mass: float, radius: float, height: float, arm: float
+) -> None:
     up, left = (
         (radius - height) / radius,
         math.sqrt(1 - ((radius - height) / radius) ** 2),
@@ -306,7 +310,7 @@ def test_rod_tips_over_about_its_foot() -> None:
 
 
 def test_blow_on_the_end_of_a_rod() -> None:
-    mass, length, blow = 2.0, 1.2, 3.0
+    mass, length, blow = 5.0, 0.9, 3.0
     places = [x - length / 2 for x in spread(length)]  # two equal masses on a light rod behave like the rod
     # each mass takes the blow times a share: the shares add up to 1, and their moment is that of the blow
     shares = linear([(1.0, 1.0, 1.0), (places[0], places[1], length / 2)])
@@ -318,6 +322,9 @@ def test_blow_on_the_end_of_a_rod() -> None:
     assert answer("blow-on-rod-on-ice", "v_end") == pytest.approx(centre + turn * length / 2)
     assert answer("blow-on-rod-on-ice", "d") == pytest.approx(centre / turn)
     assert answer("blow-on-rod-on-ice", "K") == pytest.approx(sum(mass / 4 * speed**2 for speed in speeds))
+    pieces = 1000  # of the farther half, each held on its circle round the centre
+    pull = math.fsum(mass / 2 / pieces * turn**2 * (k + 0.5) / pieces * length / 2 for k in range(pieces))
+    assert answer("blow-on-rod-on-ice", "F") == pytest.approx(pull)
 
 
 def test_wheel_set_down_slides_for_an_instant_and_rolls() -> None:

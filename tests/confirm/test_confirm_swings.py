@@ -27,10 +27,10 @@ def period(acceleration: Acceleration, amplitude: float) -> float:
     return 2 * (quarter(acceleration, amplitude) + quarter(lambda q: -acceleration(-q), amplitude))
 
 
-TINY, TICK = 1e-4, 2e-3
+TINY, TICK = 1e-4, 1e-3
 ROD_WITH_NUT = 0.3 * 0.8**2 / 3 + 1.2 * 0.8**2 + 0.15 * 0.3**2
 SMALL: dict[tuple[str, str], Acceleration] = {
-    ("swinging-rod", "T"): lambda q: -1.5 * G * 0.45 * math.sin(q) / (1.5 * 0.9**2 / 3),
+    ("swinging-rod", "T"): lambda q: -1e5 * G * 0.745 * math.sin(q) / (1e5 * 1.49**2 / 3),
     ("disc-and-ring-on-nails", "T1"): lambda q: -0.8 * G * 0.25 * math.sin(q) / (1.5 * 0.8 * 0.25**2),
     ("disc-and-ring-on-nails", "T2"): lambda q: -0.3 * G * 0.25 * math.sin(q) / (2 * 0.3 * 0.25**2),
     ("clock-pendulum-nut", "T"): lambda q: -G * (0.3 * 0.4 + 1.2 * 0.8 + 0.15 * 0.3) * math.sin(q) / ROD_WITH_NUT,
@@ -67,7 +67,7 @@ def test_measured_swings_take_the_time_that_was_measured() -> None:
 LARGE: dict[tuple[str, str], tuple[Acceleration, float]] = {
     ("swing-from-60-degrees", "T"): (lambda q: -1.5 * G / 1.2 * math.sin(q), math.radians(60)),
     ("swing-from-170-degrees", "T"): (lambda q: -G / 0.75 * math.sin(q), math.radians(170)),
-    ("torsion-pendulum-any-size", "T"): (lambda q: -0.03 * q / (0.6 * 0.5**2 / 12), math.radians(140)),
+    ("torsion-pendulum-any-size", "T"): (lambda q: -4.73 * q / (4 * 0.3**2 / 12), math.radians(140)),
 }
 
 
