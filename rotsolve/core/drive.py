@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction
 
+from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
@@ -16,7 +17,6 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_l
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Power, Sum, Symbol
-from rotsolve.algebra.periodic import period_of
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation
 from rotsolve.plan import Plan

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ZERO, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
