@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import pace_of

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.directions import WORDS
 from rotsolve.core.drive import Drive

@@ -13,9 +13,11 @@ from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero, length, solve_linear
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Power, Sum, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation

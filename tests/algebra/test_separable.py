@@ -10,7 +10,7 @@ import pytest
 from rotsolve.algebra.calculus.separable import Stretch, Unending, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.exact.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.parse import parse as parse_any
 

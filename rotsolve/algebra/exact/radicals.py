@@ -9,9 +9,10 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.products import square_part
-from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.writing.factors import Factors
+from rotsolve.algebra.exact.writing.products import square_part
+from rotsolve.algebra.exact.writing.shape import Shaper
 from rotsolve.algebra.formula import (
     ZERO,
     Formula,
@@ -39,7 +40,7 @@ class Radicals:
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
         if not len(num):
             return ring, Fraction(0), [], Signs(ring, self.positive)
-        parts = Shaper(ring).parts((num, den))
+        parts = Factors(ring).of_ratio((num, den))
         factors = [(ring.gens[i], e) for i, e in parts.gens.items()] + parts.sums
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
             top, above = ring.factor(num)

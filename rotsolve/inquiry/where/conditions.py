@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text

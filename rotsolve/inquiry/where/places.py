@@ -6,8 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rotsolve.algebra.exact.normal import Problem
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.derivation import Words
 from rotsolve.inquiry.answering import Inquiry
