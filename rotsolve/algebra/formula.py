@@ -247,10 +247,6 @@ def formula(value: Formula | int | Fraction) -> Formula:
     raise TypeError(f"not an exact number: {value!r}")
 
 
-def symbol(name: str) -> Symbol:
-    return Symbol(name)
-
-
 def add(left: Formula, right: Formula) -> Formula:
     """left + right, one flat sum."""
     if left == ZERO:
@@ -317,6 +313,11 @@ def divide(numerator: Formula, denominator: Formula) -> Formula:
     if isinstance(denominator, Negative):
         return negate(divide(numerator, denominator.operand))
     return Quotient(numerator, denominator)
+
+
+def power(base: Formula, n: int) -> Formula:
+    """base ^ n, as it stands."""
+    return ONE if n == 0 else base if n == 1 else Power(base, Number(Fraction(n)))
 
 
 def call(function: str, *arguments: Formula) -> Formula:

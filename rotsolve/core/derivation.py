@@ -14,7 +14,7 @@ from rotsolve.core.vectors.tensor import ENTRIES, ROWS
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
     from rotsolve.algebra.units.dimension import Dimension
-    from rotsolve.algebra.units.quantities import Unit
+    from rotsolve.algebra.units.unit_table import Unit
     from rotsolve.scene.model import Given
 
 Words = tuple["str | Formula", ...]

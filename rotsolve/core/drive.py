@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.registry import TIME

@@ -26,8 +26,10 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, inside, kinematics, momentum, newton, separation
+from rotsolve.principles import constraints, driven, energy, inside, kinematics, newton, separation
 from rotsolve.principles import rotation as turning
+from rotsolve.principles.momentum import collision, impulse
+from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 from rotsolve.principles.steady import steady_rotation
 from rotsolve.scene.model import Condition, Path, State, Term
 
@@ -148,7 +150,7 @@ class History:
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
-                yield from momentum.through_event(self.encounters[interval.name], interval.name)
+                yield from collision.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
         for swing in self.swings.values():
@@ -187,7 +189,7 @@ class History:
         yield from steady_rotation(facts, state)
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
-            yield from momentum.rate_of_angular_momentum(facts, group, section)
+            yield from rate_of_angular_momentum(facts, group, section)
             yield from energy.power(virtual, group, section)
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
@@ -197,9 +199,9 @@ class History:
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from separation.separation(passage, section)
-        yield from momentum.impulses_over(passage, section)
-        yield from momentum.kept_over(passage, section)
-        yield from momentum.about_common_axes(passage, section)
+        yield from impulse.impulses_over(passage, section)
+        yield from impulse.kept_over(passage, section)
+        yield from impulse.about_common_axes(passage, section)
         yield from constraints.for_displacements(self.thought(interval.start), self.changes(passage), section)
         if self.varies(interval) or self.arrangement.mentions.runs:
             yield from turning.moments_of_inertia(passage.midst, section)

@@ -17,7 +17,7 @@ from rotsolve.render.prose import latex_prose, markdown_prose
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
-    from rotsolve.algebra.units.quantities import Unit
+    from rotsolve.algebra.units.unit_table import Unit
     from rotsolve.scene.model import Given
 
 WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")

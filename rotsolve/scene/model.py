@@ -11,7 +11,7 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.faults import Span as Span
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units.quantities import Unit
+    from rotsolve.algebra.units.unit_table import Unit
     from rotsolve.elements.actions import Action
     from rotsolve.elements.connections import Connection
     from rotsolve.elements.events import Event

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
+from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero, solve_linear
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
-from rotsolve.algebra.periodic import period_of
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.solver.item import Item, inner, isolated
 from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant

@@ -9,7 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import coefficients, is_zero, length
+from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import Equation

@@ -6,14 +6,15 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import partial
 
-from rotsolve.algebra.calculus import integrate, integrate_by_hand
+from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
+from rotsolve.algebra.calculus.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.exponentials import spread
-from rotsolve.algebra.exact.normal import is_zero, length, simplify
-from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.writing.exponentials import spread
+from rotsolve.algebra.exact.writing.powers import in_powers
+from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Power, Sum
-from rotsolve.algebra.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.step import Found

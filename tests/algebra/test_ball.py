@@ -8,7 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.certified.ball import Undefined, decimal_text, evaluate
+from rotsolve.algebra.certified.ball import decimal_text, evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
 from rotsolve.algebra.notation.parse import parse

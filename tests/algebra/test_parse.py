@@ -23,8 +23,9 @@ from rotsolve.algebra.formula import (
     Symbol,
     call,
 )
-from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.tokens import FormulaError
 
 LETTERS = "m M g a b c d T L R I E N S x alpha beta lambda theta theta0 omega m1 m2 a_end H_x t1 time"
 NAMES = frozenset(LETTERS.split())

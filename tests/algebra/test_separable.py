@@ -7,12 +7,12 @@ from fractions import Fraction
 import mpmath
 import pytest
 
+from rotsolve.algebra.calculus.separable import Stretch, Unending, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.exact.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.parse import parse as parse_any
-from rotsolve.algebra.separable import Stretch, Unending, sign_by_letters
 
 NAMES = {"a", "b", "c", "k", "x", "y"}
 VALUES = {"a": Number(Fraction(7, 5)), "b": Number(Fraction(3, 4)), "c": Number(Fraction(2, 9))}

@@ -24,10 +24,11 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.notation.letters import same_text
+from rotsolve.algebra.notation.letters import name_to_latex, name_to_text, same_text
 from rotsolve.algebra.notation.limits import rational
-from rotsolve.algebra.notation.parse import FormulaError, parse
-from rotsolve.algebra.notation.text import name_to_latex, name_to_text, to_latex, to_text
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.tokens import FormulaError
 
 NAMES = (
     "m M g a b I E N S e d f L R x y m1 m2 x_12 theta theta0 omega_2 omega alpha beta lambda Delta Omega phi_max a_end "

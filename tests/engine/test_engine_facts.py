@@ -6,8 +6,9 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 
-from rotsolve.algebra.calculus import differentiate
-from rotsolve.algebra.exact.normal import is_zero, simplify, solve_linear
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units import dimension as dims

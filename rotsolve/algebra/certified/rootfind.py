@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.normal import is_zero

@@ -1,1 +1,1 @@
-"""Exact: the normal form of formulas on FLINT, equality, textbook form, linear systems and roots."""
+"""Exact: the normal form of formulas on FLINT and equality; `writing` and `solving` on top of it."""

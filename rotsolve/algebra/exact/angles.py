@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import comb
 
 from rotsolve.algebra.exact.field import Field
-from rotsolve.algebra.exact.shape import Shaper
+from rotsolve.algebra.exact.writing.shape import Shaper
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -17,7 +17,6 @@ from rotsolve.algebra.formula import (
     Formula,
     Negative,
     Number,
-    Power,
     Product,
     Quotient,
     Sum,
@@ -27,6 +26,7 @@ from rotsolve.algebra.formula import (
     divide,
     multiply,
     negate,
+    power,
     total,
 )
 
@@ -128,12 +128,8 @@ def multiple(pair: SinCos, n: int) -> SinCos:
     parts: list[list[Formula]] = [[], []]
     for k in range(n + 1):
         sign = -1 if k % 4 >= 2 else 1
-        parts[k % 2].append(multiply(Number(Fraction(sign * comb(n, k))), multiply(_pow(c, n - k), _pow(s, k))))
+        parts[k % 2].append(multiply(Number(Fraction(sign * comb(n, k))), multiply(power(c, n - k), power(s, k))))
     return total(parts[1]), total(parts[0])
-
-
-def _pow(base: Formula, n: int) -> Formula:
-    return ONE if n == 0 else base if n == 1 else Power(base, Number(Fraction(n)))
 
 
 def _roots(*terms: tuple[int, int, int]) -> Formula:

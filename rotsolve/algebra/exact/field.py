@@ -11,18 +11,7 @@ from math import gcd
 from typing import Any
 
 from rotsolve.algebra.flints import fmpz_mpoly_ctx
-from rotsolve.algebra.formula import (
-    Call,
-    Constant,
-    Formula,
-    Negative,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-)
+from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
 Poly = Any
 Ratio = tuple[Poly, Poly]

@@ -1,4 +1,4 @@
-"""Exact: equality, textbook form and linear solving of formulas as rational functions in symbols and atoms.
+"""Exact: equality, textbook form and coefficients of formulas as rational functions in symbols and atoms.
 
 Symbols are real; only the names in `positive` are taken to be positive. Answers are equal to the input by construction.
 """
@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterable, Sequence
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.rewrite import Rewriter
-from rotsolve.algebra.exact.shape import Shaper
+from rotsolve.algebra.exact.writing.shape import Shaper, length
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
@@ -81,11 +81,6 @@ class Problem:
         return [*found, cleared] if cleared is not None else found
 
 
-def length(node: Formula) -> int:
-    """How long a formula is to read: its number of nodes."""
-    return 1 + sum(length(child) for child in node.children())
-
-
 def is_zero(f: Formula, positive: Collection[str] = frozenset()) -> bool:
     """Whether the formula vanishes identically."""
     problem = Problem([f], positive=positive, split_logs=True)
@@ -125,14 +120,3 @@ def polynomial(problem: Problem, unknown: str) -> list[Poly] | None:
     if any(used[i] and ring.mentions(i, unknown) for i in range(len(ring.atoms))):
         return None
     return ring.coefficients(num, ring.index[Symbol(unknown)])
-
-
-def solve_linear(
-    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
-) -> Formula | None:
-    """The unknown from f = 0; None when f is not linear in it or does not hold it."""
-    problem = Problem([f], order, positive, extra=(unknown,))
-    parts = polynomial(problem, unknown)
-    if parts is None or len(parts) != 2:
-        return None
-    return problem.shortest((-parts[0], parts[1]))

@@ -9,19 +9,11 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.products import square_part
-from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.exact.signs import Signs
-from rotsolve.algebra.formula import (
-    ONE,
-    ZERO,
-    Formula,
-    Number,
-    Power,
-    add,
-    call,
-    multiply,
-)
+from rotsolve.algebra.exact.writing.factors import Factors
+from rotsolve.algebra.exact.writing.products import square_part
+from rotsolve.algebra.exact.writing.shape import Shaper
+from rotsolve.algebra.formula import ZERO, Formula, Number, add, call, multiply, power
 
 Factor = tuple[Poly, int]
 
@@ -40,7 +32,7 @@ class Radicals:
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
         if not len(num):
             return ring, Fraction(0), [], Signs(ring, self.positive)
-        parts = Shaper(ring).parts((num, den))
+        parts = Factors(ring).of_ratio((num, den))
         factors = [(ring.gens[i], e) for i, e in parts.gens.items()] + parts.sums
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
             top, above = ring.factor(num)
@@ -80,13 +72,13 @@ class Radicals:
         rest = ring.one if number > 0 else -ring.one
         for poly, e in known:
             shown = shaper.poly(poly)
-            result = multiply(result, _power(shown, e // 2))
+            result = multiply(result, power(shown, e // 2))
             if e % 2:
                 result = multiply(result, call("sqrt", shown))
         for poly, e in unknown:
             if e % 2:
                 rest = rest * poly
-            result = multiply(result, _power(self._abs(shaper.poly(poly)) if e // 2 % 2 else shaper.poly(poly), e // 2))
+            result = multiply(result, power(self._abs(shaper.poly(poly)) if e // 2 % 2 else shaper.poly(poly), e // 2))
         return result if rest.is_one() else multiply(result, call("sqrt", shaper.poly(rest)))
 
     def abs(self, argument: Formula) -> Formula:
@@ -96,10 +88,10 @@ class Radicals:
         shaper = Shaper(ring, self.order)
         result: Formula = Number(abs(number))
         for poly, e in known:
-            result = multiply(result, _power(shaper.poly(poly), e))
+            result = multiply(result, power(shaper.poly(poly), e))
         for poly, e in unknown:
             shown = shaper.poly(poly)
-            result = multiply(result, _power(self._abs(shown) if e % 2 else shown, e))
+            result = multiply(result, power(self._abs(shown) if e % 2 else shown, e))
         return result
 
     def log(self, argument: Formula) -> Formula:
@@ -110,7 +102,7 @@ class Radicals:
         rest: Formula = Number(number)
         result: Formula = ZERO
         for poly, e in unknown:
-            rest = multiply(rest, _power(shaper.poly(poly), e))
+            rest = multiply(rest, power(shaper.poly(poly), e))
         for poly, e in known:
             result = add(result, multiply(Number(Fraction(e)), call("log", shaper.poly(poly))))
         if unknown or number < 0:
@@ -123,12 +115,6 @@ class Radicals:
     @staticmethod
     def _abs(shown: Formula) -> Formula:
         return call("abs", shown)
-
-
-def _power(base: Formula, exponent: int) -> Formula:
-    if exponent == 0:
-        return ONE
-    return base if exponent == 1 else Power(base, Number(Fraction(exponent)))
 
 
 def prime_powers(n: int) -> list[tuple[int, int]]:

@@ -2,18 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import (
-    Call,
-    Constant,
-    Formula,
-    Integral,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-)
+from rotsolve.algebra.formula import Call, Constant, Formula, Integral, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.letters import name_to_latex
 from rotsolve.algebra.notation.text import (
     ATOM,

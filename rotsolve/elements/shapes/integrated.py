@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 
-from rotsolve.algebra.calculus import carried_out
+from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words

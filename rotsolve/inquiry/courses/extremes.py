@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.powers import in_powers
+from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.core.quantity import BY_WORD

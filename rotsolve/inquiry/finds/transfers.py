@@ -12,7 +12,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.encounters import participants
 from rotsolve.principles.energy import potential
-from rotsolve.principles.momentum import over_time
+from rotsolve.principles.momentum.impulse import over_time
 from rotsolve.scene.model import Path
 
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero, simplify, solve_linear
-from rotsolve.algebra.exact.roots import solve_trig
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.solving.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.registry import SEPARATOR

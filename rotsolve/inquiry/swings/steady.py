@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.inquiry.history import History

@@ -19,8 +19,9 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints, energy, momentum, newton
+from rotsolve.principles import constraints, energy, newton
 from rotsolve.principles import rotation as turning
+from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 
 PLACES = ("elongation" + SEPARATOR, "angle" + SEPARATOR)
 HARMONIC = " harmonic"  # ends the key of the section in which the harmonic motion is written
@@ -150,7 +151,7 @@ class Swing:
             facts = self.within(free_bodies(self.rest))
             yield from newton.second_law(facts, self.balanced)
             yield from turning.law_of_rotation(facts, self.balanced)
-            yield from momentum.rate_of_angular_momentum(facts, self.group, self.balanced)
+            yield from rate_of_angular_momentum(facts, self.group, self.balanced)
             yield from energy.power(self.still, self.group, self.balanced)
 
     def equations(self) -> Iterator[Equation]:
@@ -165,7 +166,7 @@ class Swing:
         for rule in self.within(self.still).rules:
             left, right = (side.substitute(changes) for side in rule.velocity)
             yield constraints.written(rule, (left, right), section)
-        yield from momentum.rate_of_angular_momentum(facts, self.group, section)
+        yield from rate_of_angular_momentum(facts, self.group, section)
         yield from energy.power(free_bodies(moving(self.near)), self.group, section)
 
     def within(self, facts: Facts) -> Facts:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
@@ -16,10 +16,10 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.friction.sticking import limiting
-from rotsolve.inquiry.history import NotYet, term_of
+from rotsolve.inquiry.history import term_of
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
-from rotsolve.inquiry.questions.meaning import label_of
+from rotsolve.inquiry.questions.meaning import NotYet, label_of
 from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.where.conclude import Conclusion, by_condition, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import ZERO, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
@@ -12,9 +12,9 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.finds import asked
-from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
+from rotsolve.inquiry.questions.meaning import NotYet
 from rotsolve.inquiry.where.conclude import Conclusion, by_answers, by_condition, forget
 from rotsolve.inquiry.where.places import Course, best_place
 from rotsolve.scene.model import Condition, Find, points_of

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from rotsolve.algebra.exact.normal import Problem
-from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.derivation import Words
-from rotsolve.inquiry.history import NotYet
 from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.questions.meaning import NotYet
 from rotsolve.inquiry.where.domain import Domain, domain_of, sign_of
 
 TWO = Number(ONE.value * 2)

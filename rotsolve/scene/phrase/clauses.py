@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.quantities import Unit, UnitError, parse_unit
+from rotsolve.algebra.units.quantities import UnitError, parse_unit
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.scene.model import ANY_TIME, Condition, PointRef, Term
 from rotsolve.scene.reader.points import read_point
 from rotsolve.scene.tree.nodes import Text

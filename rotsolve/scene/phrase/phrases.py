@@ -13,7 +13,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
-from rotsolve.algebra.units.quantities import Unit
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses

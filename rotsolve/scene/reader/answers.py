@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Fault
 from rotsolve.scene.model import Moment, Published

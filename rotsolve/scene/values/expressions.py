@@ -6,7 +6,8 @@ import re
 from collections.abc import Callable, Collection, Mapping
 
 from rotsolve.algebra.formula import Formula, Quotient
-from rotsolve.algebra.notation.parse import FormulaError, parse
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BY_WORD

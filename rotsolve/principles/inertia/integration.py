@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rotsolve.algebra.calculus import integrate_polynomial
+from rotsolve.algebra.calculus.antiderivative import antiderivative
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, multiply
 from rotsolve.core.derivation import Words
@@ -69,7 +69,7 @@ def content(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     cut = sliced(spread, piece)
     integral = cut.total(ONE, spread.tidy)
     extent = spread.letter(letter)
-    said = (*cut.element, *antiderivative(spread, integral))
+    said = (*cut.element, *antiderivative_words(spread, integral))
     return extent, (spread.define(extent, integral, f"{word}, {letter} = ∫ d{letter}", said),)
 
 
@@ -82,7 +82,7 @@ def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     if piece.shape.graded:
         cut = sliced(spread, piece)
         integral = cut.total(ONE, spread.tidy)
-        said = (*elements(spread, cut, ONE), *antiderivative(spread, integral))
+        said = (*elements(spread, cut, ONE), *antiderivative_words(spread, integral))
         return letter, (spread.define(letter, integral, "mass, M = ∫ dm", said),)
     if steps:  # the density comes from the mass
         return spread.mass, ()
@@ -99,7 +99,7 @@ def centre_letter(spread: Spread, piece: Piece, axis: str) -> tuple[Formula, Ste
     sigma, steps = density(spread, piece)
     whole, more = mass(spread, piece)
     integral = cut.total(multiply(sigma, cut.first(axis)), spread.tidy)
-    said = (*elements(spread, cut, sigma), *antiderivative(spread, integral))
+    said = (*elements(spread, cut, sigma), *antiderivative_words(spread, integral))
     letter = spread.letter("cm", f"{axis}_cm")
     label = f"centre of mass, {axis} = (1/M) ∫ {axis} dm"
     return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
@@ -150,7 +150,7 @@ def integral_of(spread: Spread, piece: Piece, cut: Slicing, sigma: Formula, entr
         return ZERO, label, ()
     plain = {item.variable**2 for item in cut.ranges}
     each: Words = () if second in plain else ("; each adds ", second, " dm")
-    return integral, label, (*elements(spread, cut, sigma), *each, *antiderivative(spread, integral))
+    return integral, label, (*elements(spread, cut, sigma), *each, *antiderivative_words(spread, integral))
 
 
 def elements(spread: Spread, cut: Slicing, sigma: Formula) -> Words:
@@ -159,9 +159,9 @@ def elements(spread: Spread, cut: Slicing, sigma: Formula) -> Words:
     return (*cut.element, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width)
 
 
-def antiderivative(spread: Spread, integral: Formula) -> Words:
+def antiderivative_words(spread: Spread, integral: Formula) -> Words:
     """As "; antiderivative …", where there is one that a page would hold."""
     if not isinstance(integral, Integral) or isinstance(integral.integrand, Integral):
         return ()
-    found = integrate_polynomial(integral.integrand, integral.variable)
+    found = antiderivative(integral.integrand, integral.variable)
     return () if found is None else ("; antiderivative ", spread.tidy(found))

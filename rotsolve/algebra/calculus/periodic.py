@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, Call, Formula
 

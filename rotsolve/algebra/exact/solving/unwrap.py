@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from rotsolve.algebra.exact.normal import simplify, solve_linear
-from rotsolve.algebra.exact.roots import solve_polynomial
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.solving.roots import solve_polynomial
 from rotsolve.algebra.formula import Call, Formula, Quotient, Symbol, add, call, negate
 
 INVERSE = {"log": "exp", "exp": "log", "asin": "sin", "acos": "cos", "atan": "tan"}

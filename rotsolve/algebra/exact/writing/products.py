@@ -1,64 +1,28 @@
-"""Products: the factors of a product while it is gathered, and how number, roots and factors are put together."""
+"""Products: number, roots and factors put together to one written product or fraction."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
 from fractions import Fraction
 from math import isqrt
 
-from rotsolve.algebra.exact.field import Poly
+from rotsolve.algebra.exact.writing.order import Rank
 from rotsolve.algebra.formula import (
     ONE,
+    Call,
     Formula,
     Number,
     Power,
     Product,
     Sum,
+    call,
     divide,
     multiply,
+    negate,
+    total,
 )
 from rotsolve.algebra.notation.letters import GLYPHS
 
-Rank = tuple[int, int, str, str]
-
-
-@dataclass
-class Parts:
-    """A product being gathered: number · √root · gens^powers · sums^powers (half powers are roots)."""
-
-    number: Fraction = Fraction(1)
-    root: int = 1
-    gens: dict[int, Fraction] = field(default_factory=dict)
-    unsure: int | None = None  # the root of unknown sign that has joined
-    sums: list[tuple[Poly, Fraction]] = field(default_factory=list)
-
-    def add_sum(self, poly: Poly, power: Fraction) -> None:
-        for k, (other, old) in enumerate(self.sums):
-            if other == poly or other == -poly:
-                if other != poly and power % 2 == 1:
-                    self.number = -self.number
-                if other == poly or power.denominator == 1:
-                    self.sums[k] = (other, old + power)
-                    return
-        self.sums.append((poly, power))
-
-    def unite_squares(self) -> None:
-        """(a + b) (a − b) as a² − b²; but a⁴ − b⁴ stays in factors."""
-        for k, (first, power) in enumerate(self.sums):
-            for other, e in self.sums[k + 1 :]:
-                if e == power and _conjugate(first, other):
-                    rest = [item for item in self.sums if item[0] not in (first, other)]
-                    self.sums = [*rest, (first * other, power)]
-                    return self.unite_squares()
-        return None
-
-
-def _conjugate(first: Poly, other: Poly) -> bool:
-    """Whether two brackets are a + b and a − b, one of a and b no square itself."""
-    if len(first) != 2 or len(other) != 2:
-        return False
-    halves = first + other, first - other
-    return all(len(half) == 1 for half in halves) and any(e % 2 for half in halves for e in half.monomial(0))
+Item = tuple[Rank, Formula, int]  # base ^ exponent and where it stands
 
 
 def square_part(n: int) -> tuple[int, int]:
@@ -86,7 +50,23 @@ def share_number(number: Fraction, root: int, symbols: bool) -> tuple[Fraction, 
     return Fraction(number.numerator, out), Fraction(under.numerator, rest)
 
 
-def written_fraction(number: Fraction, items: list[tuple[Rank, Formula, int]], *, rooted: bool = False) -> Formula:
+def assembled(number: Fraction, root: int, outer: list[Item], inner: list[Item]) -> Formula:
+    """number · √root · outer · √inner."""
+    sign, number = (-1, -number) if number < 0 else (1, number)
+    number, under = share_number(number, root, bool(inner))
+    inside = written_fraction(under, inner, rooted=True) if inner or under != 1 else ONE
+    above = [(rank, base, e) for rank, base, e in outer if e > 0]
+    below = [(rank, base, -e) for rank, base, e in outer if e < 0]
+    if inner and all(e < 0 for _, _, e in inner) and under == 1:
+        upright = written_fraction(under, [(r, b, -e) for r, b, e in inner], rooted=True)
+        below.append(((5, 0, "", ""), call("sqrt", upright), 1))
+    elif inside != ONE:
+        above.append(((5 if inner else -1, 0, "", ""), call("sqrt", inside), 1))
+    result = written_fraction(number, above + [(r, b, -e) for r, b, e in below])
+    return negate(result) if sign < 0 else result
+
+
+def written_fraction(number: Fraction, items: list[Item], *, rooted: bool = False) -> Formula:
     """number · base^power · …, negative powers below the line; ½, ⅖, 1/12 in front if nothing else is below (no root)."""
     above = _product([item for item in items if item[2] > 0])
     below = _product([(rank, base, -e) for rank, base, e in items if e < 0])
@@ -104,10 +84,19 @@ def _times(number: Number, rest: Formula) -> Formula:
     return Product((number, *(rest.factors if isinstance(rest, Product) else (rest,))))
 
 
-def _product(items: list[tuple[Rank, Formula, int]]) -> Formula:
+def _product(items: list[Item]) -> Formula:
     factors = tuple(
         base if e == 1 else Power(base, Number(Fraction(e))) for _, base, e in sorted(items, key=lambda item: item[0])
     )
     if not factors:
         return ONE
     return factors[0] if len(factors) == 1 else Product(factors)
+
+
+def one_exponential(items: list[Item]) -> list[Item]:
+    """All exponentials of a product as one."""
+    found = [(rank, base, e) for rank, base, e in items if isinstance(base, Call) and base.function == "exp"]
+    if not found or (len(found) == 1 and found[0][2] == 1):
+        return items
+    exponent = total([multiply(Number(Fraction(e)), base.children()[0]) for _, base, e in found])
+    return [item for item in items if item not in found] + [(found[0][0], call("exp", exponent), 1)]

@@ -11,8 +11,8 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.vectors.tensor import AXES
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.bodies.spread import DENSITY, Spread
-from rotsolve.principles.integration import centre_letter, origin
-from rotsolve.principles.pieces import noun
+from rotsolve.principles.inertia.integration import centre_letter, origin
+from rotsolve.principles.inertia.pieces import noun
 
 
 @dataclass(frozen=True)

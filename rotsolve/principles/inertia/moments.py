@@ -14,9 +14,9 @@ from rotsolve.core.vectors.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.motion.bodies.rigid import MINUS, Piece
 from rotsolve.motion.bodies.spread import Spread
-from rotsolve.principles.centre import Told, from_centre, piece_masses, plain
-from rotsolve.principles.integration import INDICES, NotSliced, by_integration, mass
-from rotsolve.principles.pieces import about_axis, apart, arm_of, distance_words, entry_of, noun, sum_of_squares
+from rotsolve.principles.inertia.centre import Told, from_centre, piece_masses, plain
+from rotsolve.principles.inertia.integration import INDICES, NotSliced, by_integration, mass
+from rotsolve.principles.inertia.pieces import about_axis, apart, arm_of, distance_words, entry_of, noun, sum_of_squares
 
 HALF = Number(Fraction(1, 2))
 

@@ -1,11 +1,11 @@
-"""Linear: exact systems of linear equations, by fraction-free elimination that leaves the asked unknown to the end."""
+"""Linear: one linear equation, and exact systems of them by fraction-free elimination that leaves the asked unknown to the end."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.normal import Problem
+from rotsolve.algebra.exact.normal import Problem, polynomial
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
@@ -28,6 +28,17 @@ class NotLinear(ValueError):
         super().__init__(f"equation {equation + 1} is not linear in {unknown}")
         self.equation = equation
         self.unknown = unknown
+
+
+def solve_linear(
+    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
+) -> Formula | None:
+    """The unknown from f = 0; None when f is not linear in it or does not hold it."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    parts = polynomial(problem, unknown)
+    if parts is None or len(parts) != 2:
+        return None
+    return problem.shortest((-parts[0], parts[1]))
 
 
 def solve_system(

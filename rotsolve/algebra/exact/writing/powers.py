@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 
-from rotsolve.algebra.calculus import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import Problem, coefficients, is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 

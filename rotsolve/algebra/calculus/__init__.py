@@ -1,0 +1,1 @@
+"""Calculus: derivatives, antiderivatives, definite integrals, and where a function repeats itself."""

@@ -1,0 +1,1 @@
+"""Writing: polynomials and fractions of a field as a textbook writes them."""

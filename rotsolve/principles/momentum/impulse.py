@@ -1,0 +1,144 @@
+"""Impulse: momentum and angular momentum over a phase: their change by forces and torques summed over time, or that they are conserved."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import ZERO, Formula, Integral, total
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
+from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.passage import Passage, Travel
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.varying import at_any_time
+from rotsolve.core.vectors.heading import RIGHT, UP
+from rotsolve.core.writing import flat, law, moved, positive_first, spoken
+from rotsolve.principles.rotation import about
+
+
+def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
+    """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant, ∫ τ dt where they vary in time; so for m v."""
+    for travel in passage.travels:
+        first, body = passage.start.body(travel.body), passage.midst.body(travel.body)
+        if first is None or body is None or travel.pace not in ("constant", TIME):
+            continue
+        if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
+            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
+            sense, pairs = body.motion.sense, zip(first.acting, body.acting, strict=False)
+            efforts = [(signed(one.torque, sense), signed(other.torque, sense)) for one, other in pairs]
+            yield summed(efforts, body.inertia.letter, travel, passage, label, section)
+        elif travel.kind == "line" and travel.pace == TIME and body.motion.heading is not None:
+            label, way = f"impulse = change of momentum, {spoken(body.name)}", body.motion.heading
+            efforts = [
+                (one.vector.along(way), other.vector.along(way))
+                for one, other in zip(first.forces, body.forces, strict=False)
+            ]
+            yield summed(efforts, body.mass, travel, passage, label, section)
+
+
+def summed(
+    efforts: list[tuple[Formula, Formula]], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
+) -> Equation:
+    """Σ effort summed over time = inertia · (after − before)."""
+    pushes = [over_time(first, midway, passage) for first, midway in efforts]
+    left, right = law(flat(pushes), inertia * travel.after - inertia * travel.before)
+    cost = 4 if travel.pace != TIME else 5  # in time it restates what Newton's law and the velocity as an integral say
+    return Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
+
+
+def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
+    """effort · t for what stays the same in a phase, ∫ effort dt for what varies: `first` at its start, `midway` in its midst."""
+    letters = midway.symbols()
+    if TIME in letters or (at_any_time(letters) and not of_phase(first, passage.name)):
+        return Integral(midway, TIME, *passage.times)
+    return (first if at_any_time(letters) else midway) * passage.duration
+
+
+def of_phase(effort: Formula, name: str) -> bool:
+    """Whether the letters of a force or torque are the same in the whole phase."""
+    return all(letter.rpartition(SEPARATOR)[2] in (name, "") for letter in effort.symbols() if SEPARATOR in letter)
+
+
+def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
+    """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
+    for body in passage.midst.bodies:
+        first, last = passage.start.body(body.name), passage.end.body(body.name)
+        if first is None or last is None or body.motion.kind != "plane":
+            continue
+        for axis, words in ((RIGHT, "horizontal"), (UP, "upward")):
+            if all(force.vector.along(axis) == ZERO for force in body.forces):
+                before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
+                label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
+                yield Equation(before, after, label, section, ANGULAR_MOMENTUM, 3, bodies=(body.name,))
+
+
+def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
+    """L₁ + τ t = L₂ of all bodies on one axis: what they do to each other cancels, also what changes their moments of inertia."""
+    turning = [body for body in passage.midst.bodies if body.motion.turns]
+    for axis in dict.fromkeys(body.axis or body.name for body in turning):
+        members = [body for body in turning if (body.axis or body.name) == axis]
+        outside = outside_torques(members, passage)
+        if (len(members) == 1 and not members[0].changing) or outside is None:
+            continue
+        sense, names = members[0].motion.sense, tuple(body.name for body in members)
+        before, after = (angular_momenta(facts, names, sense) for facts in (passage.start, passage.end))
+        words: Words = () if outside else (undisturbed(passage, names),)
+        label = "angular momentum about the axis is conserved"
+        if outside:
+            label = "angular impulse = change of angular momentum about the axis"
+        if flat(before) or flat(after):
+            sides = positive_first([*before, *outside]), positive_first(after)
+            yield Equation(*sides, label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+        if len(members) > 1 and not outside and not any(body.changing for body in members):
+            yield from angles_turned(passage, members, before, section)
+
+
+def undisturbed(passage: Passage, names: tuple[str, ...]) -> str:
+    """Why angular momentum is conserved, in a sentence."""
+    masses = [[body.mass for body in facts.bodies if body.name in names] for facts in (passage.start, passage.end)]
+    added = "" if masses[0] == masses[1] else "; what is added brings no angular momentum"
+    return f"No outside torque acts about the axis: what the parts do to each other cancels{added}."
+
+
+def angles_turned(
+    passage: Passage, members: list[BodyFacts], momentum: list[Formula], section: str
+) -> Iterator[Equation]:
+    """Σ I θ = L t: the conserved angular momentum summed over the time."""
+    sense, names = members[0].motion.sense, tuple(body.name for body in members)
+    turned = [
+        body.inertia.letter * signed(travel.change, travel.sense * sense)
+        for body in members
+        for travel in passage.travels
+        if body.inertia is not None and (travel.body, travel.kind) == (body.name, "turn")
+    ]
+    right = [term * passage.duration for term in momentum]
+    label = "angular momentum summed over the time"
+    words: Words = ("Angular momentum is the same at every moment: its sum over the time tells the angles turned.",)
+    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 5, words, bodies=names)
+
+
+def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:
+    """I ω of each body, along a sense."""
+    bodies = [body for body in facts.bodies if body.name in names and body.inertia is not None]
+    return [body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia is not None]
+
+
+def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula] | None:
+    """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
+    by_owner: dict[str, list[Formula]] = {}
+    for body in members:
+        if any(force.role == "weight" and force.torque != ZERO for force in body.forces):
+            return None  # it depends on how far the body has turned
+        for item in body.acting:
+            by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
+    outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]
+    constant = all(
+        travel.pace == "constant" for travel in passage.travels if travel.body in {body.name for body in members}
+    )
+    if not constant and any(SEPARATOR in name for torque in outside for name in torque.symbols()):
+        return None
+    return [
+        Integral(torque, TIME, *passage.times) if TIME in torque.symbols() else torque * passage.duration
+        for torque in outside
+    ]
