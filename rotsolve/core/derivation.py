@@ -80,9 +80,9 @@ class Section:
 class Answer:
     """An asked quantity: exact form, certified value in `unit`, and its direction in words.
 
-    `formula` is None where no closed form exists; `value` is None where a given has no number. `signed` is False where the words
-    tell the direction, so that the size is printed ("12.73 rad/s², clockwise"). `components` hold the parts of a vector answer, whose
-    `formula` and `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
+    `formula` is None where no closed form exists; `value`, signed like it, is None where a given has no number. `direction` is that of
+    the value with its sign ("−12.73 rad/s², i.e. clockwise"). `components` hold the parts of a vector answer, whose `formula` and
+    `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read.
     """
 
@@ -93,7 +93,6 @@ class Answer:
     unit: Unit | None
     dimension: Dimension | None
     direction: str = ""
-    signed: bool = True
     word: str = ""
     components: tuple[Answer, ...] = ()
     remark: Words = ()

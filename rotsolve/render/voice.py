@@ -80,13 +80,15 @@ class Voice:
         return self.quantity(self.formula(number), given.unit)
 
     def amount(self, answer: Answer, digits: int) -> str:
-        """The certified value of an answer with its unit, its size alone where words tell its direction; '' without one."""
+        """The certified value of an answer with its unit; '' without one."""
         text, _ = certified(answer, digits)
-        return self.quantity(text if answer.signed else text.removeprefix("−"), answer.unit) if text else ""
+        return self.quantity(text, answer.unit) if text else ""
 
     def aside(self, answer: Answer, digits: int) -> str:
         """What is said behind an answer: its direction and its word, and in brackets its remark and what is not certain."""
         direction = ", at ".join(part for part in (answer.direction, slope(answer, digits)) if part)
+        if direction and certified(answer, digits)[0].startswith("−"):
+            direction = f"i.e. {direction}"  # what the minus says, not one more reversal
         said = "".join(f", {self.prose(text)}" for text in (direction, answer.word) if text)
         notes = (self.prose(certified(answer, digits)[1]), self.words(answer.remark))
         return said + "".join(f" ({note})" for note in notes if note)

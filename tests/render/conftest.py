@@ -113,8 +113,8 @@ def block_on_disc() -> Derivation:
         (),
         (section,),
         (
-            answer("a", "2 m g/(2 m + M)", "4.356", "m/s²", "down", signed=False),
-            answer("alpha", "2 m g/(R (2 m + M))", "21.78", "rad/s²", "clockwise", signed=False),
+            answer("a", "2 m g/(2 m + M)", "4.356", "m/s²", "down"),
+            answer("alpha", "2 m g/(R (2 m + M))", "21.78", "rad/s²", "clockwise"),
             answer("T", "m M g/(2 m + M)", "10.89", "N"),
         ),
         (
@@ -180,9 +180,9 @@ def rod_released() -> Derivation:
         (words("angles from the horizontal, counterclockwise positive"),),
         (start, fall),
         (
-            answer("alpha", "-3 g cos(theta0)/(2 L)", "−12.73", "rad/s²", "clockwise", signed=False),
+            answer("alpha", "-3 g cos(theta0)/(2 L)", "−12.73", "rad/s²", "clockwise"),
             answer("a_end", "3 g cos(theta0)/2", "12.73", "m/s²", "down and to the right, across the rod"),
-            answer("omega", "-sqrt(3 g (1 + sin(theta0))/L)", "−6.641", "rad/s", "clockwise", signed=False),
+            answer("omega", "-sqrt(3 g (1 + sin(theta0))/L)", "−6.641", "rad/s", "clockwise"),
         ),
         (
             Check(words("∫ Newton's law dθ gives the same $omega$")),

@@ -79,7 +79,7 @@ class Results:
         )
         value = self._value_in(found, unit) if self._lasts(asked.find) else None
         parts = self.components(answered)
-        direction, signed = self._direction(answered, value, parts)
+        direction = self._direction(answered, value, parts)
         return Answer(
             asked.find.name,
             self._symbol(asked),
@@ -88,7 +88,6 @@ class Results:
             unit,
             asked.dimension,
             direction,
-            signed,
             components=parts if asked.resolves else (),
             angle=self._slope(parts) if asked.points else None,
             remark=self._when(answered),
@@ -223,19 +222,18 @@ class Results:
         except Undefined:
             return None
 
-    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> tuple[str, bool]:
-        """Direction in words, and whether the number is still printed with its sign."""
+    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> str:
+        """Direction in words."""
         asked = answered.asked
         if asked.vector is not None:
-            heading = heading_words(parts)
-            return heading, not heading
+            return heading_words(parts)
         quantity = self.inquiry.history.registry.quantities.get(asked.letter)
         words = asked.words
         if quantity is not None and any((quantity.positive, quantity.negative)):
             words = (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
         if not any(words) or value is None or not value.sign:
-            return "", True
-        return words[0 if value.sign > 0 else 1], False
+            return ""
+        return words[0 if value.sign > 0 else 1]
 
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""
