@@ -6,7 +6,7 @@ from fractions import Fraction
 from math import isclose
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
@@ -351,6 +351,8 @@ def number(f: Formula) -> float:
 
 @settings(max_examples=120, deadline=None)
 @given(formulas())
+@example(parse("sqrt(3*((m-3)**2 + sqrt(3*(a+m)**2+a))**2 + a)"))
+@example(parse("sqrt(3*((m-3)**2 + sqrt(3*(a+a)**2+a))**2 + a)"))
 def test_simplify_keeps_the_value(f: Formula) -> None:
     g = simplify(f, order=ORDER, positive=POSITIVE)
     assert isclose(number(f), number(g), rel_tol=1e-9, abs_tol=1e-12)

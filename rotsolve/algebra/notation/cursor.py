@@ -134,10 +134,11 @@ class Cursor:
 
     def differential(self, start: int) -> int:
         """The index of the `d` that ends an integrand from `start` on; `dx` in one run is taken apart; -1 where there is none."""
-        apart, level = self.find(start, "d"), 0
+        apart, level, barred = self.find(start, "d"), 0, False
         for index in range(start, len(self.tokens) - 1 if apart < 0 else apart):
             token = self.tokens[index]
-            if level == 0 and token.kind in "+-":
+            barred ^= token.kind == "|"
+            if level == 0 and not barred and token.kind in "+-":
                 break
             if level == 0 and token.kind in ("name", "symbol") and DIFFERENTIAL.fullmatch(token.text):
                 split = token.start + 1

@@ -59,26 +59,27 @@ class Shaper:
         best, least = plain, length(plain)
         for groups in shortest(self.field, groupings(self.field, poly), TRIED[self.depth - 1]):
             groups.sort(key=lambda group: min(self.order.key(e) for _, e in self.field.terms(group)))
-            shown = [self.ratio((group, self.field.one)) for group in groups]
-            whole = total(sorted(shown, key=late))
-            pair = len(groups) == 2 and all(
-                len(group) > 1 and not isinstance(one, Sum) for group, one in zip(groups, shown, strict=True)
-            )
+            shown = [(group, self.ratio((group, self.field.one))) for group in groups]
+            whole = self._sum(shown)
+            pair = len(groups) == 2 and all(len(group) > 1 and not isinstance(one, Sum) for group, one in shown)
             size = length(whole)
             if size < least and (pair or 5 * size <= 4 * length(plain)):
-                best, least = whole, size
-        return total(self._merged(list(best.terms))) if best is not plain and isinstance(best, Sum) else best
+                best, least = self._sum(self._merged(shown)), size
+        return best
 
-    def _merged(self, terms: list[Formula]) -> list[Formula]:
+    @staticmethod
+    def _sum(shown: Sequence[tuple[Poly, Formula]]) -> Formula:
+        return total(sorted((one for _, one in shown), key=late))
+
+    def _merged(self, shown: list[tuple[Poly, Formula]]) -> list[tuple[Poly, Formula]]:
         """Terms of a grouped sum with two of them put together where that makes a product: 2 m u − 2 m v is 2 m (u − v)."""
-        for k, first in enumerate(terms if len(terms) > 2 else ()):
-            for other in terms[k + 1 :]:
-                pair = self.field.convert(first)[0] + self.field.convert(other)[0]
-                shown = self.ratio((pair, self.field.one))
-                if not isinstance(shown, Sum) and length(shown) <= length(first) + length(other):
-                    rest = [term for term in terms if term is not other]
-                    return self._merged([shown if term is first else term for term in rest])
-        return terms
+        for k, (first, one) in enumerate(shown if len(shown) > 2 else ()):
+            for other, another in shown[k + 1 :]:
+                both = self.ratio((first + other, self.field.one))
+                if not isinstance(both, Sum) and length(both) <= length(one) + length(another):
+                    rest = [(poly, text) for poly, text in shown if text is not another]
+                    return self._merged([(first + other, both) if text is one else (poly, text) for poly, text in rest])
+        return shown
 
     def ratio(self, ratio: Ratio) -> Formula:
         """A fraction in factors; common factors are cancelled first."""
