@@ -8,7 +8,8 @@ for omission, since a dearer one elsewhere may make several cheap ones needless.
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Sum, Symbol
 from rotsolve.core.equation import Equation
@@ -18,8 +19,7 @@ BACKWARDS = 6
 ROUNDS = 12  # improvements after which a plan is taken as it is
 
 
-@dataclass(frozen=True, slots=True)
-class Plan:
+class Plan(Struct, frozen=True):
     """Equations (indices into the pool) that settle `asked`, and the unknowns that they settle with it."""
 
     asked: str
@@ -28,8 +28,7 @@ class Plan:
     cost: int
 
 
-@dataclass(frozen=True, slots=True)
-class Shortage:
+class Shortage(Struct, frozen=True):
     """Why there is no plan: the equations that bear on the asked unknown, and the unknowns that they leave open."""
 
     asked: str

@@ -6,10 +6,11 @@ import os
 import sys
 from collections.abc import Iterator
 from contextlib import suppress
-from dataclasses import dataclass, field
 from pathlib import Path
 from time import monotonic
 from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
 
 from rotsolve.render import format_named
 from rotsolve.render.options import Options
@@ -21,8 +22,7 @@ SOLVED, UNSOLVED, BAD = 0, 1, 2
 PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
-@dataclass(frozen=True)
-class Request:
+class Request(Struct, frozen=True):
     """What the command line asked for."""
 
     files: tuple[str, ...]
@@ -36,8 +36,7 @@ class Request:
     at: str | None = None
 
 
-@dataclass(frozen=True)
-class Outcome:
+class Outcome(Struct, frozen=True):
     """What one file gave: a solution, or a message with its exit code."""
 
     file: str

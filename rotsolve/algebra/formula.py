@@ -7,8 +7,9 @@ The normal form lives in `exact`, numbers in `ball`, printed text in `text`.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 FUNCTIONS = {  # name -> number of arguments
     "sqrt": 1,
@@ -26,8 +27,7 @@ FUNCTIONS = {  # name -> number of arguments
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Formula:
+class Formula(Struct, frozen=True):
     """Base of all nodes; operators build trees and drop only trivial zeros and ones."""
 
     def children(self) -> tuple[Formula, ...]:
@@ -109,29 +109,25 @@ class Formula:
         return change(self.with_children(new))
 
 
-@dataclass(frozen=True, slots=True)
-class Number(Formula):
+class Number(Formula, frozen=True):
     """An exact rational number."""
 
     value: Fraction
 
 
-@dataclass(frozen=True, slots=True)
-class Symbol(Formula):
+class Symbol(Formula, frozen=True):
     """A letter, by its ASCII name as in the scene: `m1`, `theta0`, `a_end`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Constant(Formula):
+class Constant(Formula, frozen=True):
     """A mathematical constant; only `pi`."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
-class Sum(Formula):
+class Sum(Formula, frozen=True):
     """terms[0] + terms[1] + …; a difference is a sum with a `Negative` term."""
 
     terms: tuple[Formula, ...]
@@ -146,8 +142,7 @@ class Sum(Formula):
         return result
 
 
-@dataclass(frozen=True, slots=True)
-class Product(Formula):
+class Product(Formula, frozen=True):
     """factors[0] · factors[1] · …"""
 
     factors: tuple[Formula, ...]
@@ -162,8 +157,7 @@ class Product(Formula):
         return result
 
 
-@dataclass(frozen=True, slots=True)
-class Quotient(Formula):
+class Quotient(Formula, frozen=True):
     """numerator / denominator."""
 
     numerator: Formula
@@ -176,8 +170,7 @@ class Quotient(Formula):
         return divide(children[0], children[1])
 
 
-@dataclass(frozen=True, slots=True)
-class Power(Formula):
+class Power(Formula, frozen=True):
     """base ^ exponent."""
 
     base: Formula
@@ -190,8 +183,7 @@ class Power(Formula):
         return children[0] ** children[1]
 
 
-@dataclass(frozen=True, slots=True)
-class Negative(Formula):
+class Negative(Formula, frozen=True):
     """− operand."""
 
     operand: Formula
@@ -203,8 +195,7 @@ class Negative(Formula):
         return negate(children[0])
 
 
-@dataclass(frozen=True, slots=True)
-class Call(Formula):
+class Call(Formula, frozen=True):
     """function(arguments…); the functions are those of `FUNCTIONS`."""
 
     function: str
@@ -217,8 +208,7 @@ class Call(Formula):
         return Call(self.function, children)
 
 
-@dataclass(frozen=True, slots=True)
-class Integral(Formula):
+class Integral(Formula, frozen=True):
     """∫ integrand d(variable) from lower to upper, not yet carried out."""
 
     integrand: Formula

@@ -5,8 +5,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.vectors.tensor import ENTRIES, ROWS
@@ -20,8 +21,7 @@ if TYPE_CHECKING:
 Words = tuple["str | Formula", ...]
 
 
-@dataclass(frozen=True, slots=True)
-class Equality:
+class Equality(Struct, frozen=True):
     """left = right, each as written; `relation` may also be ≤, ≥, <, >, ≈ or ≠."""
 
     left: Formula
@@ -29,8 +29,7 @@ class Equality:
     relation: str = "="
 
 
-@dataclass(frozen=True, slots=True)
-class ForceLine:
+class ForceLine(Struct, frozen=True):
     """The forces on one body in words ("weight m g, down"), its declared positive sense, and remarks in brackets."""
 
     body: str
@@ -39,8 +38,7 @@ class ForceLine:
     remarks: tuple[Words, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class LawLine:
+class LawLine(Struct, frozen=True):
     """One numbered equation with the law or rule that it states: "Newton's second law, block"; `remark` in brackets."""
 
     number: int
@@ -49,8 +47,7 @@ class LawLine:
     remark: Words = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Move:
+class Move(Struct, frozen=True):
     """One step of algebra: `sources` ("(3) and (4) in (2)"), the chain of equalities that it gives, its number if used later.
 
     `reason` says why where a choice is made ("the rod turns clockwise: ω < 0").
@@ -62,8 +59,7 @@ class Move:
     reason: Words = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Section:
+class Section(Struct, frozen=True):
     """What belongs to one instant, phase or event: forces, laws, algebra, in the order in which a textbook shows them.
 
     `title` is empty where the scene has one instant only. `remarks` are sentences such as why energy is conserved.
@@ -76,8 +72,7 @@ class Section:
     moves: tuple[Move, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Answer:
+class Answer(Struct, frozen=True):
     """An asked quantity: exact form, certified value in `unit`, and its direction in words.
 
     `formula` is None where no closed form exists; `value`, signed like it, is None where a given has no number. `direction` is that of
@@ -110,16 +105,14 @@ class Answer:
         return (self.components,) if self.components else ()
 
 
-@dataclass(frozen=True, slots=True)
-class Check:
+class Check(Struct, frozen=True):
     """One confirmation, or one objection when `holds` is False; None where it could not be decided."""
 
     words: Words
     holds: bool | None = True
 
 
-@dataclass(frozen=True, slots=True)
-class Derivation:
+class Derivation(Struct, frozen=True):
     """The whole solution of a problem."""
 
     title: str

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero, simplify
@@ -17,8 +18,7 @@ TURNING = ("angle", "angular_velocity", "angular_acceleration")
 TRAVELLING = ("position", "velocity", "acceleration")
 
 
-@dataclass(frozen=True, slots=True)
-class Drive:
+class Drive(Struct, frozen=True):
     """What is given of a body: one of the words of TURNING, or of TRAVELLING with the component x or y.
 
     An angle counts counterclockwise; its rates, given or worked out, count along the body's positive turn `sense`.

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.core.derivation import Words
@@ -12,8 +13,7 @@ KINEMATICS = "kinematics"  # motion in time: used with every law, but not where 
 LAWS = (NEWTON, ENERGY, ANGULAR_MOMENTUM)  # what `--law` may name; an equation without a law serves them all
 
 
-@dataclass(frozen=True, slots=True)
-class Equation:
+class Equation(Struct, frozen=True):
     """left = right.
 
     `family` is one of LAWS, or '' for rules and definitions; `label` names the law and the body; `section` the state, phase or event

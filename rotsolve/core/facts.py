@@ -7,7 +7,8 @@ into the sense that the scene declares. Vectors are in the plane, headings count
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Negative, negate
@@ -23,16 +24,14 @@ def square(value: Formula) -> Formula:
     return ZERO if operand == ZERO else operand**2
 
 
-@dataclass(frozen=True, slots=True)
-class Bend:
+class Bend(Struct, frozen=True):
     """The circle on which a body's centre travels: its radius, and the direction from its centre to the body's."""
 
     radius: Formula
     outward: Heading
 
 
-@dataclass(frozen=True, slots=True)
-class Motion:
+class Motion(Struct, frozen=True):
     """How a body can move, about its reference point (the fixed pivot, else the centre of mass).
 
     kind: 'axis' turns about a fixed point; 'line' travels along `heading` (and turns if `turns`); 'plane' moves freely;
@@ -62,8 +61,7 @@ class Motion:
         return self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
 
 
-@dataclass(frozen=True, slots=True)
-class Force:
+class Force(Struct, frozen=True):
     """A force on a body: size along a unit vector, acting at `arm` from the body's reference point.
 
     role: weight, tension, normal, friction, reaction, spring, applied. `works` is False where its point is at rest or moves across
@@ -91,8 +89,7 @@ class Force:
         return torque if len(self.direction.parts) == 1 else simplify(torque)
 
 
-@dataclass(frozen=True, slots=True)
-class Couple:
+class Couple(Struct, frozen=True):
     """A couple on a body, counterclockwise positive."""
 
     owner: str
@@ -103,8 +100,7 @@ class Couple:
     internal: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Rule:
+class Rule(Struct, frozen=True):
     """A rate rule: left = right, for velocities and for accelerations.
 
     `linear` says that the coefficients never change, so that the rule holds for displacements and angles turned as well. There is no
@@ -120,8 +116,7 @@ class Rule:
     remark: Words = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Requirement:
+class Requirement(Struct, frozen=True):
     """An inequality that the answer must obey: left ≥ right, else `otherwise` is what really happens."""
 
     owner: str
@@ -131,8 +126,7 @@ class Requirement:
     otherwise: str
 
 
-@dataclass(frozen=True, slots=True)
-class Potential:
+class Potential(Struct, frozen=True):
     """Potential energy stored in a spring at an instant: by its elongation, which grows at `rate`; or by the length of a rope that hangs.
 
     `label` says how the elongation grows in a phase; where it is `placed`, the places of its ends tell it at once.
@@ -148,8 +142,7 @@ class Potential:
     placed: bool = False
 
 
-@dataclass(frozen=True, slots=True)
-class Turntable:
+class Turntable(Struct, frozen=True):
     """A body is carried round an upright axis at `rate`; its reference point is at `distance` to the right of the axis."""
 
     owner: str
@@ -158,8 +151,7 @@ class Turntable:
     distance: Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Sweep:
+class Sweep(Struct, frozen=True):
     """What a turntable does to a body: every piece at x from the axis has the acceleration rate² x towards it.
 
     `acceleration` is that of the centre of mass; `moment` is what the pieces' m a add up to about the reference, counterclockwise:
@@ -171,8 +163,7 @@ class Sweep:
     moment: Formula
 
 
-@dataclass(frozen=True, slots=True)
-class GivenMotion:
+class GivenMotion(Struct, frozen=True):
     """A given motion at one moment: the drive, the letters of the moment by their words, and its running time."""
 
     drive: Drive
@@ -180,8 +171,7 @@ class GivenMotion:
     time: Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Inertia:
+class Inertia(Struct, frozen=True):
     """Moment of inertia about the body's reference, of a cut-off piece also its mass: the letter, and the formula that defines it."""
 
     letter: Formula
@@ -190,8 +180,7 @@ class Inertia:
     remark: Words = ()
 
 
-@dataclass(frozen=True, slots=True)
-class BodyFacts:
+class BodyFacts(Struct, frozen=True):
     """One body at one instant: inertia, motion and all that acts on it."""
 
     name: str
@@ -227,8 +216,7 @@ class BodyFacts:
         return own if self.sweep is None else own + self.sweep.acceleration
 
 
-@dataclass(frozen=True, slots=True)
-class Cut:
+class Cut(Struct, frozen=True):
     """A piece of a rod, cut free: as a body whose reference is its centre of mass, its mass, and where the cut is from there.
 
     `index` marks the letters of what is found at the cut.
@@ -241,8 +229,7 @@ class Cut:
     jumps: bool = False  # whether something acts just at the cut, so that shear and compression jump there
 
 
-@dataclass(frozen=True, slots=True)
-class Facts:
+class Facts(Struct, frozen=True):
     """All facts at one instant."""
 
     state: str

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 WIDTH = 100  # columns of a source line that are shown around the caret
 
 
-@dataclass(frozen=True, slots=True)
-class Span:
+class Span(Struct, frozen=True):
     """Where something stands in the file: 1-based line and column, length in characters."""
 
     line: int
@@ -17,8 +17,7 @@ class Span:
     length: int = 1
 
 
-@dataclass(frozen=True, slots=True)
-class Fault:
+class Fault(Struct, frozen=True):
     """One fault: what is wrong, where, and how to cure it. `kind` is a short word: 'yaml', 'limit', 'name', 'not yet', …"""
 
     message: str

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
 from rotsolve.core.facts import BodyFacts, Facts, Force
 from rotsolve.core.vectors.heading import Vector
 
 
-@dataclass(frozen=True, slots=True)
-class Travel:
+class Travel(Struct, frozen=True):
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
     `pace` is as in core.varying; for varying paces `acceleration` is that at any moment and `moving` the rate then; `coordinate`
@@ -39,8 +39,7 @@ class Travel:
     arm: Formula = ONE  # way per unit of the coordinate: the radius of a circle, where that is an angle
 
 
-@dataclass(frozen=True, slots=True)
-class Work:
+class Work(Struct, frozen=True):
     """Work of one force or couple over a phase that is not stored as potential energy; counted positive when it gives energy."""
 
     owner: str
@@ -51,8 +50,7 @@ class Work:
     inner: bool = False  # done by forces between the parts of the system
 
 
-@dataclass(frozen=True, slots=True)
-class Passage:
+class Passage(Struct, frozen=True):
     """A phase: facts at both ends and in its midst, the travels of all bodies, the work done, the heights, the time."""
 
     name: str
@@ -68,8 +66,7 @@ class Passage:
     idle: tuple[str, ...] = ()  # connections that do no work, for the sentence that says why energy is conserved
 
 
-@dataclass(frozen=True, slots=True)
-class Meeting:
+class Meeting(Struct, frozen=True):
     """One body through an event: mass, inertia about its reference, the velocities before and after, and the blows that it takes.
 
     `place` is the centre of mass from the event's common point, `cm` from the body's own reference; vectors hold at the instant of
@@ -90,8 +87,7 @@ class Meeting:
     )
 
 
-@dataclass(frozen=True, slots=True)
-class Encounter:
+class Encounter(Struct, frozen=True):
     """An event: the bodies that take part, and the point about which no outside impulse has an arm, if there is one."""
 
     name: str

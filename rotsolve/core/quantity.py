@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.units import dimension as base
 from rotsolve.algebra.units.dimension import Dimension
@@ -42,8 +42,7 @@ MOTION = ("x", "y", "z", "tangential", "normal")
 BODY, POINT, LINK, ACTION, EVENT, SYSTEM = "body", "point", "connection", "action", "event", "system"
 
 
-@dataclass(frozen=True, slots=True)
-class QuantityKind:
+class QuantityKind(Struct, frozen=True):
     """A word of a path. `letter` is the textbook symbol as an ASCII name; `owners` are the kinds of things that have it.
 
     A connection, action or event has only those words that its class lists in `quantities`.

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -21,8 +22,7 @@ NEAR = "≈"  # marks a moment of their swings
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 
 
-@dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(Struct, frozen=True):
     """One quantity: `acceleration` of `block` in `now`.
 
     `positive`, `negative` are the words for the two directions ("down", "up"); empty for sizes such as a tension.
@@ -56,8 +56,7 @@ def in_midst(key: str) -> bool:
     return key.rpartition(SEPARATOR)[2].startswith(GENERIC) and SEPARATOR in key
 
 
-@dataclass
-class Registry:
+class Registry(Struct):
     """All quantities that were spoken of, by key, and the values that states fix.
 
     The only mutable thing of a run: elements and principles ask for letters here while they write.

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING, ClassVar
 
@@ -14,7 +13,7 @@ from rotsolve.core.vectors.directions import along_text
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
-from rotsolve.scene.keys import key
+from rotsolve.scene.keys import Element, key
 from rotsolve.scene.model import PointRef
 
 if TYPE_CHECKING:
@@ -28,8 +27,7 @@ Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
 
 
-@dataclass(frozen=True)
-class Action:
+class Action(Element, frozen=True):
     """Base of all actions. An action between two states is absent before and after."""
 
     word: ClassVar[str] = ""
@@ -67,8 +65,7 @@ class Action:
     to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
 
 
-@dataclass(frozen=True)
-class Force(Action):
+class Force(Action, frozen=True):
     word = "force"
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
@@ -153,8 +150,7 @@ class Force(Action):
         return f", {text}" if text else ", at its angle"
 
 
-@dataclass(frozen=True)
-class Couple(Action):
+class Couple(Action, frozen=True):
     word = "couple"
     about = "a torque without a force, along the body's positive sense unless `direction` says otherwise"
     quantities = ("torque", "work", "power", "angular_impulse")
@@ -177,8 +173,7 @@ class Couple(Action):
         yield facts.Couple(self.name, "applied", name, facts.signed(size, turn), words)
 
 
-@dataclass(frozen=True)
-class Press(Action):
+class Press(Action, frozen=True):
     word = "press"
     about = "a brake block pressed on a rim"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
@@ -216,8 +211,7 @@ class Press(Action):
         yield facts.held_still(self.name, name, instant.motion(name))
 
 
-@dataclass(frozen=True)
-class Power(Action):
+class Power(Action, frozen=True):
     word = "power"
     about = "a motor of given power turning a body"
     quantities = ("power", "torque", "work")

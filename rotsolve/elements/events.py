@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.actions import DIRECTIONS, Direction
-from rotsolve.scene.keys import key
+from rotsolve.scene.keys import Element, key
 from rotsolve.scene.model import PointRef
 
 
-@dataclass(frozen=True)
-class Event:
+class Event(Element, frozen=True):
     """Base of all events: the state before and the state after."""
 
     word: ClassVar[str] = ""
@@ -24,8 +22,7 @@ class Event:
     to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
 
 
-@dataclass(frozen=True)
-class Joins(Event):
+class Joins(Event, frozen=True):
     word = "joins"
     about = "two bodies meet and stay together (inelastic)"
     quantities = ("impulse", "angular_impulse")
@@ -34,8 +31,7 @@ class Joins(Event):
     )
 
 
-@dataclass(frozen=True)
-class Collides(Event):
+class Collides(Event, frozen=True):
     word = "collides"
     about = "two bodies bounce off each other"
     quantities = ("impulse", "angular_impulse")
@@ -60,8 +56,7 @@ class Collides(Event):
     )
 
 
-@dataclass(frozen=True)
-class Impulse(Event):
+class Impulse(Event, frozen=True):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
     quantities = ("impulse", "angular_impulse")
@@ -77,8 +72,7 @@ class Impulse(Event):
     )
 
 
-@dataclass(frozen=True)
-class Cuts(Event):
+class Cuts(Event, frozen=True):
     word = "cuts"
     about = "a string or other connection is gone from then on"
     cuts: tuple[str, ...] = key(
@@ -86,8 +80,7 @@ class Cuts(Event):
     )
 
 
-@dataclass(frozen=True)
-class Removes(Event):
+class Removes(Event, frozen=True):
     word = "removes"
     about = "a support, action or body is taken away"
     removes: tuple[str, ...] = key(
@@ -100,16 +93,14 @@ class Removes(Event):
     )
 
 
-@dataclass(frozen=True)
-class Fixes(Event):
+class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
     quantities = ("force", "impulse")
     fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
 
 
-@dataclass(frozen=True)
-class Grips(Event):
+class Grips(Event, frozen=True):
     word = "grips"
     about = "a contact begins and does not slip: the touching point of the body is suddenly at rest"
     quantities = ("impulse",)

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
-from rotsolve.scene.keys import key
+from rotsolve.scene.keys import Element, key
 
 
-@dataclass(frozen=True)
-class Surface:
+class Surface(Element, frozen=True):
     """Base of all surfaces."""
 
     word: ClassVar[str] = ""
@@ -31,14 +29,12 @@ class Surface:
         return (RIGHT if word == "right" else LEFT), word
 
 
-@dataclass(frozen=True)
-class Level(Surface):
+class Level(Surface, frozen=True):
     word = "level"
     about = "a level surface: `floor: level`"
 
 
-@dataclass(frozen=True)
-class Slope(Surface):
+class Slope(Surface, frozen=True):
     word = "slope"
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = key(
@@ -62,8 +58,7 @@ class Slope(Surface):
         return self.downhill.turned(180), "up the slope"
 
 
-@dataclass(frozen=True)
-class Wall(Surface):
+class Wall(Surface, frozen=True):
     word = "wall"
     about = "a vertical wall on the left or right of the scene"
     wall: str = key("choice", "the side on which it stands", choices=("left", "right"), required=True)
@@ -77,8 +72,7 @@ class Wall(Surface):
         return (UP if word == "up" else DOWN), word
 
 
-@dataclass(frozen=True)
-class Curved(Surface):
+class Curved(Surface, frozen=True):
     """Base of surfaces round which a body travels: its place is the angle of the touching radius, from the rightward horizontal."""
 
     outside: ClassVar[bool] = True
@@ -114,8 +108,7 @@ class Curved(Surface):
         return None
 
 
-@dataclass(frozen=True)
-class Step(Curved):
+class Step(Curved, frozen=True):
     """A corner is a hill of no radius: the centre of a wheel on it moves on a circle as large as the wheel."""
 
     word = "corner"
@@ -144,8 +137,7 @@ class Step(Curved):
         return rise if self.side == "left" else add(PI, negate(rise))
 
 
-@dataclass(frozen=True)
-class Hollow(Curved):
+class Hollow(Curved, frozen=True):
     word = "hollow"
     about = "the inside of a round bowl or loop"
     outside = False
@@ -155,8 +147,7 @@ class Hollow(Curved):
         return self.hollow
 
 
-@dataclass(frozen=True)
-class Dome(Curved):
+class Dome(Curved, frozen=True):
     word = "dome"
     about = "the outside of a round hill"
     dome: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
@@ -165,8 +156,7 @@ class Dome(Curved):
         return self.dome
 
 
-@dataclass(frozen=True)
-class Track(Curved):
+class Track(Curved, frozen=True):
     word = "profile unknown"
     about = "a smooth track of which only heights matter: `track: profile unknown`"
 

@@ -6,7 +6,8 @@ One that waits for another is tried again; where a law asked for does not reach,
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.core.equation import NEWTON

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.inquiry.questions import Asked
 from rotsolve.plan import Shortage
@@ -10,8 +10,7 @@ from rotsolve.scene.model import Find
 from rotsolve.solver import Found
 
 
-@dataclass(frozen=True)
-class Answered:
+class Answered(Struct, frozen=True):
     """An asked quantity with its solution and the pool indices of the equations that settled it."""
 
     asked: Asked
@@ -26,8 +25,7 @@ class Answered:
         return self.asked.find
 
 
-@dataclass(frozen=True)
-class Compared:
+class Compared(Struct, frozen=True):
     """Two quantities of a choice with the relation between them that holds."""
 
     left: Answered
@@ -35,8 +33,7 @@ class Compared:
     right: Answered
 
 
-@dataclass(frozen=True)
-class Verdict:
+class Verdict(Struct, frozen=True):
     """One option of a choice: whether it is chosen, its quantity where one alone is asked, and the comparisons that tell."""
 
     label: str
@@ -51,8 +48,7 @@ class Verdict:
         return (*own, *(side for item in self.compared for side in (item.left, item.right)))
 
 
-@dataclass(frozen=True)
-class Chosen:
+class Chosen(Struct, frozen=True):
     """The answer to a choice."""
 
     find: Find

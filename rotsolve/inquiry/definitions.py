@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import coefficients
 from rotsolve.algebra.formula import Formula, Symbol
@@ -15,8 +16,7 @@ from rotsolve.scene.model import Given
 from rotsolve.solver import Step
 
 
-@dataclass
-class Definitions:
+class Definitions(Struct):
     """The definitions of all questions so far, by their places in the planner's pool."""
 
     planner: Planner

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
@@ -34,8 +35,7 @@ from rotsolve.principles.steady import steady_rotation
 from rotsolve.scene.model import Condition, Path, State, Term
 
 
-@dataclass
-class History:
+class History(Struct, dict=True):
     """One reading of a scene, with the ways in which contacts slip in `modes`."""
 
     arrangement: Arrangement

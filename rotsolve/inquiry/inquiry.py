@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, field, replace
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
@@ -30,8 +32,7 @@ from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, 
 TRIES = 30
 
 
-@dataclass
-class Inquiry:
+class Inquiry(Struct, dict=True):
     """One run over the questions of a scene, with one choice of laws."""
 
     history: History
@@ -62,13 +63,13 @@ class Inquiry:
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
         self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
         self.solver = Solver(
-            self.planner.pool,
-            self._order(),
-            positive_letters(problem.givens),
-            self.values,
-            self.roots.choose,
-            self.refs,
-            frozenset(self.running),
+            pool=self.planner.pool,
+            order=self._order(),
+            positive=positive_letters(problem.givens),
+            values=self.values,
+            choose=self.roots.choose,
+            refs=self.refs,
+            running=frozenset(self.running),
         )
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:

@@ -7,9 +7,10 @@ equations that restate others only where the rest does not do.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import combinations
+
+from msgspec import Struct
 
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, LAWS, NEWTON
 from rotsolve.plan import Plan, Planner, Shortage
@@ -25,8 +26,7 @@ def families_for(law: str | None) -> tuple[str, ...]:
     return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
 
 
-@dataclass(frozen=True)
-class Search:
+class Search(Struct, frozen=True, dict=True):
     """The search for a plan that settles `letter`, a quantity of a `kind`, from what is known."""
 
     planner: Planner

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.core.equation import Equation
 from rotsolve.inquiry.questions import Asked
 from rotsolve.plan import Plan, Planner
 
 
-@dataclass
-class Stepwise:
+class Stepwise(Struct):
     """The steps of all questions so far, by their places in the planner's pool."""
 
     planner: Planner

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.drive import Drive, along_line
@@ -28,8 +29,7 @@ from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import Body, PointRef, Problem
 
 
-@dataclass(frozen=True)
-class Arrangement:
+class Arrangement(Struct, frozen=True, dict=True):
     """A problem with its timeline; answers what is connected to what at each state."""
 
     problem: Problem

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from dataclasses import fields, replace
 from typing import Any
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
@@ -26,7 +27,6 @@ from rotsolve.motion.checks.admissible import check, on_axes
 from rotsolve.motion.checks.fits import check_holding, check_surfaces
 from rotsolve.motion.checks.sequence import check_sequence
 from rotsolve.motion.positive import positive_letters
-from rotsolve.scene.keys import Key
 from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 
 
@@ -143,7 +143,7 @@ def _part(part: Part, letters: _Letters) -> Part:
 def _hole(hole: Part, shape: Shape | None) -> Part:
     """A hole is as long as what it is bored through, where nobody says otherwise."""
     cut, length = hole.body.shape, getattr(shape, "length", None)
-    if cut is None or length is None or "length" not in cut.__dataclass_fields__ or getattr(cut, "length", None):
+    if cut is None or length is None or "length" not in cut.declared or getattr(cut, "length", None):
         return hole
     size: dict[str, Any] = {"length": length}
     return replace(hole, body=replace(hole.body, shape=replace(cut, **size)))
@@ -151,13 +151,10 @@ def _hole(hole: Part, shape: Shape | None) -> Part:
 
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
     changes: dict[str, Any] = {}
-    for item in fields(shape):
-        declared: Key | None = item.metadata.get("key")
-        if declared is None or declared.kind != "quantity" or item.name not in ("radius", "length"):
+    for name, declared in shape.declared.items():
+        if declared.kind != "quantity" or name not in ("radius", "length"):
             continue
-        walls = item.name == "radius" and bool(getattr(shape, "radii", None))
-        if getattr(shape, item.name) is None and not walls:
-            changes[item.name] = letters.make(
-                declared.letter or item.name[0], body.name, declared.dimension or "length"
-            )
+        walls = name == "radius" and bool(getattr(shape, "radii", None))
+        if getattr(shape, name) is None and not walls:
+            changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
     return replace(shape, **changes) if changes else shape

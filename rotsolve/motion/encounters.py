@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
@@ -23,8 +24,7 @@ from rotsolve.motion.running import value_now
 from rotsolve.scene.model import Body, PointRef
 
 
-@dataclass(frozen=True)
-class Instant:
+class Instant(Struct, frozen=True, dict=True):
     """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
     the equilibrium of its bodies or a moment of their swings about it.
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.quantity import INSIDE
@@ -14,8 +15,7 @@ MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked
 
 
-@dataclass(frozen=True)
-class Mentions:
+class Mentions(Struct, frozen=True, dict=True):
     """The quantities that a problem's states and questions name."""
 
     problem: Problem

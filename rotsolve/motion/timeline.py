@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
+
+from msgspec import Struct
 
 from rotsolve.elements.events import Event
 from rotsolve.scene.model import Problem, State
@@ -12,8 +13,7 @@ from rotsolve.scene.model import Problem, State
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 
 
-@dataclass(frozen=True)
-class Interval:
+class Interval(Struct, frozen=True):
     """What lies between two neighbouring states: a phase of motion, or an event that takes no time."""
 
     name: str
@@ -23,8 +23,7 @@ class Interval:
     without: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True)
-class Timeline:
+class Timeline(Struct, frozen=True, dict=True):
     """States and intervals in order; a scene without states has one nameless instant."""
 
     states: tuple[State, ...]

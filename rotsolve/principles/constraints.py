@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.equation import KINEMATICS, Equation

@@ -6,9 +6,10 @@ A format's module has `body(derivation, options) -> str` and `document(bodies) -
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.render.options import Options
 
@@ -16,8 +17,7 @@ if TYPE_CHECKING:
     from rotsolve.core.derivation import Derivation
 
 
-@dataclass(frozen=True, slots=True)
-class Format:
+class Format(Struct, frozen=True):
     """An output format: its name, the file names that it goes by, and what it is for."""
 
     name: str

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 from textwrap import wrap as wrap_words
+
+from msgspec import Struct
 
 WIDTH = 120  # columns of a page, where nothing narrower is asked for
 GAP = 4  # blanks between two columns of a table
@@ -15,8 +16,7 @@ LONG = 40  # a formula longer than this may be broken before its outer signs
 SIGNS = ("=", "+", "−", "≈", "≤", "≥", "<", ">")
 
 
-@dataclass(frozen=True, slots=True)
-class Line:
+class Line(Struct, frozen=True):
     """One line of text; `role` says what it is, and the first `heading` characters are a heading."""
 
     text: str
@@ -24,8 +24,7 @@ class Line:
     heading: int = 0
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
+class Row(Struct, frozen=True):
     """One row of a table: what it is, the formula, and a remark or number behind it."""
 
     left: str

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.render.layout import WIDTH
 
 
-@dataclass(frozen=True, slots=True)
-class Options:
+class Options(Struct, frozen=True):
     """Significant digits of the numbers, columns of a text page, and the file that the scene came from."""
 
     digits: int = 4

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_latex, to_text
@@ -28,8 +29,7 @@ RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
 CLOSE = ("°", "′", "″", "%")  # units that stand next to their number
 
 
-@dataclass(frozen=True, slots=True)
-class Voice:
+class Voice(Struct, frozen=True):
     """One format's way of setting a formula, a unit, a number, prose, and mathematics within prose."""
 
     formula: Callable[[Formula], str]

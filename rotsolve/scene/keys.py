@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import MISSING, dataclass, field, fields
-from typing import Any
+from typing import Any, ClassVar, dataclass_transform
+
+from msgspec import Struct, StructMeta
 
 from rotsolve.algebra.formula import Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Key:
+class Key(Struct, frozen=True):
     """What a YAML key takes: its kind, its meaning in words, and the limits of its value.
 
     `later` marks a key whose physics is not there yet: it is read and validated, then refused by name.
@@ -32,17 +32,40 @@ class Key:
     varies: bool = False
 
 
-def key(kind: str, help: str, *, default: Any = MISSING, **limits: Any) -> Any:
-    """A dataclass field with its YAML key described in the metadata; a field without a default is optional and None."""
-    declared = Key(kind, help, **limits)
-    return field(default=None if default is MISSING else default, metadata={"key": declared})
+class Declaration(Struct, frozen=True):
+    """What stands behind a field of an element: its YAML key and its default."""
+
+    key: Key
+    default: Any = None
 
 
-def keys_of(element: Any) -> Iterator[tuple[str, Key]]:
+def key(kind: str, help: str, *, default: Any = None, **limits: Any) -> Any:
+    """A field of an element with its YAML key; one without a default is optional and None."""
+    return Declaration(Key(kind, help, **limits), default)
+
+
+@dataclass_transform(field_specifiers=(key,))
+class Declared(StructMeta):
+    """Makes element classes: keeps the keys that their fields declare, and leaves the fields their plain defaults."""
+
+    def __new__(cls, name: str, bases: tuple[type, ...], body: dict[str, Any], **options: Any) -> Declared:
+        found = {word: value for word, value in body.items() if isinstance(value, Declaration)}
+        inherited = [known for base in reversed(bases) for known in getattr(base, "declared", {}).items()]
+        body["declared"] = dict(inherited) | {word: value.key for word, value in found.items()}
+        body.update((word, value.default) for word, value in found.items())
+        return super().__new__(cls, name, bases, body, **options)
+
+
+class Element(Struct, metaclass=Declared, frozen=True):
+    """Base of all that a scene is built of: a record whose fields declare YAML keys."""
+
+    declared: ClassVar[dict[str, Key]]  # by the name of the field
+
+
+def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
     """The YAML keys of an element class with their declarations; a trailing underscore keeps a key off Python's keywords."""
-    for entry in fields(element):
-        if "key" in entry.metadata:
-            yield entry.name.rstrip("_"), entry.metadata["key"]
+    for name, declared in element.declared.items():
+        yield name.rstrip("_"), declared
 
 
 def varying(element: Any) -> Iterator[Formula]:

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields, is_dataclass
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from rotsolve.elements.surfaces import Surface
 
 
-@dataclass(frozen=True, slots=True)
-class Given:
+class Given(Struct, frozen=True):
     """A letter of the scene. `value` is None for a letter without a number; `asked` for `unknown`.
 
     `value` may hold other givens (`L: 2*R`). `automatic` marks a letter that the reader made for a number written in place
@@ -37,8 +37,7 @@ class Given:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class PointRef:
+class PointRef(Struct, frozen=True):
     """A point by name: `rod.end` (owner `rod`, point `end`), `rod.at(x)` (argument x), a body or surface alone (point None).
 
     `owner` is a body, a surface, `ground` or `ceiling`; or empty with `place` = (x, y), a fixed place in space.
@@ -51,8 +50,7 @@ class PointRef:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Path:
+class Path(Struct, frozen=True):
     """A quantity: owner (body, connection, action or empty for the whole system), point, quantity, component.
 
     `rod.end.acceleration.x` -> owner rod, point end, quantity acceleration, component x;
@@ -67,8 +65,7 @@ class Path:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Condition:
+class Condition(Struct, frozen=True):
     """One line of a state, event or `where`: path = value; a word (`grip: rolls`, `string: slack`, `… : largest`) is in `word`.
 
     `rest` = True for `at rest` (owner 'all' or one body), path None. After `where` a quantity with its clauses is in `phrase`, path None.
@@ -83,8 +80,7 @@ class Condition:
     phrase: Find | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Body:
+class Body(Struct, frozen=True):
     """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
 
     `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.
@@ -109,8 +105,7 @@ class Body:
     moved: tuple[tuple[str, str, Formula], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Part:
+class Part(Struct, frozen=True):
     """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it.
 
     A third coordinate of `at`, as of a body's `points`, is the height above the picture.
@@ -123,8 +118,7 @@ class Part:
     angle: Formula | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class State:
+class State(Struct, frozen=True):
     """A named instant with the lines that hold at it."""
 
     name: str
@@ -134,8 +128,7 @@ class State:
     span: Span | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Phase:
+class Phase(Struct, frozen=True):
     """The motion from one state to the next; `without` names connections that do not act in it."""
 
     name: str
@@ -148,8 +141,7 @@ class Phase:
 ANY_TIME = "any time"  # in place of a state: the moment that runs through a phase
 
 
-@dataclass(frozen=True, slots=True)
-class Term:
+class Term(Struct, frozen=True):
     """One operand of a `find`: a path with its modifier and its own time.
 
     modifier: '', 'size of', 'change of', 'lost', 'total', 'mean', 'largest', 'smallest'; of the periods and frequencies of swings
@@ -169,8 +161,7 @@ class Term:
     by: str | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Option:
+class Option(Struct, frozen=True):
     """One option of a choice: a quantity, or several compared by `signs` (<, >, ≤, ≥, =), one between each two."""
 
     label: str
@@ -178,8 +169,7 @@ class Option:
     signs: tuple[str, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Choice:
+class Choice(Struct, frozen=True):
     """`which of` the options: the `largest` or `smallest`, what is `above` or `below` a bound; no test: whose comparison holds."""
 
     options: tuple[Option, ...]
@@ -187,8 +177,7 @@ class Choice:
     bound: Find | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Find:
+class Find(Struct, frozen=True):
     """An asked quantity: `formula` over givens, earlier answers and the placeholders `#0`, `#1`, … of `terms`.
 
     An entry of a matrix or vector that is asked for as a whole has the name of that in `whole`.
@@ -217,16 +206,14 @@ class Find:
         return any(term.at == ANY_TIME for term in self.terms)
 
 
-@dataclass(frozen=True, slots=True)
-class Moment:
+class Moment(Struct, frozen=True):
     """A time at which functions of time are evaluated: as written, and in seconds."""
 
     text: str
     value: Formula
 
 
-@dataclass(frozen=True, slots=True)
-class Published:
+class Published(Struct, frozen=True):
     """A published answer beside an asked quantity: `text` as written (number and unit, formula or word), `value` when it is one.
 
     `values` are the numbers of a vector, of a matrix row by row, or of several roots; `formulas` the exact entries; `at` says when
@@ -245,9 +232,8 @@ class Published:
     at: Moment | None = None
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """A whole scene. `connections`, `actions`, `surfaces`, `events` hold the element dataclasses of rotsolve.elements."""
+class Problem(Struct, frozen=True):
+    """A whole scene. `connections`, `actions`, `surfaces`, `events` hold the elements of rotsolve.elements."""
 
     title: str
     file: str
@@ -278,6 +264,6 @@ def points_of(item: object) -> Iterator[PointRef | Path]:
     elif isinstance(item, tuple):
         for part in item:
             yield from points_of(part)
-    elif is_dataclass(item) and not isinstance(item, Formula):
-        for entry in fields(item):
-            yield from points_of(getattr(item, entry.name))
+    elif isinstance(item, Struct) and not isinstance(item, Formula):
+        for name in item.__struct_fields__:
+            yield from points_of(getattr(item, name))

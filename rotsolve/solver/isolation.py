@@ -21,11 +21,11 @@ from rotsolve.solver.textbook import Textbook
 REACHES = (10, 1000, 10**6)  # how far from zero roots are looked for, one after the other
 
 
-class Isolation(Textbook):
+class Isolation(Textbook, kw_only=True):
     """Solves single equations; `choose` tells which of several roots is meant."""
 
     choose: Chooser
-    numeric: bool  # whether a root may be found numerically where there is no closed form
+    numeric: bool = False  # whether a root may be found numerically where there is no closed form
 
     def value_in(self, item: Item, name: str, *, alone: bool) -> tuple[Formula, Words] | None:
         """The value of an unknown from one equation: as written where it stands alone, else solved; and why it is this root."""

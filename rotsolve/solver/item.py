@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, negate
 from rotsolve.core.writing import flat, positive_first
 from rotsolve.solver.step import Ref
 
 
-@dataclass(slots=True)
-class Item:
+class Item(Struct):
     """An equation on its way: what it has become, and what has been put in since it was written."""
 
     ref: Ref

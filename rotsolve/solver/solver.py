@@ -6,7 +6,8 @@ Trivial equations (I = ½ M R², a = R α) are put into the others without a lin
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import field
 
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import coefficients, is_zero
@@ -18,7 +19,7 @@ from rotsolve.plan import Plan
 from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.lines import line_in_letters, line_of
-from rotsolve.solver.step import Chooser, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
+from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, Ref, Step
 from rotsolve.solver.textbook import quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
@@ -31,20 +32,13 @@ ENTANGLED = "no unknown can be told from the others"
 Elimination = tuple[Item, str, Formula, "Words | None"]
 
 
-@dataclass
-class Solver(Isolation):
+class Solver(Isolation, kw_only=True):
     """Solves plans one after the other; remembers answers and steps."""
 
     pool: list[Equation]
-    order: tuple[str, ...]
-    positive: frozenset[str]
-    values: Mapping[str, Formula]
-    choose: Chooser
     refs: dict[int, Ref] = field(default_factory=dict)
     running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
-    numeric: bool = False  # whether a root may be found numerically where there is no closed form
     steps: list[Step] = field(default_factory=list)
-    solved: dict[str, Found] = field(default_factory=dict)
     derived: list[tuple[Equation, Ref]] = field(default_factory=list)
     told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
 

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple
+
+from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.formula import PI, Formula, Number
@@ -53,8 +54,7 @@ class NoClosedForm(ValueError):
     """No unknown can be isolated."""
 
 
-@dataclass(frozen=True, slots=True)
-class Step:
+class Step(Struct, frozen=True):
     """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
 
     number: int
@@ -66,8 +66,7 @@ class Step:
     reason: Words = ()
 
 
-@dataclass(frozen=True, slots=True)
-class Found:
+class Found(Struct, frozen=True):
     """A solved unknown: closed form in givens, or a certified root of the last equation."""
 
     name: str

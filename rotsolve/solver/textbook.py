@@ -6,6 +6,8 @@ from collections.abc import Mapping
 from fractions import Fraction
 from functools import partial
 
+from msgspec import Struct, field
+
 from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
 from rotsolve.algebra.calculus.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
@@ -47,13 +49,13 @@ def quarters_turned(value: Formula) -> Formula:
     return value.transform(change)
 
 
-class Textbook:
+class Textbook(Struct, kw_only=True):
     """Formulas as a textbook writes them, by the order of the letters, the signs of the givens and the answers found so far."""
 
     order: tuple[str, ...]
     positive: frozenset[str]
     values: Mapping[str, Formula]
-    solved: dict[str, Found]
+    solved: dict[str, Found] = field(default_factory=dict)
 
     def simplify(self, value: Formula) -> Formula:
         """Textbook form; bars round a value whose sign the numbers tell are taken off. A root of long squares stays as it is."""

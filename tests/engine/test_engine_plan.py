@@ -103,7 +103,8 @@ def solver(equations: list[Equation], choose: object = None) -> Solver:
     def first(name: str, roots: object, period: object) -> Choice:
         return Choice(0)
 
-    return Solver(equations, (), frozenset({"k", "m", "g", "R"}), {}, choose or first)  # type: ignore[arg-type]
+    positive = frozenset({"k", "m", "g", "R"})
+    return Solver(pool=equations, order=(), positive=positive, values={}, choose=choose or first)  # type: ignore[arg-type]
 
 
 def answered(asked: str, known: str, *lines: str) -> Formula:

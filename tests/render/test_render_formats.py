@@ -9,11 +9,11 @@ import json
 import os
 import shutil
 import subprocess
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import pytest
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.notation.parse import parse

@@ -7,8 +7,9 @@ way means that the end is approached for ever, or not reached at all.
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import Problem, simplify
 from rotsolve.algebra.exact.signs import Signs
@@ -46,8 +47,7 @@ def sign_by_letters(f: Formula, positive: Collection[str]) -> int | None:
     return 1 if signs.nonnegative(product) else -1 if signs.nonnegative(-product) else None
 
 
-@dataclass(frozen=True)
-class Stretch:
+class Stretch(Struct, frozen=True):
     """An integral d(name) from one end to another; `sign` tells the sign of a formula without the variable, where it is known."""
 
     name: str

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
@@ -21,16 +22,14 @@ class NotCertified(ValueError):
     """No root, or not exactly one, could be certified."""
 
 
-@dataclass(frozen=True, slots=True)
-class Roots:
+class Roots(Struct, frozen=True):
     """Certified simple roots in rising order; `complete` tells whether they are certainly all."""
 
     roots: tuple[Certified, ...]
     complete: bool
 
 
-@dataclass(frozen=True, slots=True)
-class _Function:
+class _Function(Struct, frozen=True):
     """A formula of one variable with its derivative, over balls."""
 
     f: Formula

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import FUNCTIONS
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN, SEGMENT, spellings
@@ -36,8 +37,7 @@ class FormulaError(ValueError):
         self.suggestion = suggestion
 
 
-@dataclass(frozen=True, slots=True)
-class Token:
+class Token(Struct, frozen=True):
     """A piece of the text; marks have their own text as kind."""
 
     kind: str

@@ -7,8 +7,9 @@ dimensions match when all else agrees, since textbooks write v = ω R.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import (
     ZERO,
@@ -31,8 +32,7 @@ from rotsolve.algebra.notation.text import to_text
 Exponent = int | Fraction
 
 
-@dataclass(frozen=True, slots=True)
-class Dimension:
+class Dimension(Struct, frozen=True):
     """length^… · mass^… · time^… · angle^…"""
 
     length: Exponent = 0
@@ -93,8 +93,7 @@ DAMPING = FORCE / VELOCITY
 ROTARY_DAMPING = TORQUE / ANGULAR_VELOCITY
 
 
-@dataclass(frozen=True, slots=True)
-class Kind:
+class Kind(Struct, frozen=True):
     """A kind of quantity: its name, with its article, and the unit in which it is printed."""
 
     name: str

@@ -12,8 +12,9 @@ Rules that are not obvious:
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
 from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
@@ -47,8 +48,7 @@ class UnitError(FormulaError):
     """A text that is no quantity or no unit: what is wrong, in which columns, and perhaps what was meant."""
 
 
-@dataclass(frozen=True, slots=True)
-class Quantity:
+class Quantity(Struct, frozen=True):
     """A number with a unit: its exact value in SI, its dimension, and the unit as written (None without one)."""
 
     value: Formula

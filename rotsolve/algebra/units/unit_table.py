@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import PI, Formula, Number, divide, multiply
 from rotsolve.algebra.units.dimension import (
@@ -32,8 +33,7 @@ def times_pi(value: Fraction, power: int) -> Formula:
     return multiply(Number(value), PI**power) if power else Number(value)
 
 
-@dataclass(frozen=True, slots=True)
-class Unit:
+class Unit(Struct, frozen=True):
     """A unit: its text (`kg m²/s`), and its factor to SI, scale · π^pi_power."""
 
     text: str

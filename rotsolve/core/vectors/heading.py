@@ -6,8 +6,9 @@ A heading is measured counterclockwise from the rightward horizontal. Vectors ar
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
@@ -37,8 +38,7 @@ _COSINE = {  # exact cosines of the first quadrant, degrees
 }
 
 
-@dataclass(frozen=True, slots=True)
-class Heading:
+class Heading(Struct, frozen=True):
     """degrees + Σ coefficient × angle, with the angles as formulas (mostly symbols)."""
 
     degrees: Fraction = Fraction(0)
@@ -156,8 +156,7 @@ def _cosine_of_degrees(degrees: Fraction) -> Formula:
     return negate(value) if folded > 90 else value
 
 
-@dataclass(frozen=True, slots=True)
-class Vector:
+class Vector(Struct, frozen=True):
     """Σ size × unit vector(heading), in the plane."""
 
     parts: tuple[tuple[Formula, Heading], ...] = ()

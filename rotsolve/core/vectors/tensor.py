@@ -6,7 +6,7 @@ I_P = I_cm + M (d² 1 − d dᵀ), are Goldstein, Poole & Safko, Classical Mecha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, add, multiply, negate
 
@@ -18,8 +18,7 @@ ROWS = (("xx", "xy", "zx"), ("xy", "yy", "yz"), ("zx", "yz", "zz"))
 ORIGIN: Place = (ZERO, ZERO, ZERO)
 
 
-@dataclass(frozen=True, slots=True)
-class InertiaTensor:
+class InertiaTensor(Struct, frozen=True):
     """xx = Σ m (y² + z²), …, xy = −Σ m x y, …, about some point, along some axes."""
 
     xx: Formula = ZERO

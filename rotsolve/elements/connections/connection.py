@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, fields
 from typing import TYPE_CHECKING, ClassVar
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule, Turntable
 from rotsolve.core.vectors.heading import Heading
+from rotsolve.scene.keys import Element
 from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:
@@ -18,8 +20,7 @@ if TYPE_CHECKING:
 Fact = Force | Couple | Rule | Requirement | Potential | Turntable
 
 
-@dataclass(frozen=True)
-class Orbit:
+class Orbit(Struct, frozen=True):
     """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
 
     `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
@@ -33,8 +34,7 @@ class Orbit:
     words: str
 
 
-@dataclass(frozen=True)
-class Connection:
+class Connection(Element, frozen=True):
     """Base of all connections. `quantities` can be asked of it; `words` can be said of it in a state.
 
     `independent` marks one that holds several bodies without making one move with the other. `kept` are its quantities that an event
@@ -53,8 +53,8 @@ class Connection:
     def touches(self) -> tuple[PointRef, ...]:
         """All points that the connection names."""
         found: list[PointRef] = []
-        for item in fields(self):
-            value = getattr(self, item.name)
+        for name in self.__struct_fields__:
+            value = getattr(self, name)
             if isinstance(value, tuple):
                 found.extend(part for part in value if isinstance(part, PointRef))
         return tuple(found)

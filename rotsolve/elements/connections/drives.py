@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
@@ -20,8 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Belt(Connection):
+class Belt(Connection, frozen=True):
     word = "belt"
     about = "a belt or chain round two wheels: they turn the same way, or opposite ways when it is crossed"
     quantities = ("tension", "force", "power", "work")
@@ -40,8 +38,7 @@ class Belt(Connection):
             )
 
 
-@dataclass(frozen=True)
-class Gear(Connection):
+class Gear(Connection, frozen=True):
     word = "gear"
     about = "two toothed or rubbing wheels: they turn opposite ways without slip"
     quantities = ("force", "torque", "power", "work", "impulse")
@@ -63,8 +60,7 @@ class Gear(Connection):
         )
 
 
-@dataclass(frozen=True)
-class Drive(Connection):
+class Drive(Connection, frozen=True):
     word = "drives"
     about = (
         "a motor, or someone's legs or hands: turns the last-named body on the first, with equal and opposite torques"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import Formula
@@ -18,8 +17,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Guide(Connection):
+class Guide(Connection, frozen=True):
     """What a body's own keys `velocity`, `angle`, … stand for; no scene writes it as a connection."""
 
     word = "guide"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
@@ -17,8 +16,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Shaft(Connection):
+class Shaft(Connection, frozen=True):
     word = "shaft"
     about = "hinges a point of a body to an upright shaft that turns steadily; the picture is the upright plane that turns with it"
     quantities = ("force", "angle")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -23,8 +22,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Spring(Connection):
+class Spring(Connection, frozen=True):
     word = "spring"
     about = "an ideal spring between two points"
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
@@ -89,8 +87,7 @@ class Spring(Connection):
         return unit(outward if anchor is self.spring[0] else outward.turned(180))
 
 
-@dataclass(frozen=True)
-class Torsion(Connection):
+class Torsion(Connection, frozen=True):
     word = "torsion"
     about = "a torsion spring or wire that turns a body back"
     quantities = ("torque", "potential_energy", "work", "power", "angle")

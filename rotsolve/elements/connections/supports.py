@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
@@ -21,8 +20,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Driven(Connection):
+class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
 
     friction_torque: Formula | None = key(
@@ -98,8 +96,7 @@ class Driven(Connection):
         return any(getattr(self, word) is not None for word in TURNING)
 
 
-@dataclass(frozen=True)
-class Hinge(Driven):
+class Hinge(Driven, frozen=True):
     """A point of a body held to the ground, or to a point of another body; it turns freely about it."""
 
     word = "hinge"
@@ -134,8 +131,7 @@ class Hinge(Driven):
             yield from joint(self.name, carrier, body, instant)
 
 
-@dataclass(frozen=True)
-class Axle(Driven):
+class Axle(Driven, frozen=True):
     word = "axle"
     about = "a fixed axis through the centre of a wheel, or of several that turn freely on it"
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
@@ -158,8 +154,7 @@ class Axle(Driven):
                 yield from reaction(self.name, "axle", ref, instant, several=len(self.axle) > 1)
 
 
-@dataclass(frozen=True)
-class Ball(Connection):
+class Ball(Connection, frozen=True):
     word = "ball"
     about = "holds a point of a body in place; the body turns about it in space"
     quantities = ("force", "impulse")
@@ -169,8 +164,7 @@ class Ball(Connection):
     )
 
 
-@dataclass(frozen=True)
-class Clamp(Connection):
+class Clamp(Connection, frozen=True):
     word = "clamp"
     about = "holds a point of a body and its direction"
     quantities = ("force", "torque")
@@ -180,16 +174,14 @@ class Clamp(Connection):
     )
 
 
-@dataclass(frozen=True)
-class Weld(Connection):
+class Weld(Connection, frozen=True):
     word = "weld"
     about = "makes two bodies one"
     quantities = ("force", "torque")
     weld: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[drum, rod.end]")
 
 
-@dataclass(frozen=True)
-class Rides(Connection):
+class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     quantities = ("work",)

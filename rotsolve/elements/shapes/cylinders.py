@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number
@@ -13,8 +12,7 @@ from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordin
 from rotsolve.scene.keys import key
 
 
-@dataclass(frozen=True)
-class Cylinder(Disc):
+class Cylinder(Disc, frozen=True):
     """A disc as far as its axis is concerned."""
 
     word = "cylinder"
@@ -36,8 +34,7 @@ class Cylinder(Disc):
         return self.measure() * (self.length or ZERO)
 
 
-@dataclass(frozen=True)
-class CylindricalShell(Ring):
+class CylindricalShell(Ring, frozen=True):
     """A ring as far as its axis is concerned, an annulus where its wall is thick."""
 
     word = "cylindrical shell"

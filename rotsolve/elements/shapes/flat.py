@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
@@ -14,8 +13,7 @@ from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.scene.keys import key
 
 
-@dataclass(frozen=True)
-class Rectangle(Shape):
+class Rectangle(Shape, frozen=True):
     word = "rectangle"
     spread = "surface"
     about = "thin uniform rectangle; corners counterclockwise from the lower left: corner1 … corner4"
@@ -56,8 +54,7 @@ class Rectangle(Shape):
         return places.get(point, (ZERO, ZERO))
 
 
-@dataclass(frozen=True)
-class Triangle(Shape):
+class Triangle(Shape, frozen=True):
     word = "triangle"
     spread = "surface"
     about = "thin uniform triangle: its three `corners`, or its three `sides` (corner1 to corner2 along +x first)"
@@ -127,8 +124,7 @@ class Triangle(Shape):
         return corner(self.vertices(), point, self.centroid())
 
 
-@dataclass(frozen=True)
-class Polygon(Shape):
+class Polygon(Shape, frozen=True):
     word = "polygon"
     spread = "surface"
     about = "thin uniform polygon by its corners in order: corner1, corner2, …"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from functools import cached_property
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import simplify
@@ -20,8 +21,7 @@ UNSHAPED = Shape()
 Region = tuple[Range, ...]
 
 
-@dataclass(frozen=True)
-class Integrated(Shape):
+class Integrated(Shape, frozen=True, dict=True):
     """A shape whose mass, centre of mass and second moments are integrals; `positive` are the letters that surely are."""
 
     tabled = False
@@ -79,8 +79,7 @@ class Integrated(Shape):
         return self.whole
 
 
-@dataclass(frozen=True)
-class Lamina(Integrated):
+class Lamina(Integrated, frozen=True):
     word = "lamina"
     about = "thin plate by the limits of its coordinates: `x` and `y`, or `r` and `phi`; one may depend on the other"
     spread = "surface"
@@ -158,8 +157,7 @@ class Lamina(Integrated):
         return (f"strips of {word} ", size, " and width d", outer.variable)
 
 
-@dataclass(frozen=True)
-class Revolution(Integrated):
+class Revolution(Integrated, frozen=True):
     word = "solid of revolution"
     about = "solid round the z axis by its profile: the limits of z, and the radius r there (or `[inner, outer]`)"
     spread = "volume"
@@ -183,8 +181,7 @@ class Revolution(Integrated):
         return self.slicing()
 
 
-@dataclass(frozen=True)
-class Graded(Integrated):
+class Graded(Integrated, frozen=True):
     """A shape of varying density: its elements weigh density times their length, area or volume."""
 
     graded = True

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import ClassVar
 
@@ -15,8 +14,7 @@ from rotsolve.scene.keys import key
 Radii = tuple[tuple[str, Formula], ...]
 
 
-@dataclass(frozen=True)
-class Disc(Shape):
+class Disc(Shape, frozen=True):
     word = "disc"
     spread = "surface"
     about = "uniform solid disc"
@@ -41,8 +39,7 @@ class Disc(Shape):
         return PI * (self.radius or ZERO) ** 2
 
 
-@dataclass(frozen=True)
-class Ring(Shape):
+class Ring(Shape, frozen=True):
     word = "ring"
     spread = "line"
     about = "thin uniform ring or hoop"
@@ -69,8 +66,7 @@ class Ring(Shape):
         return Number(Fraction(2)) * PI * (self.radius or ZERO)
 
 
-@dataclass(frozen=True)
-class Annulus(Shape):
+class Annulus(Shape, frozen=True):
     word = "annulus"
     spread = "surface"
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
@@ -101,8 +97,7 @@ class Annulus(Shape):
         return walls(self.radii)[1]
 
 
-@dataclass(frozen=True)
-class Sphere(Shape):
+class Sphere(Shape, frozen=True):
     word = "sphere"
     flat = False
     coordinates = ("r",)
@@ -134,8 +129,7 @@ class Sphere(Shape):
         return Number(Fraction(4, 3)) * PI * (self.radius or ZERO) ** 3
 
 
-@dataclass(frozen=True)
-class SphericalShell(Shape):
+class SphericalShell(Shape, frozen=True):
     word = "spherical shell"
     flat = False
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"

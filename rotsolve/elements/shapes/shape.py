@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.slicing import Slicing
-from rotsolve.scene.keys import key
+from rotsolve.scene.keys import Element, key
 
 Place = tuple[Formula, Formula]
 WHEEL: tuple[str, ...] = ("center", "rim", "top", "bottom")
@@ -21,8 +20,7 @@ def extent(help: str, letter: str) -> Formula | None:
     return declared
 
 
-@dataclass(frozen=True)
-class Shape:
+class Shape(Element, frozen=True):
     """Base of all shapes. `points` are the names of its points, beside `cm` and those that the scene names."""
 
     word: ClassVar[str] = ""

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, add, multiply, negate
@@ -19,8 +21,7 @@ def coordinate(name: str) -> Symbol:
     return Symbol(SEPARATOR + name)
 
 
-@dataclass(frozen=True)
-class Range:
+class Range(Struct, frozen=True):
     """One variable of integration with its limits."""
 
     variable: Symbol
@@ -28,8 +29,7 @@ class Range:
     upper: Formula
 
 
-@dataclass(frozen=True)
-class Slicing:
+class Slicing(Struct, frozen=True):
     """Elements of length, area or volume `weight` d(variables), outermost variable first.
 
     `centre` is where an element's centre of mass is, `squares` are the means of xx, yy, zz, xy, yz, zx over an element;
@@ -111,7 +111,7 @@ class Slicing:
             weight=self.weight.substitute(put),
             centre=(centre[0], centre[1], centre[2]),
             squares=tuple(squares[entry] for entry in ENTRIES),
-            origin=tuple(part + step if k == axis else part for k, part in enumerate(self.origin)),  # type: ignore[arg-type]
+            origin=tuple(part + step if k == axis else part for k, part in enumerate(self.origin)),
         )
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from fractions import Fraction
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
@@ -12,8 +13,7 @@ from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis
 from rotsolve.scene.keys import key
 
 
-@dataclass(frozen=True)
-class Cone(Shape):
+class Cone(Shape, frozen=True):
     word = "cone"
     about = (
         "uniform solid cone seen along its axis, with the middle of its base at the centre and its tip at z = length"
@@ -53,8 +53,7 @@ class Cone(Shape):
         return None
 
 
-@dataclass(frozen=True)
-class Cuboid(Shape):
+class Cuboid(Shape, frozen=True):
     word = "cuboid"
     about = "uniform box: width along x, height along y, depth along z"
     spread = "volume"
@@ -91,8 +90,7 @@ class Cuboid(Shape):
         return a * b * c
 
 
-@dataclass(frozen=True)
-class Ellipsoid(Shape):
+class Ellipsoid(Shape, frozen=True):
     word = "ellipsoid"
     about = "uniform ellipsoid: half axes along x, y and z"
     spread = "volume"

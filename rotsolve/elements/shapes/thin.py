@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from fractions import Fraction
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, call
@@ -14,8 +15,7 @@ from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.scene.keys import key
 
 
-@dataclass(frozen=True)
-class Particle(Shape):
+class Particle(Shape, frozen=True):
     word = "particle"
     about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
     radius: Formula = key(
@@ -36,8 +36,7 @@ class Particle(Shape):
         return None
 
 
-@dataclass(frozen=True)
-class Rod(Shape):
+class Rod(Shape, frozen=True):
     word = "rod"
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
@@ -76,8 +75,7 @@ class Rod(Shape):
         return ({"start": -half, "end": half}.get(point, ZERO), ZERO)
 
 
-@dataclass(frozen=True)
-class Rope(Shape):
+class Rope(Shape, frozen=True):
     word = "rope"
     about = "uniform heavy rope or chain that bends freely; `drapes` says what it hangs over"
     points = ()
@@ -85,8 +83,7 @@ class Rope(Shape):
     length: Formula | None = extent("length", "L")
 
 
-@dataclass(frozen=True)
-class Arc(Shape):
+class Arc(Shape, frozen=True):
     word = "arc"
     about = "thin uniform wire along an arc of a circle, symmetric about its +x axis; `center` is the circle's"
     points = ("center", "start", "middle", "end")

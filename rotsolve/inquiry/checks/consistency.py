@@ -5,9 +5,10 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from dataclasses import replace
 from fractions import Fraction
 from math import isfinite
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined

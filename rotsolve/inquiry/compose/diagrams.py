@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Set
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import ForceLine, Words
@@ -20,8 +21,7 @@ UNSEEN = ("reaction", "grip")  # told in a free-body diagram only where an equat
 WITH_FORCES = (NEWTON, ENERGY, ANGULAR_MOMENTUM)
 
 
-@dataclass(frozen=True)
-class Diagrams:
+class Diagrams(Struct, frozen=True):
     """The free-body diagrams of all sections; `pool` holds the laws that the drafts of sections point to."""
 
     history: History

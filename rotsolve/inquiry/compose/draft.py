@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+
+from msgspec import Struct, field
 
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answers import Answered, Chosen
@@ -12,8 +13,7 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.solver import Ref, Step
 
 
-@dataclass
-class Draft:
+class Draft(Struct):
     """One section in the making: the laws (pool indices), steps and choices that belong to it."""
 
     key: str

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -28,8 +29,7 @@ LONG = 220  # nodes of a formula beyond which it is left in letters found before
 NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
 
 
-@dataclass(frozen=True)
-class Results:
+class Results(Struct, frozen=True):
     """The answers of an inquiry in the letters of its derivation."""
 
     inquiry: Inquiry

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import evaluate
@@ -18,8 +19,7 @@ from rotsolve.inquiry.questions import NotYet
 NEAR = 1e-9  # share of a phase within which a zero counts as its end
 
 
-@dataclass(frozen=True)
-class Beside:
+class Beside(Struct, frozen=True):
     """Settles formulas of the laws without a trace, and looks at them as functions of time."""
 
     settle: Callable[[Formula], Formula | None]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
@@ -20,8 +21,7 @@ from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Term
 
 
-@dataclass(frozen=True)
-class Candidate:
+class Candidate(Struct, frozen=True):
     """A value that may be the greatest: its number, where it is taken, and the moment within the phase if it is no end."""
 
     number: float

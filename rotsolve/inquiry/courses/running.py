@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.core.quantity import BY_WORD

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import pairwise
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add
 from rotsolve.core.derivation import Words
@@ -90,8 +91,7 @@ def rate_of(word: str, name: str, middle: Instant) -> Formula:
     return middle.travel("velocity", name, line[1] if line else "")
 
 
-@dataclass(frozen=True)
-class Reversal:
+class Reversal(Struct, frozen=True):
     """A moment of a phase at which a body reverses: the functions of time of its rate and of its way, and when the rate vanishes."""
 
     word: str

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.core.quantity import DIMENSIONS

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.vectors.tensor import AXES, ENTRIES

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from types import MappingProxyType
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of

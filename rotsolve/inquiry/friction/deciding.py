@@ -8,8 +8,9 @@ the other, with the senses that strings and joints allow; it moves the way in wh
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from itertools import product
+
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula
@@ -33,8 +34,7 @@ TRIALS = 27  # ways in which contacts may stick and slip that are tried
 AT_MOST = " at most"  # a trial with as much friction as there can be before it slips
 
 
-@dataclass(frozen=True)
-class Decision:
+class Decision(Struct, frozen=True):
     """How all that rubs behaves, with the sections that show why."""
 
     modes: dict[str, str]
@@ -42,8 +42,7 @@ class Decision:
     numbered: int = 0  # equations numbered so far
 
 
-@dataclass(frozen=True)
-class Rub:
+class Rub(Struct, frozen=True):
     """A contact, two bodies that rub on each other, or a wheel on a rubbing axle or under a brake, in the phase that starts at a state."""
 
     key: str

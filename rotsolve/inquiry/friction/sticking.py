@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol, call, negate
 from rotsolve.core.derivation import Equality, Move, Section, Words
@@ -20,8 +20,7 @@ from rotsolve.scene.model import Find
 FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
 
 
-@dataclass(frozen=True)
-class Trial:
+class Trial(Struct, frozen=True):
     """A contact tried as sticking: the inquiry with friction and normal force worked out."""
 
     contact: Touch

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import Dimension
@@ -17,8 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.inquiry.swings.swing import Swing
 
 
-@dataclass(frozen=True)
-class Asked:
+class Asked(Struct, frozen=True):
     """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
 
     `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is

@@ -24,7 +24,7 @@ from rotsolve.scene.model import Path, PointRef, Term
 HALF = Number(Fraction(1, 2))
 
 
-class OfBodies(Moment):
+class OfBodies(Moment, frozen=True):
     """Reads paths of bodies at one instant."""
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:

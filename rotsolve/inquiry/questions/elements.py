@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
@@ -19,7 +19,7 @@ from rotsolve.inquiry.questions.natural import NATURAL, about_centre
 from rotsolve.scene.model import Path
 
 
-class OfElements(Moment):
+class OfElements(Moment, frozen=True):
     """Reads paths of connections and actions at one instant."""
 
     def of_element(self, path: Path) -> Formula | Meaning:

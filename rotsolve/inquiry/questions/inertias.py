@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
@@ -29,7 +30,7 @@ from rotsolve.scene.model import Path, PointRef, Term
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
 
 
-class OfInertias(Moment):
+class OfInertias(Moment, frozen=True):
     """Reads paths about the spread of a body's mass."""
 
     def meaning(self, path: Path, term: Term | None) -> Meaning:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from fractions import Fraction
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
 from rotsolve.algebra.notation.text import to_text
@@ -32,8 +33,7 @@ class Unclear(NotYet):
     """A question that the scene does not settle: which state, which end."""
 
 
-@dataclass(frozen=True)
-class Meaning:
+class Meaning(Struct, frozen=True):
     """What a path stands for: a formula over letters; the vector behind a size, for its direction; a remark for the derivation.
 
     `said` is a remark that holds formulas; `definitions` say what letters of its own stand for, as steps of the derivation;

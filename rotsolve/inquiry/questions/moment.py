@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.inquiry.questions.meaning import NotYet
 from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Moment:
+class Moment(Struct, frozen=True):
     """An instant with its facts, which are worked out when a question needs them."""
 
     instant: Instant

@@ -13,7 +13,7 @@ from rotsolve.motion.followed import STILL
 from rotsolve.scene.model import Path, PointRef
 
 
-class OfPoints(Moment):
+class OfPoints(Moment, frozen=True):
     """Reads paths of points at one instant."""
 
     def at_point(self, path: Path) -> bool:

@@ -5,7 +5,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, total
 from rotsolve.core.facts import signed
@@ -25,7 +25,7 @@ from rotsolve.scene.model import Path, Term
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 
 
-class Reader(Moment):
+class Reader(Moment, frozen=True):
     """Reads paths at one instant."""
 
     def meaning(self, path: Path, term: Term | None = None) -> Meaning:

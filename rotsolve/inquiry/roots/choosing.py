@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import floor
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
@@ -21,8 +22,7 @@ from rotsolve.solver import Choice
 TINY = 1e-14
 
 
-@dataclass(frozen=True)
-class RootChoice:
+class RootChoice(Struct, frozen=True):
     """Chooses between the roots of an equation; `definition` tells what an asked letter stands for."""
 
     history: History

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Symbol
 from rotsolve.core.derivation import Words
@@ -19,8 +20,7 @@ from rotsolve.scene.model import Given
 RATES = ("velocity|", "angular_velocity|")
 
 
-@dataclass(frozen=True)
-class Expected:
+class Expected(Struct, frozen=True):
     """What the motion of a scene tells of signs."""
 
     history: History

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -11,8 +12,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR
 
 
-@dataclass(frozen=True)
-class Numbers:
+class Numbers(Struct, frozen=True):
     """Rough numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
 
     values: Mapping[str, Formula]

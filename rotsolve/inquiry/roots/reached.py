@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
 from fractions import Fraction
 from math import pi
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, negate
 from rotsolve.core.derivation import Words
@@ -20,8 +21,7 @@ TINY = 1e-14
 TURN = 2 * pi
 
 
-@dataclass(frozen=True)
-class FirstReached:
+class FirstReached(Struct, frozen=True):
     """Follows the ways of bodies; `definition` tells what an asked letter stands for."""
 
     history: History

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR, Registry
@@ -11,8 +12,7 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Fixed:
+class Fixed(Struct, frozen=True):
     """Enters values into the registry; every instant is made anew, since it puts in what is fixed by then."""
 
     arrangement: Arrangement

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -38,8 +39,7 @@ RATE_OF = {  # what is zero where a quantity is largest or smallest
 EXTREMES = ("largest", "smallest")
 
 
-@dataclass
-class Statements:
+class Statements(Struct):
     """Takes the lines of all states into the registry."""
 
     fixed: Fixed

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add
 from rotsolve.core.facts import Facts, signed
@@ -21,8 +23,7 @@ from rotsolve.principles import energy
 from rotsolve.scene.model import Term
 
 
-@dataclass(frozen=True)
-class Moments:
+class Moments(Struct, frozen=True):
     """The equilibrium of all bodies, the same with any small motion, a moment of their swings; why a group has none."""
 
     rest: Instant
@@ -31,8 +32,7 @@ class Moments:
     troubles: Mapping[frozenset[str], NotYet]
 
 
-@dataclass(frozen=True)
-class Placing:
+class Placing(Struct, frozen=True):
     """Makes the moments of a swing; `values` are the numbers of the givens, by which a stable equilibrium is told."""
 
     arrangement: Arrangement

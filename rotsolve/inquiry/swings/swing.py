@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from functools import cached_property
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
@@ -27,8 +29,7 @@ PLACES = ("elongation" + SEPARATOR, "angle" + SEPARATOR)
 HARMONIC = " harmonic"  # ends the key of the section in which the harmonic motion is written
 
 
-@dataclass(frozen=True)
-class Swing:
+class Swing(Struct, frozen=True, dict=True):
     """Bodies of `group` near their equilibrium: `rest` and `near` are the two moments, `still` the same with any small motion.
 
     The coordinate is the angle turned or the way gone by `body` from the equilibrium, along its positive sense. `found` says that

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
@@ -14,8 +15,7 @@ from rotsolve.inquiry.questions import Asked
 from rotsolve.solver import Found, Ref, Step
 
 
-@dataclass(frozen=True)
-class Conclusion:
+class Conclusion(Struct, frozen=True):
     """The line of a condition: "dB/dx = 0", what that comes to as an equation, and why it is this root."""
 
     said: str

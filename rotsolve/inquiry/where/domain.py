@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.certified import sign
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
@@ -12,8 +12,7 @@ from rotsolve.motion.positive import is_angle
 from rotsolve.scene.model import points_of
 
 
-@dataclass(frozen=True)
-class Domain:
+class Domain(Struct, frozen=True):
     """From `low` to `high`, both ends included; None where there is no end on that side."""
 
     low: Formula | None

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import Problem
 from rotsolve.algebra.exact.signs import Signs
@@ -17,8 +18,7 @@ from rotsolve.inquiry.where.domain import Domain, domain_of, sign_of
 TWO = Number(ONE.value * 2)
 
 
-@dataclass(frozen=True)
-class Course:
+class Course(Struct, frozen=True):
     """How a quantity runs over a letter: its own letter, its closed form and the derivative of that."""
 
     letter: str

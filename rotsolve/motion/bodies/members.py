@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.elements.connections import Rides
 from rotsolve.elements.rims import shape_of
 from rotsolve.scene.model import Body, PointRef
 
 
-@dataclass(frozen=True)
-class Member:
+class Member(Struct, frozen=True):
     """A body that is part of another (joined or welded): its host, and the host's point where it sits."""
 
     name: str

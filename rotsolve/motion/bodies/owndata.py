@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula
@@ -14,8 +16,7 @@ from rotsolve.scene.model import Body, Condition, State
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 
 
-@dataclass(frozen=True)
-class Version:
+class Version(Struct, frozen=True):
     """A body as it is from a state on; `since` is empty for one that never changes."""
 
     body: Body

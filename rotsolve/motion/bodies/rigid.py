@@ -5,8 +5,10 @@ I_P = Σ (I_own + m d²), the parallel-axes theorem over all pieces. Places are 
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
 from fractions import Fraction
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
@@ -22,8 +24,7 @@ from rotsolve.scene.model import Body, Part
 MINUS = Number(Fraction(-1))
 
 
-@dataclass(frozen=True)
-class Piece:
+class Piece(Struct, frozen=True):
     """A piece of a rigid body: mass, own moment of inertia about its centre of mass, and where that is.
 
     `tensor` are all its second moments, None where only the moment about its axis is known; `height` is the third coordinate.

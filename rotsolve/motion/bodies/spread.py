@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Symbol
@@ -30,8 +30,7 @@ LETTERS = {  # letter and dimension of what a derivation gives a letter of its o
 }
 
 
-@dataclass(frozen=True)
-class Spread:
+class Spread(Struct, frozen=True):
     """The pieces of a body, and the point about which is asked, in the body's axes.
 
     `central` says that the point is the centre of mass; `spot` is the point's name, an index of letters; `known` is the letter of

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.certified.sign import sign_of
 from rotsolve.algebra.exact.normal import simplify
@@ -16,8 +16,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.scene.model import Body, Path, PointRef
 
 
-@dataclass(frozen=True)
-class Section:
+class Section(Struct, frozen=True):
     """A uniform rod cut at `x` from its start; `index` marks the letters of what is found there."""
 
     rod: Body
@@ -70,8 +69,7 @@ def compared(place: Formula, x: Formula, instant: Instant) -> int | None:
     return sign_of(place - x, values, lengths)
 
 
-@dataclass(frozen=True)
-class Loads:
+class Loads(Struct, frozen=True):
     """What sits and acts on one side of a cut (`sign` as in Section.side), weights left out.
 
     What is just at the cut is counted to the part before it, and `jumps` tells of it.

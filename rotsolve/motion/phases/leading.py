@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Negative, Symbol, negate
@@ -14,8 +14,7 @@ from rotsolve.motion.running import letter_of
 from rotsolve.scene.keys import varying
 
 
-@dataclass(frozen=True)
-class Lead:
+class Lead(Struct, frozen=True):
     """A place that runs through a phase: its letter, its values at both ends, and the rate at which it grows; whether it is one with
     which energy is `stored`."""
 

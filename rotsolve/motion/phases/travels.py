@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Formula, Symbol, negate
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive

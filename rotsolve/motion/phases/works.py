@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, total
 from rotsolve.core.facts import BodyFacts, Facts, signed
@@ -54,8 +56,7 @@ def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: Way) -> For
     return total(told) if len(told) == len(parts) else None
 
 
-@dataclass(frozen=True)
-class Way:
+class Way(Struct, frozen=True):
     """A phase as works are summed over it."""
 
     interval: Interval

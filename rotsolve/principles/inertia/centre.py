@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, multiply, negate, total
@@ -15,8 +16,7 @@ from rotsolve.principles.inertia.integration import centre_letter, origin
 from rotsolve.principles.inertia.pieces import noun
 
 
-@dataclass(frozen=True)
-class Told:
+class Told(Struct, frozen=True):
     """What a quantity is: a formula over letters with what defines them, its law and a remark."""
 
     formula: Formula

@@ -6,8 +6,9 @@
 from __future__ import annotations
 
 import re
-from dataclasses import replace
 from typing import Any
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.quantity import BY_WORD

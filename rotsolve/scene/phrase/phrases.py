@@ -8,8 +8,10 @@ A modifier and the clauses belong to the whole expression before them; a part in
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
 from typing import Any
+
+from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
@@ -37,8 +39,7 @@ MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER, WHICH)
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
 
-@dataclass
-class Phrase:
+class Phrase(Struct):
     """What has been read of one phrase so far."""
 
     terms: list[Term] = field(default_factory=list)

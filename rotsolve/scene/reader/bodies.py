@@ -109,7 +109,7 @@ def build(
         elif found is not None:
             fields[word] = found
     check(scope, name, entries, fields)
-    known = {field: item for field, item in fields.items() if field in Body.__dataclass_fields__}
+    known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
     if body.holes:
         check_holes(scope, name, entries["holes"][1], body)

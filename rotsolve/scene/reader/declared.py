@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any
 
 from rotsolve.elements.connections import Friction
-from rotsolve.scene.keys import Key, keys_of
+from rotsolve.scene.keys import Element, Key, keys_of
 from rotsolve.scene.phrase.running import running_path
 from rotsolve.scene.reader.coordinates import profile, region
 from rotsolve.scene.reader.points import read_place, read_point, read_spot
@@ -22,10 +22,10 @@ Reader = Callable[[Scope, Key, Node, str, str], Any]
 FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 
 
-def read_keys(scope: Scope, cls: type, name: str, entries: dict[str, tuple[Text, Node]]) -> dict[str, Any]:
+def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tuple[Text, Node]]) -> dict[str, Any]:
     """The fields of an element from the entries of its map; a key that is faulty is left out."""
     result: dict[str, Any] = {}
-    attributes = {entry.rstrip("_"): entry for entry in cls.__dataclass_fields__}  # type: ignore[attr-defined]
+    attributes = {entry.rstrip("_"): entry for entry in cls.declared}
     for word, declared in keys_of(cls):
         if word not in entries:
             continue
@@ -38,7 +38,7 @@ def read_keys(scope: Scope, cls: type, name: str, entries: dict[str, tuple[Text,
     return result
 
 
-def missing(scope: Scope, cls: type, place: Node, name: str, entries: dict[str, tuple[Text, Node]]) -> None:
+def missing(scope: Scope, cls: type[Element], place: Node, name: str, entries: dict[str, tuple[Text, Node]]) -> None:
     """A fault for each required key that is not there."""
     for word, declared in keys_of(cls):
         if declared.required and word not in entries:

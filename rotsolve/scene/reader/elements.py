@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
 from typing import Any
 
 from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.surfaces import SURFACES
-from rotsolve.scene.keys import keys_of
+from rotsolve.scene.keys import Element, keys_of
 from rotsolve.scene.model import PointRef
 from rotsolve.scene.reader.declared import missing, read_keys
 from rotsolve.scene.tree.nodes import Map, Node, Text
@@ -42,13 +41,13 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
         scope.later(node.key(cls.word), cls.word)
     missing(scope, cls, key, name, {**entries, **{entry.value: (entry, value) for entry, value in node.entries}})
     found = read_keys(scope, cls, name, entries)
-    element: object = cls(name, **found) if complete(cls, found) else None
+    element = cls(name, **found) if complete(cls, found) else None
     if element is not None:
         scope.touched[name] = tuple(point.owner for point in points_in(element) if point.owner)
     return element
 
 
-def complete(cls: type, found: dict[str, Any]) -> bool:
+def complete(cls: type[Element], found: dict[str, Any]) -> bool:
     return all(word in found or f"{word}_" in found for word, declared in keys_of(cls) if declared.required)
 
 
@@ -99,11 +98,11 @@ def class_of(
     return None
 
 
-def points_in(element: object) -> list[PointRef]:
+def points_in(element: Element) -> list[PointRef]:
     """All points that an element names."""
     found: list[PointRef] = []
-    for entry in fields(element):  # type: ignore[arg-type]
-        item = getattr(element, entry.name)
+    for name in element.__struct_fields__:
+        item = getattr(element, name)
         for point in item if isinstance(item, tuple) else (item,):
             if isinstance(point, PointRef):
                 found.append(point)

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import fields, is_dataclass
 
-from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Fault
 from rotsolve.elements.shapes import Rod
-from rotsolve.scene.model import Path, PointRef, Problem
+from rotsolve.scene.model import Problem, points_of
 from rotsolve.scene.values.rough import rough
 from rotsolve.scene.words import quoted
 
@@ -24,22 +22,10 @@ def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Faul
         if size is not None:
             lengths[body.name] = size
     parts = (problem.connections, problem.actions, problem.states, problem.events, problem.finds)
-    for ref in dict.fromkeys(references(parts)):
+    for ref in dict.fromkeys(points_of(parts)):
         place = None if ref.argument is None else rough(ref.argument, numbers)
         if place is not None and ref.point == "at" and place > lengths.get(ref.owner, place) * (1 + TOLERANCE):
             help = f"the rod is {lengths[ref.owner]:g} m long, and x is counted from its start"
             yield Fault(
                 f"{quoted(ref.owner)} ends before this point, {place:g} m from its start", ref.span, help, "limits"
             )
-
-
-def references(value: object) -> Iterator[PointRef | Path]:
-    """All points and paths in a part of a problem."""
-    if isinstance(value, (PointRef, Path)):
-        yield value
-    elif isinstance(value, tuple):
-        for item in value:
-            yield from references(item)
-    elif is_dataclass(value) and not isinstance(value, (Formula, type)):
-        for field in fields(value):
-            yield from references(getattr(value, field.name))

@@ -6,10 +6,11 @@ The tree is made from parse events, so that limits hold before anything grows: a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from typing import Any
 
 import yaml
+from msgspec import Struct
+from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.scene.tree import traps
@@ -21,8 +22,7 @@ NODES = 20_000
 LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
-@dataclass(frozen=True, slots=True)
-class Text:
+class Text(Struct, frozen=True):
     """A scalar as written. `exact` when column and characters of `value` correspond one to one in the source."""
 
     value: str
@@ -43,16 +43,14 @@ class Text:
         return Span(self.span.line, self.span.column + shift + start, max(1, end - start))
 
 
-@dataclass(frozen=True, slots=True)
-class List:
+class List(Struct, frozen=True):
     """A sequence."""
 
     items: tuple[Node, ...]
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
-class Map:
+class Map(Struct, frozen=True):
     """A mapping, its entries in the order of the file (a duplicate key is still there)."""
 
     entries: tuple[tuple[Text, Node], ...]

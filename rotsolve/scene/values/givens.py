@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import replace
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of

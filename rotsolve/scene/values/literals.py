@@ -8,8 +8,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -42,8 +43,7 @@ STEP = Fraction(1, 12)  # 15° in units of π
 EXPRESSION = Symbol("an expression after all")
 
 
-@dataclass(frozen=True, slots=True)
-class Want:
+class Want(Struct, frozen=True):
     """What a value is for: the words for messages, its dimension, and how to name a number written in place."""
 
     label: str

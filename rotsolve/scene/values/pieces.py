@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.units.quantities import UnitError, parse_unit
 
@@ -20,8 +21,7 @@ MORE = re.compile(rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}")
 CALL = re.compile(rf"\.{NAME}")
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(Struct, frozen=True):
     """A part of an expression: kind is number, quantity, name, path, mark or space."""
 
     kind: str

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
 from math import isqrt
+
+from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.field import Poly
@@ -12,8 +13,7 @@ from rotsolve.algebra.exact.normal import Problem, polynomial, simplify
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, call, divide, multiply, negate, sqrt
 
 
-@dataclass(frozen=True, slots=True)
-class Candidate:
+class Candidate(Struct, frozen=True):
     """A root and how it was found: `asin`, `pi - asin`, `acos`, `-acos`, `atan`, `atan + pi`, `atan2 + acos`, …"""
 
     formula: Formula

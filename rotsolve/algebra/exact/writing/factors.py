@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
 from fractions import Fraction
+
+from msgspec import Struct, field
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import Call
 
 
-@dataclass
-class Parts:
+class Parts(Struct):
     """A product being gathered: number · √root · gens^powers · sums^powers (half powers are roots)."""
 
     number: Fraction = Fraction(1)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.connections.contacts.touch import Touch
@@ -11,8 +9,7 @@ from rotsolve.scene.keys import key
 from rotsolve.scene.model import PointRef
 
 
-@dataclass(frozen=True)
-class Contact(Touch):
+class Contact(Touch, frozen=True):
     word = "contact"
     about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
     contact: tuple[PointRef, ...] = key(

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 
 
-@dataclass(frozen=True)
-class Friction:
+class Friction(Struct, frozen=True):
     """Friction of a contact: `none`, one coefficient, static and kinetic, or `any` (rough enough; the engine decides)."""
 
     kind: str = "none"  # none | coefficient | any

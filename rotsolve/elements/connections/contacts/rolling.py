@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Rule
@@ -21,8 +22,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Rolls(Touch):
+class Rolls(Touch, frozen=True):
     word = "rolls"
     about = "a wheel rolls without slipping on a surface, on several that join smoothly, or on a body that travels"
     rolls: tuple[PointRef, ...] = key(
@@ -36,8 +36,7 @@ class Rolls(Touch):
         return Friction("any")
 
 
-@dataclass(frozen=True)
-class Unrolls(Touch):
+class Unrolls(Touch, frozen=True):
     word = "unrolls"
     about = "a roll, of a carpet say, lays itself out on a level surface; a state says how large its `radius` is still"
     quantities = ("force", "normal_force", "friction_force", "torque")

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import TYPE_CHECKING
+
+from msgspec import field
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import Couple, Force, Rule
@@ -23,8 +24,7 @@ if TYPE_CHECKING:
 TWO_THIRDS = Number(Fraction(2, 3))
 
 
-@dataclass(frozen=True)
-class Rubbing(Connection):
+class Rubbing(Connection, frozen=True):
     """Base of what lets two bodies slip on each other, by friction that opposes their slip, or holds them together."""
 
     def rubs(self) -> bool:
@@ -55,8 +55,7 @@ class Rubbing(Connection):
         raise NotImplementedError
 
 
-@dataclass(frozen=True)
-class Clutch(Rubbing):
+class Clutch(Rubbing, frozen=True):
     word = "clutch"
     about = "two bodies on one axis pressed together: friction brings them to one angular velocity"
     quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
@@ -111,8 +110,7 @@ class Clutch(Rubbing):
             yield self.grip_rule(instant)
 
 
-@dataclass(frozen=True)
-class Rims(Rubbing):
+class Rims(Rubbing, frozen=True):
     """Two wheels on fixed axles side by side, the second on the right, whose rims are pressed together by a force."""
 
     word = "contact"

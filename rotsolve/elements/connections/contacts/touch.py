@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, ClassVar
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.derivation import Words
@@ -23,8 +24,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Touch(Connection):
+class Touch(Connection, frozen=True):
     """Base of contacts: a normal force, friction that sticks or slips, and the rule that goes with it."""
 
     quantities: ClassVar[tuple[str, ...]] = (

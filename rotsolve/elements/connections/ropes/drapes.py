@@ -7,7 +7,6 @@ drives it by the parts that hang: m g b/L for the length b on the side of its tr
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
@@ -26,8 +25,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class Drapes(Connection):
+class Drapes(Connection, frozen=True):
     """A rope on what carries it, and the body that is tied to its end, if there is one."""
 
     word = "drapes"

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
 from typing import TYPE_CHECKING
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
@@ -22,8 +23,7 @@ if TYPE_CHECKING:
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 
-@dataclass(frozen=True)
-class Leg:
+class Leg(Struct, frozen=True):
     """The straight part of a string between two neighbours: unit vector from the first to the second, and the two ends."""
 
     first: PointRef
@@ -32,8 +32,7 @@ class Leg:
     arms: tuple[Vector, Vector]  # from the reference of either body; nothing for what does not move
 
 
-@dataclass(frozen=True)
-class Course:
+class Course(Struct, frozen=True, dict=True):
     """What a string touches, in order, and what the scene says of how it runs: by body the way it pulls, wheels passed under, a surface."""
 
     points: tuple[PointRef, ...]

@@ -8,7 +8,6 @@ to right) unless it is said to pass under.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
@@ -26,8 +25,7 @@ if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
 
 
-@dataclass(frozen=True)
-class String(Connection):
+class String(Connection, frozen=True):
     """A string over, round and under what it touches, named in order from its first end (on the left) to its last."""
 
     word = "string"
