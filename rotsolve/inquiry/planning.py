@@ -104,7 +104,9 @@ class Search(Struct, frozen=True, dict=True):
         chosen = [pair for own in coordinates for pair in (*combinations(own, 1), *combinations(own, 2))]
         plans = [self._from([*rest, *pair]) for pair in ((), *chosen)]
         found = [plan for plan in plans if isinstance(plan, Plan)]
-        return found + self._thinned(allowed) if len(phases) > 1 else found
+        if len(phases) < 2 or self.spare:  # a confirmation is not worth so long a search
+            return found
+        return found + self._thinned(allowed)
 
     def _thinned(self, allowed: list[int]) -> list[Plan]:
         """Plans for several phases: of too many equations of constant acceleration in one each is left out in its turn."""
