@@ -53,21 +53,25 @@ class Cone(Shape, frozen=True):
         return None
 
 
+def three(help: str) -> tuple[Formula, ...]:
+    """The field of three lengths along x, y and z."""
+    lengths = {"dimension": "length", "letter": "a b c", "limits": "positive", "count": (3, 3)}
+    declared: tuple[Formula, ...] = key("quantities", help, default=(), required=True, **lengths)
+    return declared
+
+
+def of_squares(part: Formula, sides: tuple[Formula, ...]) -> InertiaTensor:
+    """A part of the mass times the sum of the squares of the two lengths across each axis."""
+    a, b, c = (side**2 for side in sides)
+    return InertiaTensor(part * (b + c), part * (a + c), part * (a + b))
+
+
 class Cuboid(Shape, frozen=True):
     word = "cuboid"
     about = "uniform box: width along x, height along y, depth along z"
     spread = "volume"
     flat = False
-    sides: tuple[Formula, ...] = key(
-        "quantities",
-        "width, height and depth",
-        dimension="length",
-        letter="a b c",
-        limits="positive",
-        count=(3, 3),
-        default=(),
-        required=True,
-    )
+    sides: tuple[Formula, ...] = three("width, height and depth")
 
     def moment(self, mass: Formula) -> Formula:
         """M (a² + b²)/12."""
@@ -75,9 +79,7 @@ class Cuboid(Shape, frozen=True):
 
     def tensor(self, mass: Formula) -> InertiaTensor:
         """M (b² + c²)/12 about x, and likewise."""
-        a, b, c = (side**2 for side in self.sides)
-        twelfth = Number(Fraction(1, 12)) * mass
-        return InertiaTensor(twelfth * (b + c), twelfth * (a + c), twelfth * (a + b))
+        return of_squares(Number(Fraction(1, 12)) * mass, self.sides)
 
     def slicing(self) -> Slicing:
         """Plates of thickness dx."""
@@ -95,16 +97,7 @@ class Ellipsoid(Shape, frozen=True):
     about = "uniform ellipsoid: half axes along x, y and z"
     spread = "volume"
     flat = False
-    sides: tuple[Formula, ...] = key(
-        "quantities",
-        "three half axes",
-        dimension="length",
-        letter="a b c",
-        limits="positive",
-        count=(3, 3),
-        default=(),
-        required=True,
-    )
+    sides: tuple[Formula, ...] = three("three half axes")
 
     def moment(self, mass: Formula) -> Formula:
         """M (a² + b²)/5."""
@@ -112,9 +105,7 @@ class Ellipsoid(Shape, frozen=True):
 
     def tensor(self, mass: Formula) -> InertiaTensor:
         """M (b² + c²)/5 about x, and likewise."""
-        a, b, c = (side**2 for side in self.sides)
-        fifth = Number(Fraction(1, 5)) * mass
-        return InertiaTensor(fifth * (b + c), fifth * (a + c), fifth * (a + b))
+        return of_squares(Number(Fraction(1, 5)) * mass, self.sides)
 
     def slicing(self) -> Slicing:
         """Elliptic discs of thickness dz, with half axes smaller than a and b by √(1 − z²/c²)."""
