@@ -156,3 +156,18 @@ find: {v: load.velocity at then, x: load.displacement from start to then, W: dra
 
     then = reach(push, 0, 0, lambda t, x, v: t - 1, 0.001)
     check(numbers(solve(text)), v=then[2], x=then[1], W=0.5 * mass * then[2] ** 2 - 2 * G * then[1])
+
+
+def test_time_in_which_a_chain_slides_off_a_table() -> None:
+    """Links of a chain on a smooth table, pulled by the weight of those that hang."""
+    length, hanging = 5.0, 1.0
+    scene = f"""
+surfaces: {{table: level}}
+given: {{m: 6 kg, L: {length} m, b: {hanging} m}}
+bodies: {{chain: {{shape: rope, mass: m, length: L}}}}
+connections: {{edge: {{drapes: [chain, table]}}}}
+states: {{start: {{edge.length: b, at rest: all}}, off: {{edge.length: L}}}}
+find: {{t: time from start to off}}
+"""
+    time, _, _ = reach(lambda _, x, v: G * x / length, hanging, 0.0, lambda _, x, v: x - length)
+    assert numbers(solve(scene))["t"] == pytest.approx(time, rel=1e-9)
