@@ -164,7 +164,9 @@ class Solver(Isolation, kw_only=True):
         self.told[name] = value
         refs: list[Ref] = [item.ref, *item.sources]
         if reason is not None or (item.sources and self.pool[item.index].family):
-            step = self._keep(item, line_of(item, name, value), name, reason or ())
+            step = self._keep(
+                item, line_of(item, name, value, self.function_alone(item, name, value)), name, reason or ()
+            )
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -225,6 +227,7 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates)
+        more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
         summed = any(isinstance(node, Integral) for node in final.walk())
         reason: Words = picked.words or (SUMMED_NUMERICALLY if summed else ())
