@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, multiply
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts
@@ -54,14 +54,21 @@ def axis_words(body: BodyFacts, axis: Heading) -> str:
         return f", {body.along[body.axes.index(axis)]}"
     if body.motion.bend is not None:
         return ", along the circle" if axis == body.motion.heading else ", towards the centre"
-    if body.motion.kind == "line":
+    names = {0: ", horizontally", 90: ", vertically"}
+    upright = names.get(int(axis.degrees % 360), "") if not axis.terms else ""
+    if body.motion.kind == "line" and not (upright and in_a_corner(body)):
         path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
         if axis == body.motion.heading:
             across = [force for force in body.forces if force.role == "normal"]
             return f", along the {path}" if across else ""
         return f", across the {path}"
-    names = {0: ", horizontally", 90: ", vertically"}
-    return names.get(int(axis.degrees % 360), "") if not axis.terms else ""
+    return upright
+
+
+def in_a_corner(body: BodyFacts) -> bool:
+    """Whether a body touches surfaces that face different ways, so that no one of them is the surface."""
+    normals = [force.vector for force in body.forces if force.role == "normal"]
+    return any(not is_zero(normals[0].cross(other)) for other in normals[1:])
 
 
 def net_force(body: BodyFacts, axis: Heading) -> Formula:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.formula import ZERO, Formula, add, negate
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Call, Formula, add, negate, sqrt
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
@@ -45,7 +46,29 @@ def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
             pushes = [torque_about(point, force) for force in body.forces]
             left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
             label = f"balance of torques, {spoken(body.name)} about its point of contact at {spoken(owner)}"
-            yield Equation(left, right, label, section, NEWTON, 3, bodies=(body.name,))
+            geometry = next(filter(None, (by_triangle(point, force) for force in body.forces)), ())
+            yield Equation(left, right, label, section, NEWTON, 3, geometry, bodies=(body.name,))
+
+
+def by_triangle(point: Vector, force: Force) -> Words:
+    """Where the root in a lever comes from: it is a side of a right-angled triangle, √(R² − (R − h)²)."""
+    arm = tidy(force.arm - point)
+    if len(arm.parts) != 1:
+        return ()
+    size = arm.parts[0][0]
+    lever, side = (
+        simplify(part, positive=size.symbols()) for part in (arm.cross(force.direction), arm.dot(force.direction))
+    )
+    lever = negate(lever) if is_negative(lever) else lever
+    if any(is_negative(term) and term.symbols() & size.symbols() for term in flat([side])):
+        side = simplify(negate(side))
+    if not has_any_root(lever) or has_any_root(side) or side == ZERO:
+        return ()
+    return ("arm ", sqrt(size**2 - side**2), " = ", lever)
+
+
+def has_any_root(value: Formula) -> bool:
+    return any(isinstance(node, Call) and node.function == "sqrt" for node in value.walk())
 
 
 def torque_about(point: Vector, force: Force) -> Formula:

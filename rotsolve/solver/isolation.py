@@ -12,12 +12,13 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.solver.item import Item, inner, isolated
 from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant
 from rotsolve.solver.textbook import Textbook
 
+INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
 REACHES = (10, 1000, 10**6)  # how far from zero roots are looked for, one after the other
 
 
@@ -94,6 +95,22 @@ class Isolation(Textbook, kw_only=True):
                 picked = self.choose(asked, [as_formula(root) for root in found], None)
                 return found[picked.root if picked else 0]
         raise NoClosedForm("no real value satisfies the equations")
+
+    def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:
+        """The line before a root of an unknown that stands within functions of one argument: cos φ = 10/17."""
+        sides = [self.carried_out(side) for side in (item.left, item.right)]
+        nodes = (node for side in sides for node in side.walk())
+        calls = [node for node in nodes if isinstance(node, Call) and name in node.symbols()]
+        known = {node.function for node in calls} & set(INVERSES.values())
+        inverses = {node.function for node in root.walk() if isinstance(node, Call)} & set(INVERSES)
+        functions = {INVERSES[inverse] for inverse in inverses} or known
+        arguments = {node.arguments for node in calls}
+        if len(arguments) != 1 or len(functions) != 1 or not known:
+            return []
+        whole = Call(functions.pop(), arguments.pop())
+        value = self.simplify(whole.substitute({name: root}))
+        wrapped = any(isinstance(node, Call) and node.function in inverses for node in value.walk())
+        return [] if wrapped or {item.left, item.right} == {whole, value} else [Equality(whole, value)]
 
     def one_root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
         """The root that is meant of several, and why it is."""

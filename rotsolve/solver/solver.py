@@ -163,8 +163,11 @@ class Solver(Isolation, kw_only=True):
         """Write the step where it deserves a line, and put the value into the other equations."""
         self.told[name] = value
         refs: list[Ref] = [item.ref, *item.sources]
-        if reason is not None or (item.sources and self.pool[item.index].family):
-            step = self._keep(item, line_of(item, name, value), name, reason or ())
+        restated = not item.sources and not reason and isolated(item, name) == value
+        if not restated and (reason is not None or (item.sources and self.pool[item.index].family)):
+            step = self._keep(
+                item, line_of(item, name, value, self.function_alone(item, name, value)), name, reason or ()
+            )
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -225,10 +228,13 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates)
+        more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
         summed = any(isinstance(node, Integral) for node in final.walk())
         reason: Words = picked.words or (SUMMED_NUMERICALLY if summed else ())
-        value = moved_alone(item, asked) or value
+        moved = moved_alone(item, asked) or value
+        if item.sources or written is None or moved.symbols() & set(self.solved):
+            value = moved
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
             first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]

@@ -80,9 +80,10 @@ class Diagrams(Struct, frozen=True):
                 spoken_of.append(words(item.words))
             elif item.role not in UNSEEN:
                 spoken_of.append(nameless(item.words))
-        return ForceLine(
-            spoken(body.name), tuple(spoken_of), body.positive, without_torque(list(dict.fromkeys(silent)))
-        )
+        silent = list(dict.fromkeys(silent))
+        if silent and not spoken_of:
+            return ForceLine(spoken(body.name), (only_at_support(silent),), body.positive)
+        return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, without_torque(silent))
 
 
 def nameless(words: Words) -> Words:
@@ -95,7 +96,19 @@ def without_torque(silent: list[str]) -> tuple[Words, ...]:
     """Which forces on a body on an axis act at that axis."""
     if not silent:
         return ()
-    listed = " and ".join(silent)
-    support = "axle" if any(name.startswith("axle") for name in silent) else "pivot"
     verb = "act" if len(silent) > 1 else "acts"
-    return ((f"{listed} {verb} at the {support}: no torque about it",),)
+    return ((f"{listed(silent)} {verb} at the {support_of(silent)}: no torque about it",),)
+
+
+def only_at_support(silent: list[str]) -> Words:
+    """What is said of a body on an axis on which nothing else acts."""
+    return (f"{listed(silent)}: no torque about the {support_of(silent)}",)
+
+
+def listed(names: list[str]) -> str:
+    """Weight, axle force and press of the rope."""
+    return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
+
+
+def support_of(silent: list[str]) -> str:
+    return "axle" if any(name.startswith("axle") for name in silent) else "pivot"

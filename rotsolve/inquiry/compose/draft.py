@@ -94,7 +94,7 @@ def needs_of(inquiry: Inquiry) -> list[set[int]]:
 
 
 def homes_of(inquiry: Inquiry, order: Mapping[str, int], needs: Sequence[set[int]]) -> dict[str, str]:
-    """The sections of all answers: where their weightiest law is; of what has none, that of the last answer that it is made of."""
+    """The sections of all answers: where their weightiest law is, or where the last answer is that they are made of."""
     homes: dict[str, str] = {}
     for answered, needed in zip(inquiry.answered, needs, strict=True):
         laws = laws_of(answered, inquiry)
@@ -102,7 +102,8 @@ def homes_of(inquiry: Inquiry, order: Mapping[str, int], needs: Sequence[set[int
         own = "" if made_of and not answered.asked.find.terms else home(answered, laws, inquiry)
         if not laws and needed and answered.steps[0] < answered.steps[1]:
             own = latest({inquiry.answered[number].asked.letter for number in needed}, homes, order)
-        homes.setdefault(answered.asked.letter, own or latest(made_of, homes, order))
+        parts = latest(made_of, homes, order)
+        homes.setdefault(answered.asked.letter, parts if order.get(own, -1) < order.get(parts, -1) else own or parts)
     return homes
 
 

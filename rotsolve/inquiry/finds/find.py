@@ -8,12 +8,13 @@ from types import MappingProxyType
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Call, Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.finds.conversion import conversion
 from rotsolve.inquiry.finds.differences import DIFFERENCE
+from rotsolve.inquiry.finds.ratios import dimension_in, label_of
 from rotsolve.inquiry.finds.terms import meaning_of
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked, Meaning, in_parts
@@ -34,12 +35,14 @@ def quantity_asked(find: Find, history: History, earlier: Earlier, beside: Besid
     meanings = [meaning_of(term, history, beside) for term in find.terms]
     formula = formula_of(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
-    dimension = own.dimension if own is not None else dimension_of_find(find, meanings, history, earlier)
+    known = known_dimensions(meanings, history, earlier)
+    dimension = own.dimension if own is not None else dimension_in(find.formula, known)
     question = Asked(
         find,
         formula,
         f"asked{SEPARATOR}{find.name}",
         dimension,
+        label=label_of(find, known),
         section=meanings[0][1] if meanings else "",
         definitions=tuple(dict.fromkeys(step for meaning, _ in meanings for step in meaning.definitions)),
         laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
@@ -82,14 +85,11 @@ def is_unknown(name: str, history: History) -> bool:
     return any(given.name == name and given.asked for given in history.arrangement.problem.givens)
 
 
-def dimension_of_find(
-    find: Find, meanings: list[tuple[Meaning, str]], history: History, earlier: Earlier
-) -> Dimension | None:
-    """Dimension of an arithmetic expression of paths and givens."""
+def known_dimensions(
+    meanings: Sequence[tuple[Meaning, str]], history: History, earlier: Earlier
+) -> dict[str, Dimension]:
+    """The dimensions of givens, of earlier answers and of the paths of a `find` line."""
     known = {given.name: given.dimension for given in history.arrangement.problem.givens if given.dimension is not None}
     known.update({name: dimension for name, (_, dimension) in earlier.items() if dimension is not None})
     known.update({f"#{index}": meaning.dimension for index, (meaning, _) in enumerate(meanings)})
-    try:
-        return dimension_of(find.formula, known)
-    except (DimensionError, KeyError, ValueError):
-        return None
+    return known

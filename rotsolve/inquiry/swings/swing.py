@@ -9,14 +9,14 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, call
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Symbol, call
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.directions import opposite
-from rotsolve.core.vectors.heading import heading
+from rotsolve.core.vectors.heading import RIGHT, UP, heading
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies
@@ -77,7 +77,7 @@ class Swing(Struct, frozen=True, dict=True):
     def title(self, key: str) -> str:
         """Heading of one of its sections; nothing for another one."""
         angle = self.rest.registry.known.get(SEPARATOR.join(("angle", self.body, "", self.rest.when)))
-        found = f"the equilibrium at {in_degrees(angle)}" if angle else "the equilibrium"
+        found = f"the equilibrium at {in_degrees(angle)}{self.hanging}" if angle else "the equilibrium"
         place = found if self.found else spoken(self.rest.state)
         headings = {
             self.balanced if self.found else "": "In equilibrium",
@@ -85,6 +85,18 @@ class Swing(Struct, frozen=True, dict=True):
             self.harmonic: f"Swings from {spoken(self.start)}" if self.start else f"Small swings about {place}",
         }
         return headings.get(key, "") if key else ""
+
+    @property
+    def hanging(self) -> str:
+        """In brackets how a hinged body stands in its equilibrium, where its weight acts straight below or above the hinge."""
+        body = next(body for body in self.still.bodies if body.name == self.body)
+        weight = next((force for force in body.forces if force.role == "weight"), None)
+        if weight is None or body.motion.kind != "axis" or not is_zero(weight.arm.along(RIGHT)):
+            return ""
+        height = simplify(weight.arm.along(UP))
+        return (
+            "" if height == ZERO else f" ({'hanging straight down' if isinstance(height, Negative) else 'straight up'})"
+        )
 
     @property
     def place(self) -> str:

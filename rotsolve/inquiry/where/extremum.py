@@ -5,7 +5,8 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.formula import ZERO, Symbol
+from rotsolve.algebra.calculus.separable import has_root
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
 from rotsolve.core.quantity import BY_WORD
@@ -94,10 +95,10 @@ def place_of_extremum(inquiry: Inquiry, find: Find, *, aside: bool = False) -> A
     if curve is None or letter not in curve.symbols():
         raise NotYet(f"`{condition.phrase.text.strip()}` is no function of `{letter}` in closed form")
     slope = inquiry.solver.simplify(differentiate(curve, letter))
-    said = f"d{name_to_text(quantity.asked.find.name)}/d{name_to_text(letter)} = 0"
+    said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, inquiry)
     given = inquiry.givens[letter]
     own = letter if given.asked else f"asked{SEPARATOR}{find.name}"
-    equation = Equality(slope.substitute({letter: Symbol(own)}), ZERO)
+    equation = Equality(shown.substitute({letter: Symbol(own)}), ZERO)
     at, reason = best_place(Course(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, inquiry)
     question = Asked(find, Symbol(own), own, given.dimension, section=quantity.asked.section)
     answered = by_condition(inquiry, question, at, Conclusion(said, equation, reason), quantity, aside=aside)
@@ -105,6 +106,14 @@ def place_of_extremum(inquiry: Inquiry, find: Find, *, aside: bool = False) -> A
     if given.asked:
         forget(quantity, inquiry)  # from here on the letter has its value, and the quantity that of this place
     return answered
+
+
+def flatness(name: str, curve: Formula, letter: str, slope: Formula, inquiry: Inquiry) -> tuple[str, Formula]:
+    """What vanishes at an extremum, in words and as a formula: the derivative, of a root that of its square."""
+    square = inquiry.solver.simplify(curve**2)
+    if has_root(curve, letter) and not has_root(square, letter):
+        return f"d({name}²)/d{name_to_text(letter)} = 0", inquiry.solver.simplify(differentiate(square, letter))
+    return f"d{name}/d{name_to_text(letter)} = 0", slope
 
 
 def function_of(inquiry: Inquiry, phrase: Find, letter: str) -> Answered:

@@ -11,6 +11,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
@@ -230,19 +231,24 @@ def centre_of_mass(items: tuple[Piece, ...]) -> Vector:
 
 
 def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...] = ()) -> tuple[Formula, Words]:
-    """Moment of inertia about a point: as a simplified formula, and the parallel-axes sum that it comes from."""
+    """Moment of inertia about a point: as a simplified formula for each mass, and the parallel-axes sum that it comes from."""
     terms: list[Formula] = []
+    by_mass: dict[Formula, list[Formula]] = {}
     shifted = False
     for piece in items:
         arm = tidy(piece.at - point)
         distance = simplify(arm.dot(arm)) if len(arm.parts) > 1 else arm.parts[0][0] ** 2 if arm.parts else ZERO
-        if piece.moment != ZERO:
-            terms.append(piece.moment)
-        if distance != ZERO and piece.mass != ZERO:
-            terms.append(piece.mass * distance)
-            shifted = shifted or piece.moment != ZERO
+        moved = distance != ZERO and piece.mass != ZERO
+        own = [term for term in (piece.moment, piece.mass * distance if moved else ZERO) if term != ZERO]
+        shifted = shifted or len(own) == 2
+        by_mass.setdefault(piece.mass, []).extend(own)
+        terms += own
     whole = total(terms)
-    return simplify(whole, order=order), (("parallel axes: ", whole) if shifted else ())
+    shown = simplify(whole, order=order)
+    apart = total([simplify(total(own), order=order) for own in by_mass.values() if own])
+    if not isinstance(shown, Sum) and 2 * length(apart) <= 3 * length(shown):  # ½ M R² + m R² rather than R² (½ M + m)
+        shown = apart
+    return shown, (("parallel axes: ", whole) if shifted else ())
 
 
 def product_about(items: tuple[Piece, ...], point: Vector, orientation: Heading, offset: Formula) -> Formula | None:

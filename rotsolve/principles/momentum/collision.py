@@ -48,13 +48,19 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
             if not flat(torque)
             else f"angular impulse = change of angular momentum, {point}"
         )
-        words: Words = (
-            (f"No outside torque acts {point}: the blow at the support has no arm.",) if pivot and not outside else ()
-        )
+        words: Words = (f"No outside torque acts {point}: {why_none(members)}.",) if pivot and not outside else ()
         if flat(before) or flat(after):
             yield Equation(*moved([*before, *torque], after), label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
     if pivot is None:
         yield from linear(members, outside, section, names)
+
+
+def why_none(members: list[Meeting]) -> str:
+    """Why nothing from outside turns a group about its support: bodies that all turn on it already push it to no side."""
+    if len(members) > 1 and all(item.body.motion.kind == "axis" for item in members):
+        names = [spoken(item.body.name) for item in members]
+        return f"what {', '.join(names[:-1])} and {names[-1]} do to each other cancels"
+    return "the blow at the support has no arm"
 
 
 def linear(members: list[Meeting], outside: list[Force], section: str, names: tuple[str, ...]) -> Iterator[Equation]:

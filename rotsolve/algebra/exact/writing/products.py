@@ -8,6 +8,7 @@ from math import isqrt
 from rotsolve.algebra.exact.writing.order import Rank
 from rotsolve.algebra.formula import (
     ONE,
+    PI,
     Call,
     Formula,
     Number,
@@ -54,6 +55,9 @@ def assembled(number: Fraction, root: int, outer: list[Item], inner: list[Item])
     """number · √root · outer · √inner."""
     sign, number = (-1, -number) if number < 0 else (1, number)
     number, under = share_number(number, root, bool(inner))
+    turns = next((e for _, base, e in outer if base == PI), 0)
+    if inner and number == 1 and under != 1 and abs(turns) == 1:  # a period is 2 π √(…), a frequency √(…)/(2 π)
+        number, under = number * Fraction(2) ** turns, under / Fraction(4) ** turns
     inside = written_fraction(under, inner, rooted=True) if inner or under != 1 else ONE
     above = [(rank, base, e) for rank, base, e in outer if e > 0]
     below = [(rank, base, -e) for rank, base, e in outer if e < 0]
