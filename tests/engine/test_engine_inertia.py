@@ -254,7 +254,12 @@ def test_angular_momentum_is_the_tensor_times_the_angular_velocity() -> None:
 def test_a_distance_that_the_scene_calls_d_is_not_explained_by_itself() -> None:
     plate = """title: Disc with a hole off its centre
 given: {M: 5 kg, R: 30 cm, r: 5 cm, d: 15 cm, q: 5 cm}
-bodies: {wheel: {shape: disc, mass: M, radius: R, holes: {one: {shape: disc, radius: r, at: [d, 0]}, other: {shape: disc, radius: r, at: [-d, 0]}}}}
+bodies:
+  wheel:
+    shape: disc
+    mass: M
+    radius: R
+    holes: {one: {shape: disc, radius: r, at: [d, 0]}, other: {shape: disc, radius: r, at: [-d, 0]}}
 find: {I: wheel.inertia}
 """
     text = solve(plate).to("text")

@@ -243,3 +243,28 @@ find: {p: momentum, q: two.momentum.y}
     found = answers(scene)
     assert numbers(found["p"]) == pytest.approx([8, 3])
     assert found["q"].float == 3
+
+
+@pytest.mark.parametrize(
+    ("pair", "way", "word", "twist"),
+    [
+        ("[ball, rod.end]", "left", "left", 0.9),
+        ("[rod.end, ball]", "left", "right", 0),
+        ("[ball, rod.end]", "right", "left", 0.9),
+        ("[ball, rod.start]", "left", "left", -0.9),
+    ],
+)
+def test_a_collision_acts_on_its_last_named_body(pair: str, way: str, word: str, twist: float) -> None:
+    scene = f"""title: Ball that bounces off an upright rod on its centre
+plane: horizontal
+given: {{u: {"3" if way == "left" else "-3"} m/s}}
+bodies: {{rod: {{shape: rod, mass: 2 kg, length: 1 m}}, ball: {{mass: 1 kg, moves: {way}}}}}
+connections: {{pin: {{hinge: rod.center}}}}
+states: {{before: {{rod.angle: 90 deg, at rest: rod, ball.velocity: u}}, after: {{}}}}
+events: {{hit: {{collides: {pair}, restitution: 1/2, from: before, to: after}}}}
+find: {{J: hit.impulse during hit, H: hit.angular_impulse during hit, size: size of hit.impulse during hit}}
+"""
+    answers = solve(scene).answers
+    assert answers["J"].direction == word
+    assert abs(answers["J"].float or 0) == answers["size"].float == pytest.approx(1.8)
+    assert answers["H"].float == pytest.approx(twist)
