@@ -98,7 +98,9 @@ class OfBodies(Moment):
         """Height above the level that the scene counts from."""
         above = height(host, self.instant)
         if above is None:
-            raise NotYet(f"how high `{name}` is, the scene does not tell")
+            help = "of what travels along a straight line say how far it goes"
+            help += f": `{name}.displacement: h/sin(beta)` along a slope, `{name}.displacement: h` straight up or down"
+            raise NotYet(f"how high `{name}` is, the scene does not tell", help=help if self.instant.line(host) else "")
         return above
 
     def _rate(self, word: str, name: str) -> Formula:
