@@ -268,3 +268,23 @@ find: {{J: hit.impulse during hit, H: hit.angular_impulse during hit, size: size
     assert answers["J"].direction == word
     assert abs(answers["J"].float or 0) == answers["size"].float == pytest.approx(1.8)
     assert answers["H"].float == pytest.approx(twist)
+
+
+def test_angular_momentum_about_a_point_of_the_body_itself() -> None:
+    scene = """
+title: Ball that rolls, rod that slides and spins
+gravity: none
+surfaces: {floor: level}
+bodies: {ball: {shape: sphere, mass: 2 kg, radius: 10 cm, moves: right}, rod: {shape: rod, mass: 2 kg, length: 1 m}}
+connections: {base: {rolls: [ball, floor]}}
+states: {now: {ball.velocity: 3 m/s, rod.angle: 90 deg, "rod.velocity": [3 m/s, 0], rod.angular_velocity: 4 rad/s}}
+find:
+  foot: ball.angular_momentum about ball.bottom
+  own: ball.angular_momentum about ball.center
+  start: rod.angular_momentum about rod.start
+  end: rod.angular_momentum about rod.end
+"""
+    found = answers(scene)
+    expected = {"foot": 0.84, "own": 0.24, "start": 2 / 3 - 3, "end": 2 / 3 + 3}
+    assert {name: view.float for name, view in found.items()} == pytest.approx(expected)
+    assert found["foot"].direction == "clockwise"
