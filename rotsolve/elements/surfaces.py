@@ -38,7 +38,13 @@ class Slope(Surface, frozen=True):
     word = "slope"
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = key(
-        "quantity", "angle to the level", dimension="angle", letter="theta", required=True, example="beta"
+        "quantity",
+        "angle to the level",
+        dimension="angle",
+        letter="theta",
+        limits="acute",
+        required=True,
+        example="beta",
     )
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
 

@@ -122,3 +122,39 @@ find:
 """
     assert [solve(pushed, at="0.5 s").answers[name].float for name in ("early", "late")] == [pytest.approx(0.75), None]
     assert [solve(pushed, at="3 s").answers[name].float for name in ("early", "late")] == [None, pytest.approx(3)]
+
+
+@pytest.mark.parametrize(
+    ("find", "expected"),
+    [
+        ("size of brake.work from start to end", 0.25 * 60 * 0.4**2 * 25),
+        ("size of (brake.work) from start to end", 0.25 * 60 * 0.4**2 * 25),
+        ("size of brake.work during braking", 0.25 * 60 * 0.4**2 * 25),
+        ("brake.work from start to end", -0.25 * 60 * 0.4**2 * 25),
+        ("size of wheel.rotation from start to end", 8),
+        ("size of axle.power at start", 0),
+    ],
+)
+def test_the_size_of_what_belongs_to_a_phase_is_positive(find: str, expected: float) -> None:
+    scene = f"""title: Wheel braked to rest while it turns clockwise
+bodies: {{wheel: {{shape: disc, mass: 60 kg, radius: 40 cm}}}}
+connections: {{axle: {{axle: wheel}}}}
+actions: {{brake: {{press: unknown, on: wheel.rim, friction: 0.35}}}}
+states: {{start: {{wheel.angular_velocity: -5 rad/s}}, end: {{wheel.rotation: -8 rad, wheel.angular_velocity: 0}}}}
+phases: {{braking: {{from: start, to: end}}}}
+find: {{x: {find}}}
+"""
+    assert solve(scene).answers["x"].float == pytest.approx(expected)
+
+
+def test_the_time_under_a_torque_that_drives_back_is_an_arc_sine() -> None:
+    scene = """title: Door that winds up a spring
+given: {I: 0.8 kg m^2, k: 3 N m/rad, w: 5 rad/s, phi: 1 rad}
+bodies: {door: {inertia: I}}
+connections: {axle: {axle: door}}
+actions: {spring: {couple: -k*door.rotation, on: door}}
+states: {start: {door.angular_velocity: w}, turned: {door.rotation: phi}}
+find: {t: time from start to turned}
+"""
+    swing = math.sqrt(3 / 0.8)
+    assert solve(scene).answers["t"].float == pytest.approx(math.asin(swing / 5) / swing)

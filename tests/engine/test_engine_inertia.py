@@ -249,3 +249,19 @@ def test_angular_momentum_is_the_tensor_times_the_angular_velocity() -> None:
     column = [answers["T"].components[entry].float for entry in ("zx", "yz", "zz")]
     assert momentum == pytest.approx([4 * (x or 0.0) for x in column])
     assert momentum == pytest.approx([-4 * 1 * 0.3 * 0.2, 0, 4 * (0.2**2 + 2 * 0.2**2 / 2)])
+
+
+def test_a_distance_that_the_scene_calls_d_is_not_explained_by_itself() -> None:
+    plate = """title: Disc with a hole off its centre
+given: {M: 5 kg, R: 30 cm, r: 5 cm, d: 15 cm, q: 5 cm}
+bodies:
+  wheel:
+    shape: disc
+    mass: M
+    radius: R
+    holes: {one: {shape: disc, radius: r, at: [d, 0]}, other: {shape: disc, radius: r, at: [-d, 0]}}
+find: {I: wheel.inertia}
+"""
+    text = solve(plate).to("text")
+    assert "m_one d²" in text and "(d =" not in text
+    assert "(d = q)" in solve(plate.replace("[d, 0]", "[q, 0]").replace("[-d, 0]", "[-q, 0]")).to("text")

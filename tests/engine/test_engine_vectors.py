@@ -243,3 +243,48 @@ find: {p: momentum, q: two.momentum.y}
     found = answers(scene)
     assert numbers(found["p"]) == pytest.approx([8, 3])
     assert found["q"].float == 3
+
+
+@pytest.mark.parametrize(
+    ("pair", "way", "word", "twist"),
+    [
+        ("[ball, rod.end]", "left", "left", 0.9),
+        ("[rod.end, ball]", "left", "right", 0),
+        ("[ball, rod.end]", "right", "left", 0.9),
+        ("[ball, rod.start]", "left", "left", -0.9),
+    ],
+)
+def test_a_collision_acts_on_its_last_named_body(pair: str, way: str, word: str, twist: float) -> None:
+    scene = f"""title: Ball that bounces off an upright rod on its centre
+plane: horizontal
+given: {{u: {"3" if way == "left" else "-3"} m/s}}
+bodies: {{rod: {{shape: rod, mass: 2 kg, length: 1 m}}, ball: {{mass: 1 kg, moves: {way}}}}}
+connections: {{pin: {{hinge: rod.center}}}}
+states: {{before: {{rod.angle: 90 deg, at rest: rod, ball.velocity: u}}, after: {{}}}}
+events: {{hit: {{collides: {pair}, restitution: 1/2, from: before, to: after}}}}
+find: {{J: hit.impulse during hit, H: hit.angular_impulse during hit, size: size of hit.impulse during hit}}
+"""
+    answers = solve(scene).answers
+    assert answers["J"].direction == word
+    assert abs(answers["J"].float or 0) == answers["size"].float == pytest.approx(1.8)
+    assert answers["H"].float == pytest.approx(twist)
+
+
+def test_angular_momentum_about_a_point_of_the_body_itself() -> None:
+    scene = """
+title: Ball that rolls, rod that slides and spins
+gravity: none
+surfaces: {floor: level}
+bodies: {ball: {shape: sphere, mass: 2 kg, radius: 10 cm, moves: right}, rod: {shape: rod, mass: 2 kg, length: 1 m}}
+connections: {base: {rolls: [ball, floor]}}
+states: {now: {ball.velocity: 3 m/s, rod.angle: 90 deg, "rod.velocity": [3 m/s, 0], rod.angular_velocity: 4 rad/s}}
+find:
+  foot: ball.angular_momentum about ball.bottom
+  own: ball.angular_momentum about ball.center
+  start: rod.angular_momentum about rod.start
+  end: rod.angular_momentum about rod.end
+"""
+    found = answers(scene)
+    expected = {"foot": 0.84, "own": 0.24, "start": 2 / 3 - 3, "end": 2 / 3 + 3}
+    assert {name: view.float for name, view in found.items()} == pytest.approx(expected)
+    assert found["foot"].direction == "clockwise"

@@ -116,11 +116,12 @@ class Rewriter:
             return node
         old = node.children()
         new = tuple(self._rewrite(child) for child in old)
-        if any(a is not b for a, b in zip(old, new, strict=True)):
-            node = node.with_children(new)
         if isinstance(node, Call):
-            return self._call(node.function, node.arguments)
-        if isinstance(node, Power) and not is_integer_power(node):
+            return self._call(node.function, new)
+        power = isinstance(node, Power)
+        if any(a is not b for a, b in zip(old, new, strict=True)):
+            node = node.with_children(new)  # x − 0 is the child x, which is canonical already
+        if power and isinstance(node, Power) and not is_integer_power(node):
             return self._power(node)
         return node
 

@@ -6,7 +6,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, total
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.inquiry.courses import way
-from rotsolve.inquiry.finds.transfers import blow, impulse, work
+from rotsolve.inquiry.finds.transfers import blow, impulse, ways_of_blow, work
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
 from rotsolve.motion.phases.travels import angle_turned
@@ -29,8 +29,10 @@ def spanned(term: Term, start: str | None, end: str | None, history: History) ->
     result = total([within(path, interval, history) for interval in intervals])
     if path.quantity == "turns":
         result = result / (2 * PI)
-    vector = blow(path, intervals[0].name, history) if path.quantity == "impulse" and len(intervals) == 1 else None
-    return Meaning(result, kind.dimension, vector, label=label_of(path, term)), intervals[-1].name
+    single = path.quantity == "impulse" and len(intervals) == 1
+    vector = blow(path, intervals[0].name, history) if single else None
+    words = ways_of_blow(path, intervals[0].name, history) if single and vector is None else ("", "")
+    return Meaning(result, kind.dimension, vector, label=label_of(path, term), words=words), intervals[-1].name
 
 
 def within(path: Path, interval: Interval, history: History) -> Formula:

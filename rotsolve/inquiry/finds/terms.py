@@ -28,6 +28,14 @@ SUMMED = {  # what the mean of a quantity is the mean of, over time
 
 def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
+    meaning, section = signed(term, history, beside)
+    if term.modifier == "size of" and term.at != ANY_TIME and meaning.formula.symbols():
+        meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
+    return meaning, section
+
+
+def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning, str]:
+    """The meaning of a term with its sign, whether or not its size is asked."""
     timeline = history.arrangement.timeline
     if term.path.quantity in OSCILLATING:
         swing = history.swing(term)
@@ -64,8 +72,6 @@ def at_state(term: Term, history: History) -> tuple[Meaning, str]:
         except NotYet as error:
             failed = error
             continue
-        if term.modifier == "size of":
-            meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
         found.setdefault(meaning.formula, (meaning, section_of(term.path, meaning, state, history)))
     if not found:
         raise failed or Unclear("nothing is asked")

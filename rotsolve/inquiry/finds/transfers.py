@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, negate, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, add, negate, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed
-from rotsolve.core.passage import Encounter, Passage
+from rotsolve.core.passage import Meeting, Passage
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import running
-from rotsolve.core.vectors.heading import UP, Vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
+from rotsolve.core.writing import is_negative
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.encounters import participants
@@ -26,7 +27,7 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
     blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
     wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
     if path.quantity == "angular_impulse":
-        return twist_of(path.owner, encounter)
+        return twist_of(path.owner, interval, history)
     sizes = list({blow.size: None for blow in wanted})
     if not sizes:
         raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
@@ -40,15 +41,38 @@ def impulse(path: Path, interval: str, state: str, history: History) -> Formula:
 
 def blow(path: Path, interval: str, history: History) -> Vector | None:
     """The blow of an event or support on its last-named body, where it has two components; else none is needed."""
+    parts = blows_on_last(path, interval, history)
+    return Vector(tuple(parts)) if len(parts) > 1 else None
+
+
+def ways_of_blow(path: Path, interval: str, history: History) -> tuple[str, str]:
+    """Words for a blow on its last-named body that has one component: along it, and against it."""
+    parts = blows_on_last(path, interval, history)
+    if path.quantity != "impulse" or len(parts) != 1:
+        return "", ""
+    size, heading = parts[0]
+    negative = is_negative(size)
+    for direction, words in ((RIGHT, ("right", "left")), (UP, ("up", "down"))):
+        if (heading - direction).cos() in (ONE, negate(ONE)):
+            return words if ((heading - direction).cos() == ONE) != negative else (words[1], words[0])
+    return "", ""
+
+
+def blows_on_last(path: Path, interval: str, history: History) -> list[tuple[Formula, Heading]]:
+    """The components of the blow of an event or support on its last-named body."""
     encounter = history.encounters.get(interval)
     if encounter is None or path.component is not None:
-        return None
-    last = last_named(path.owner, interval, history)
-    hit = [item for item in encounter.meetings if any(found.owner == path.owner for found in item.blows)]
-    chosen = next((item for item in hit if item.body.name == last), hit[-1] if hit else None)
+        return []
+    chosen = meeting_of_last(path.owner, interval, history)
     blows = chosen.blows if chosen is not None else ()
-    parts = [part for item in blows if item.owner == path.owner for part in item.vector.parts]
-    return Vector(tuple(parts)) if len(parts) > 1 else None
+    return [part for item in blows if item.owner == path.owner for part in item.vector.parts]
+
+
+def meeting_of_last(owner: str, interval: str, history: History) -> Meeting | None:
+    """What a blow does to its last-named body."""
+    last = last_named(owner, interval, history)
+    hit = [item for item in history.encounters[interval].meetings if any(found.owner == owner for found in item.blows)]
+    return next((item for item in hit if item.body.name == last), hit[-1] if hit else None)
 
 
 def last_named(owner: str, interval: str, history: History) -> str:
@@ -86,18 +110,13 @@ def efforts(path: Path, body: BodyFacts) -> list[Formula]:
     return [force.size for force in body.forces if force.owner == path.owner]
 
 
-def twist_of(owner: str, encounter: Encounter) -> Formula:
-    """Angular impulse of a blow on the last body that it hits, about that body's axis or centre of mass, along its positive turn."""
-    hit = [meeting for meeting in encounter.meetings if any(blow.owner == owner for blow in meeting.blows)]
-    if not hit:
+def twist_of(owner: str, interval: str, history: History) -> Formula:
+    """Angular impulse of a blow on its last-named body, about that body's axis or centre of mass, along its positive turn."""
+    hit = meeting_of_last(owner, interval, history)
+    if hit is None:
         raise NotYet(f"`{owner}` gives no angular impulse there")
-    result: Formula = ZERO
-    for blow in hit[-1].blows:
-        if blow.owner == owner:
-            result = add(result, signed(blow.torque, hit[-1].body.motion.sense))
-    for twist in hit[-1].twists:
-        result = add(result, signed(twist, hit[-1].body.motion.sense))
-    return result
+    torques = [item.torque for item in hit.blows if item.owner == owner]
+    return total([signed(torque, hit.body.motion.sense) for torque in (*torques, *hit.twists)])
 
 
 def _axis(size: Formula) -> str:

@@ -98,7 +98,9 @@ class OfBodies(Moment, frozen=True):
         """Height above the level that the scene counts from."""
         above = height(host, self.instant)
         if above is None:
-            raise NotYet(f"how high `{name}` is, the scene does not tell")
+            help = "of what travels along a straight line say how far it goes"
+            help += f": `{name}.displacement: h/sin(beta)` along a slope, `{name}.displacement: h` straight up or down"
+            raise NotYet(f"how high `{name}` is, the scene does not tell", help=help if self.instant.line(host) else "")
         return above
 
     def _rate(self, word: str, name: str) -> Formula:
@@ -176,12 +178,13 @@ class OfBodies(Moment, frozen=True):
         return moment * signed(motion.spin, motion.sense)
 
     def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
-        """r × m v + I ω about a point: the place where the body is about to touch another, from that body's pivot."""
+        """r × m v + I ω about a point of its own, or of a body that it is about to touch: the place from that body's pivot."""
         instant = self.instant
-        place = meeting_place(body.name, about, instant)
+        own = instant.host(about.owner) == body.name
+        place = body.cm - instant.point(about) if own else meeting_place(body.name, about, instant)
         spin = body.inertia.letter * body.motion.spin if body.inertia is not None else ZERO
         orbital = place.cross(body.centre_velocity.scaled(body.mass))
-        return total([part for part in (orbital, spin) if part != ZERO])
+        return total([signed(part, body.motion.sense) for part in (orbital, spin) if part != ZERO])
 
     def _momentum(self, name: str, component: str | None) -> Formula | Meaning:
         """m v along the line of travel, a component of it, or its size."""
@@ -251,7 +254,8 @@ def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:
             other = next((ref for ref in refs if ref.owner != name), None)
             if other is not None:
                 return instant.point(other)
-    raise NotYet(f"where `{name}` is, seen from `{about.owner}`, is not known")
+    help = f"name a point of `{name}`, or of what it meets in an event"
+    raise NotYet(f"where `{name}` is, seen from `{about.owner}`, is not known", help=help)
 
 
 def _points(event: object) -> tuple[PointRef, ...]:

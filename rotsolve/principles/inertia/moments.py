@@ -52,7 +52,8 @@ def of_one(spread: Spread, entry: str) -> Told:
         return own(spread, piece, entry)
     letter, defined = central(spread, piece, entry)
     square = sum_of_squares(distances)
-    said = (*distance_words(distances, square), " from the centre of mass")
+    words = distance_words(distances, square)
+    said = (*words, " from the centre of mass") if words else ()
     return Told(letter + piece.mass * square, "parallel axes, I = I_cm + M d²", said, defined)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Call, Formula, Power, Product, Sum, negate, sqrt, total
+from rotsolve.algebra.formula import ZERO, Call, Formula, Power, Product, Sum, Symbol, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.vectors.tensor import ONE_AXIS, Place
 from rotsolve.core.writing import is_negative, spoken
@@ -54,6 +54,9 @@ def sum_of_squares(parts: list[Formula]) -> Formula:
 
 
 def distance_words(parts: list[Formula], square: Formula) -> Words:
+    """What the distance of parallel axes is; nothing where the scene itself calls it d."""
+    if parts == [Symbol("d")]:
+        return ()
     return ("d = ", parts[0]) if len(parts) == 1 else ("d² = ", square)
 
 

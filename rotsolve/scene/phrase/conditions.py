@@ -48,7 +48,11 @@ def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None
     allowed: tuple[str, ...] = getattr(scope.elements.get(owner), "words", ())
     if word in allowed:
         return Condition(Path(owner, "", span=part.span), word=word, owner=owner, span=part.span)
-    scope.fault(part, f"`{owner}` can't be {quoted(word)}", hint(word, allowed, "it can be"), "choice")
+    able = [name for name, item in scope.elements.items() if getattr(item, "words", ())]
+    help = hint(word, allowed, "it can be") if allowed else f"of what sticks, slips or goes slack: {', '.join(able)}"
+    if not able:
+        help = "only contacts, clutches and strings can: `contact: [block, floor]`"
+    scope.fault(part, f"`{owner}` can't be {quoted(word)}", help, "choice")
     return None
 
 

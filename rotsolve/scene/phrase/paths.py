@@ -11,6 +11,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, BY_WORD, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.elements.shapes import Rod
 from rotsolve.scene.model import Path
+from rotsolve.scene.phrase.swings import SWINGS
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values.dims import an
 from rotsolve.scene.values.literals import Want
@@ -109,9 +110,10 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         return Path("", word, span=span)
     kind = scope.kinds.get(word)
     if entry is not None:
-        scope.fault(
-            span, f"`{word}` of what?", f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}", "path"
-        )
+        help = f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}"
+        if f"{word} of" in SWINGS:
+            help = f"write `T: {word} of small swings`, and what is asked about it in a line of its own: `smallest T`"
+        scope.fault(span, f"`{word}` of what?", help, "path")
     elif kind in OWNERS:
         example = {"body": "angular_velocity", "connection": "force", "action": "work"}.get(str(kind), "impulse")
         scope.fault(

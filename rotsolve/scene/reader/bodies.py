@@ -13,6 +13,7 @@ from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.model import Body, Part
 from rotsolve.scene.reader.coordinates import density
+from rotsolve.scene.reader.cutouts import check_holes
 from rotsolve.scene.reader.declared import read_keys, read_value
 from rotsolve.scene.reader.points import points_of, read_spot
 from rotsolve.scene.sections import BODY, PART
@@ -172,22 +173,6 @@ def check_flat(scope: Scope, name: str, entries: Entries, shape: Shape) -> None:
         size = max(abs(number) for place in places for number in place)
         if abs(area) <= 1e-12 * size * size:
             scope.fault(entries["corners"][1], f"the corners of `{name}` enclose nothing", kind="limits")
-
-
-def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
-    """Holes take away less than all of a body."""
-    if isinstance(body.shape, Shape) and all(isinstance(hole.body.shape, Shape) for hole in body.holes):
-        whole, *cut = (measured(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
-        if whole is not None and sum(size or 0.0 for size in cut) >= whole:
-            scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
-
-
-def measured(scope: Scope, shape: object) -> float | None:
-    """The area or length of a shape as a rough number."""
-    try:
-        return rough(shape.measure(), scope.numbers) if isinstance(shape, Shape) else None
-    except (NotImplementedError, TypeError, IndexError):
-        return None  # a size is left out
 
 
 def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ...]) -> None:

@@ -6,6 +6,7 @@ that are multiples of 15° stay exact numbers.
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Mapping
 from fractions import Fraction
@@ -187,6 +188,7 @@ def limits_hold(scope: Scope, node: Node, number: float | None, want: Want, text
         "positive": number <= 0 and "must be positive",
         "nonnegative": number < 0 and "can't be negative",
         "fraction": not 0 <= number <= 1 and "must lie from 0 to 1",
+        "acute": not 0 <= number <= math.pi / 2 + 1e-12 and "must lie from 0 to 90 deg",
     }[want.limits]
     if wrong:
         scope.fault(node, f"`{want.label}` {wrong}, but this is {quoted(text)}", kind="limits")

@@ -126,7 +126,7 @@ class Scope:
                 if not isinstance(node, Text)
                 else quoted(node.value)
             )
-            self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "", "form")
+            self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "write `{name: value}`", "form")
             return {}
         names = None if allowed is None else list(allowed)
         result: dict[str, tuple[Text, Node]] = {}

@@ -1,0 +1,103 @@
+"""Cutouts: holes that leave nothing of a body, stick out of it, or overlap, as far as the numbers tell."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.elements.shapes import Shape
+from rotsolve.scene.model import Body, Part
+from rotsolve.scene.tree.nodes import Map, Node
+from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.scope import Scope
+
+TOLERANCE = 1e-9
+ROUND = ("disc", "annulus", "cylinder", "cylindrical shell", "sphere", "spherical shell")
+
+
+@dataclass(frozen=True)
+class Outline:
+    """A round or rectangular shape at its place: a radius, or half its width and height; how far round an inner rim is."""
+
+    place: tuple[float, ...]
+    radius: float | None = None
+    inner: float = 0.0
+    sides: tuple[float, float] = (0.0, 0.0)
+    angle: float = 0.0
+
+    def corners(self) -> list[tuple[float, ...]]:
+        (width, height), (c, s) = self.sides, (math.cos(self.angle), math.sin(self.angle))
+        around = [(width, height), (-width, height), (-width, -height), (width, -height)]
+        return [(self.place[0] + x * c - y * s, self.place[1] + x * s + y * c) for x, y in around]
+
+    def leaves(self, whole: Outline) -> bool:
+        """Whether some of this outline lies outside of a whole that is centred at the origin."""
+        points = [self.place] if self.radius is not None else self.corners()
+        room = self.radius or 0.0
+        if whole.radius is not None:
+            bounds = [(math.hypot(*point) + room, whole.radius) for point in points]
+            if self.radius is not None:
+                bounds.append((whole.inner + room, math.hypot(*self.place) if whole.inner else room))
+        else:
+            bounds = [(abs(x) + room, side) for point in points for x, side in zip(point, whole.sides, strict=False)]
+        return any(reach > limit * (1 + TOLERANCE) for reach, limit in bounds)
+
+    def overlaps(self, other: Outline) -> bool:
+        """Whether two round outlines share more than a point."""
+        if self.radius is None or other.radius is None or len(self.place) != len(other.place):
+            return False
+        return math.dist(self.place, other.place) < (self.radius + other.radius) * (1 - TOLERANCE)
+
+
+def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
+    """Holes lie within a body, beside each other, and take away less than all of it."""
+    if isinstance(body.shape, Shape) and all(isinstance(hole.body.shape, Shape) for hole in body.holes):
+        whole, *cut = (measured(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
+        if whole is not None and sum(size or 0.0 for size in cut) >= whole:
+            scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
+            return
+    written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
+    edge = outline(scope, Part(body, (ZERO, ZERO)))
+    holes = [(hole.body.name, outline(scope, hole)) for hole in body.holes]
+    for index, (word, hole) in enumerate(holes):
+        place = written[word][1] if word in written else node
+        if hole is None:
+            continue
+        if edge is not None and hole.leaves(edge):
+            help = "check its size, and `at`: where its centre is, from the centre of the body"
+            scope.fault(place, f"the hole `{word}` sticks out of `{name}`", help, "limits")
+        for before, other in holes[:index]:
+            if other is not None and hole.overlaps(other):
+                help = "holes lie beside each other; check their sizes and places"
+                scope.fault(place, f"the holes `{before}` and `{word}` of `{name}` overlap", help, "limits")
+
+
+def outline(scope: Scope, part: Part) -> Outline | None:
+    """Where a round or rectangular part lies; None where its shape is another, or a number is missing."""
+    shape, numbers = part.body.shape, scope.numbers
+    place = [rough(x, numbers) for x in (part.at or (ZERO, ZERO))]
+    angle = 0.0 if part.angle is None else rough(part.angle, numbers)
+    spot = tuple(x for x in place if x is not None)
+    if not isinstance(shape, Shape) or len(spot) < len(place) or angle is None:
+        return None
+    if shape.word == "rectangle":
+        sides = [rough(side, numbers) for side in getattr(shape, "sides", ())]
+        if len(sides) == 2 and sides[0] is not None and sides[1] is not None:
+            return Outline(spot, sides=(sides[0] / 2, sides[1] / 2), angle=angle)
+        return None
+    if shape.word not in ROUND:
+        return None
+    radii = dict(getattr(shape, "radii", ()))
+    outer = radii.get("outer", getattr(shape, "radius", None))
+    radius = None if outer is None else rough(outer, numbers)
+    inner = rough(radii.get("inner", ZERO), numbers)
+    return None if radius is None or inner is None else Outline(spot, radius, inner)
+
+
+def measured(scope: Scope, shape: object) -> float | None:
+    """The area or length of a shape as a rough number."""
+    try:
+        return rough(shape.measure(), scope.numbers) if isinstance(shape, Shape) else None
+    except (NotImplementedError, TypeError, IndexError):
+        return None  # a size is left out
