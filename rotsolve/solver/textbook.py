@@ -14,6 +14,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.writing.exponentials import spread
+from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Power, Sum
@@ -78,11 +79,11 @@ class Textbook(Struct, kw_only=True):
         return value if sums and much * length(value) < length(final) else final
 
     def _exponential(self, node: Formula) -> Formula:
-        """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice."""
+        """An exponential with its exponent in textbook form, 1 − exp(−x) where there is a choice; ln(a b) for ln a + ln b."""
         tidy = partial(simplify, order=self.order, positive=self.positive)
         if isinstance(node, Call) and node.function == "exp":
             return Call("exp", (tidy(node.arguments[0]),))
-        return spread(node, tidy)
+        return spread(one_logarithm(node, tidy), tidy)
 
     def _without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""

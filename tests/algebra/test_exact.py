@@ -13,6 +13,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import coefficients, equal, is_zero, simplify
 from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_linear, solve_system
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     ONE,
@@ -390,3 +391,18 @@ def test_systems_agree_with_sympy(rows: list[list[int]], asked: int) -> None:
     found = solve_system(equations, names, names[asked])
     wanted = matrix.LUsolve(right)[asked]
     assert sympy.cancel(to_sympy(found) - wanted) == 0
+
+
+@pytest.mark.parametrize(
+    ("left", "right"),
+    [
+        ("log(2*(a+b)/(a+m)) + log((a+m)/(2*b))", "log((a+b)/b)"),
+        ("log(a*b) - log(b) - x", "log(a) - x"),
+        ("log(a) - x", "log(a) - x"),
+        ("log(a + b) + log(a + m)", "log((a + b)*(a + m))"),
+    ],
+)
+def test_logarithms_are_put_together_where_that_is_shorter(left: str, right: str) -> None:
+    found = one_logarithm(parse(left), simplify)
+    assert found == parse(right) if left == right else equal(found, parse(right), POSITIVE)
+    assert sum(isinstance(node, Call) and node.function == "log" for node in found.walk()) == 1

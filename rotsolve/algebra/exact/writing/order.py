@@ -52,7 +52,7 @@ def rank_of(atom: Formula, places: dict[str, int]) -> Rank:
         name = re.sub(r"\d+", lambda found: found[0].zfill(4), atom.name)  # m10 after m9
         return (1, places.get(atom.name, len(places)), name.lower(), name.swapcase())
     if isinstance(atom, Call):
-        kind = {"ellipk": 6, "sqrt": 5, "exp": 4}.get(atom.function, 3)
+        kind = {"ellipk": 6, "log": 6, "sqrt": 5, "exp": 4}.get(atom.function, 3)
         names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
         first = places.get(names[0], len(places)) if names else 0
         return (kind, first, " ".join(names), f"{atom.arguments}{LAST.get(atom.function, '')}")
