@@ -41,5 +41,6 @@ def hint(word: str, names: Iterable[str], what: str) -> str:
     guess = nearest(word, choices)
     meant = f"did you mean `{guess}`? " if guess else ""
     if not choices:
-        return f"{meant}there are no {what}".strip()
+        name_one = ": name one, such as `states: {start: at rest}`" if what == "states" else ""
+        return f"{meant}there are no {what}{name_one}".strip()
     return f"{meant}{what}: {', '.join(choices)}"

@@ -75,6 +75,16 @@ def test_a_function_has_its_values_at_any_time(moment: float) -> None:
         assert answer.formula is not None and "t" in answer.formula.symbols()
 
 
+@pytest.mark.parametrize(
+    ("word", "expected"), [("angular_velocity", 63), ("rotation", 49), ("turns", 49 / (2 * math.pi))]
+)
+def test_the_size_of_a_function_is_positive(word: str, expected: float) -> None:
+    scene = WHEEL.format(
+        find=f"size of wheel.{word} at any time", drive=BACK_AND_FORTH, time=8, start="", turns="counterclockwise"
+    )
+    assert solve(scene, at="7 s").answers["x"].float == pytest.approx(expected)
+
+
 def test_a_moment_wants_a_function() -> None:
     scene = WHEEL.format(find="wheel.angle at end", drive=BACK_AND_FORTH, time=5, start="", turns="counterclockwise")
     with pytest.raises(Unsolvable, match="nothing that is asked is a function of time"):

@@ -288,3 +288,20 @@ find:
     expected = {"foot": 0.84, "own": 0.24, "start": 2 / 3 - 3, "end": 2 / 3 + 3}
     assert {name: view.float for name, view in found.items()} == pytest.approx(expected)
     assert found["foot"].direction == "clockwise"
+
+
+def test_kinetic_energy_is_named_by_its_part_and_written_with_squares() -> None:
+    scene = """
+title: Ball that rolls, rod that flies
+gravity: none
+given: {m: 2 kg, v: 3 m/s, w: 4 rad/s}
+surfaces: {floor: level}
+bodies: {ball: {shape: sphere, mass: m, moves: right}, rod: {shape: rod, mass: m, length: 100 cm}}
+connections: {base: {rolls: [ball, floor]}}
+states: {now: {ball.velocity: v, rod.angle: 90 deg, "rod.velocity": [v, 2*v], rod.angular_velocity: w}}
+find: {A: ball.kinetic_energy.rotational, B: ball.kinetic_energy.translational, C: rod.kinetic_energy.translational}
+"""
+    solution = solve(scene)
+    assert [solution.answers[name].float for name in "ABC"] == pytest.approx([3.6, 9, 45])
+    text = solution.to("text")
+    assert "rotational kinetic energy of ball" in text and "B = ½ m v²" in text and "v v" not in text

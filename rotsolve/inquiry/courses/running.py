@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from msgspec.structs import replace
-
-from rotsolve.algebra.formula import PI, Call, Formula
+from rotsolve.algebra.formula import PI, Formula
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import CONSTANT
@@ -34,7 +32,7 @@ def phases_of(term: Term, history: History) -> tuple[Interval, ...]:
 
 
 def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
-    """The meaning at the running time, in the phase that is named or in the only one."""
+    """The meaning at the running time, with its sign, in the phase that is named or in the only one."""
     named = phases_of(term, history)
     if term.modifier not in ("", "size of"):
         raise NotYet(f"`{term.modifier}` of a function of time is not solved yet")
@@ -43,10 +41,7 @@ def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
     if path.quantity in SPANNED:
         middle = history.instant(start, generic=True)
         return Meaning(run_up(path, middle), BY_WORD[path.quantity].dimension), named[0].name
-    meaning = history.reader(start, generic=True).meaning(path, term)
-    if term.modifier == "size of":
-        meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
-    return meaning, named[0].name
+    return history.reader(start, generic=True).meaning(path, term), named[0].name
 
 
 def check_pace(path: Path, interval: Interval, history: History) -> None:

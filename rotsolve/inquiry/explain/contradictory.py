@@ -24,6 +24,8 @@ def contradicted(equation: Equation, history: History, fallback: Span | None = N
     if line is not None:
         path = path_text(line.path) if line.path is not None else line.owner
         message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
+        if line.rest:
+            message = f"the data contradict each other: `at rest: {line.owner}` can not hold at `{equation.section}`"
         return unsolvable(problem, message, line.span or fallback, CHECK_DATA)
     broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
     interval = timeline.interval(equation.section)

@@ -29,7 +29,7 @@ SUMMED = {  # what the mean of a quantity is the mean of, over time
 def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     meaning, section = signed(term, history, beside)
-    if term.modifier == "size of" and term.at != ANY_TIME and meaning.formula.symbols():
+    if term.modifier == "size of" and meaning.formula.symbols():
         meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
     return meaning, section
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from itertools import combinations
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, total
@@ -127,8 +128,12 @@ class OfBodies(Moment, frozen=True):
         if component == "rotational" and body.inertia is not None:
             terms = [HALF * body.inertia.letter * square(body.motion.spin)]
         if component == "translational":
-            velocity = body.centre_velocity
-            terms = [HALF * body.mass * velocity.dot(velocity)]
+            parts = body.centre_velocity.parts
+            across = all((one - other).cos() == ZERO for (_, one), (_, other) in combinations(parts, 2))
+            squares = (
+                [square(size) for size, _ in parts] if across else [body.centre_velocity.dot(body.centre_velocity)]
+            )
+            terms = [HALF * body.mass * item for item in squares if item != ZERO]
         return total(terms)
 
     def _joined(self, name: str) -> bool:

@@ -89,6 +89,8 @@ def is_square(value: Formula) -> bool:
 def label_of(path: Path, term: Term | None) -> str:
     """What a definition is called: "kinetic energy of block", "torque of the weight on rod"."""
     word = spoken(path.quantity)
+    if path.component in ("rotational", "translational"):
+        word = f"{path.component} {word}"
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
     of_point = path.point is not None and path.quantity in POINT_WORDS
     owner = spoken_point(path) if of_point else spoken(path.owner)

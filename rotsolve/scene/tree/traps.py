@@ -50,6 +50,10 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
     here = line[column : column + 1]
     if here == "\t" or "\t" in line[: len(line) - len(line.lstrip())]:
         return "a tab in the indentation", "indent with spaces"
+    if "mapping values are not allowed" in problem or "<document start>" in problem:
+        before = next((text.strip() for text in reversed(above[:-1]) if text.strip() and text.strip()[0] != "#"), "")
+        if before and ":" not in before:
+            return f"the line before this has no colon: {quoted(before)}", "write `name: value`"
     if "mapping values are not allowed" in problem:
         return "a `: ` inside a text", f'{QUOTE}: `title: "Ball: up and down"`; or the line above is indented less'
     if re.search(r"[\]}]\s*$", line[:column]) and here and here not in ",]}:":
