@@ -82,8 +82,8 @@ class Isolation(Textbook, kw_only=True):
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], []
 
-    def certified_root(self, item: Item, asked: str) -> Certified:
-        """A certified root where there is no closed form."""
+    def certified_root(self, item: Item, asked: str) -> tuple[Certified, Words]:
+        """A certified root where there is no closed form, and why it is this one."""
         if not self.numeric:
             raise NoClosedForm("it has no closed form")
         gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
@@ -93,7 +93,7 @@ class Isolation(Textbook, kw_only=True):
             found = real_roots(gap, asked, self.values, -reach, reach).roots
             if found:
                 picked = self.choose(asked, [as_formula(root) for root in found], None)
-                return found[picked.root if picked else 0]
+                return (found[picked.root], picked.words) if picked else (found[0], ())
         raise NoClosedForm("no real value satisfies the equations")
 
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:

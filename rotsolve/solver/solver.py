@@ -24,8 +24,8 @@ from rotsolve.solver.textbook import quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
-NUMERICALLY = ("no closed form: solved numerically, with certified digits",)
-SUMMED_NUMERICALLY = ("no closed form: the integral is worked out numerically, with certified digits",)
+NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
+SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
 ENTANGLED = "no unknown can be told from the others"
 
 # equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
@@ -221,8 +221,9 @@ class Solver(Isolation, kw_only=True):
         integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
         candidates, more = self.roots(item, asked)
         if not candidates:
-            root = self.certified_root(item, asked)
-            self._keep(item, [Equality(item.left, item.right)], asked, NUMERICALLY)
+            root, words = self.certified_root(item, asked)
+            reason = (*NUMERICALLY, "; ", *words) if words else NUMERICALLY
+            self._keep(item, [Equality(item.left, item.right)], asked, reason)
             return Found(asked, None, root)
         picked = self.choice(asked, candidates, item.left - item.right)
         if picked is None:
@@ -231,7 +232,7 @@ class Solver(Isolation, kw_only=True):
         more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
         summed = any(isinstance(node, Integral) for node in final.walk())
-        reason: Words = picked.words or (SUMMED_NUMERICALLY if summed else ())
+        reason = picked.words or (SUMMED_NUMERICALLY if summed else ())
         moved = moved_alone(item, asked) or value
         if item.sources or written is None or moved.symbols() & set(self.solved):
             value = moved

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+import mpmath
 import pytest
 
 from rotsolve.core.faults import SceneError
@@ -122,3 +123,19 @@ find: {y: disc.instantaneous_centre.y at any time}
 """
     found = solve(scene, at="2 s").answers["y"].float
     assert found == pytest.approx(0.8 / 6, rel=1e-9)
+
+
+def test_what_is_made_of_a_numerical_root_has_its_digits() -> None:
+    """A rod on a torsion wire sags from the level, where the wire is relaxed, to the balance that is nearest."""
+    text = """
+given: {L: 1 m, M: 2 kg, k: 3 N m/rad, theta: unknown}
+bodies: {rod: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: rod.start}, wire: {torsion: rod, stiffness: k}}
+states: {rest: {rod.angle: theta, balance: true}}
+find: {theta: theta, tau: wire.torque at rest, h: L*sin(theta)}
+"""
+    answers = solve(text, digits=30).answers
+    with mpmath.workdps(40):
+        root = mpmath.findroot(lambda x: mpmath.mpf("9.8") * mpmath.cos(x) + 3 * x, -1.2)
+        for name, value in {"theta": root, "tau": -3 * root, "h": mpmath.sin(root)}.items():
+            assert answers[name].value == mpmath.nstr(value, 30, strip_zeros=False), name

@@ -145,13 +145,24 @@ def resolve(f: Formula, values: Values) -> Formula:
     raise Undefined("a value refers to itself")
 
 
-def evaluate(f: Formula, values: Values, *, digits: int = 15, max_precision: int = 20000) -> Certified:
-    """The value of the formula with that many certified digits, or the best ball within the highest precision."""
+def evaluate(
+    f: Formula,
+    values: Values,
+    *,
+    roots: Mapping[str, Certified] | None = None,
+    digits: int = 15,
+    max_precision: int = 20000,
+) -> Certified:
+    """The value of the formula with that many certified digits, or the best ball within the highest precision.
+
+    `roots` are letters without a closed form, known as closely as it takes.
+    """
     known = {name: value if isinstance(value, Formula) else formula(value) for name, value in values.items()}
-    ball = _enclose(f, known, digits, max_precision)
+    found = roots or {}
+    ball = _enclose(f, known, digits, max_precision, found)
     return Certified(
         ball,
-        lambda more: _enclose(f, known, more, max_precision),
+        lambda more: _enclose(f, known, more, max_precision, found),
         lambda value: _equals(f, known, value),
     )
 
@@ -168,15 +179,18 @@ def _zero(f: Formula, values: Values) -> bool:
         raise Undefined("division by zero") from error
 
 
-def _enclose(f: Formula, values: Mapping[str, Formula], digits: int, max_precision: int) -> Ball:
+def _enclose(
+    f: Formula, values: Mapping[str, Formula], digits: int, max_precision: int, roots: Mapping[str, Certified]
+) -> Ball:
     needed = int(digits * BITS_PER_DIGIT) + 3
     bits = needed + 24
     asked = False
     best: Ball = None
     while True:
         settle = (lambda node: _zero(node, values)) if bits >= EXACT_FROM else None
+        bound = {name: root.refine(int(bits / BITS_PER_DIGIT)) for name, root in roots.items()}
         with Precision(bits):
-            ball = RealBalls(values, is_zero=settle)(f)
+            ball = RealBalls(values, bound=bound, is_zero=settle)(f)
         if ball.is_zero() or (ball.is_finite() and ball.rel_accuracy_bits() >= needed):
             return ball
         best = ball if ball.is_finite() else best

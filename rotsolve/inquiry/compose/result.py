@@ -215,10 +215,13 @@ class Results(Struct, frozen=True):
 
     def value(self, formula: Formula) -> Certified | None:
         values = {**self.inquiry.values, **({} if self.at is None else {TIME: self.at.value})}
-        if formula.symbols() - set(values):
+        letters = formula.symbols() - set(values)
+        solved = self.inquiry.solver.solved
+        roots = {name: number for name in letters if name in solved and (number := solved[name].number) is not None}
+        if letters - set(roots):
             return None
         try:
-            return evaluate(formula, values)
+            return evaluate(formula, values, roots=roots)
         except Undefined:
             return None
 

@@ -50,7 +50,7 @@ class RootChoice(Struct, frozen=True):
         stable = stable_roots(name, [roots[index] for index, _ in real], self.history, self.numbers.values)
         if stable:
             real = [real[place] for place in stable]
-            return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], STABLE)
+            return Choice(min(real, key=lambda entry: (round(abs(entry[1]), 9), entry[1] < 0))[0], STABLE)
         reached = FirstReached(self.history, self.numbers, self.definition).choose(name, real)
         if reached is not None:
             return reached
