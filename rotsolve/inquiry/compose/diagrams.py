@@ -67,6 +67,8 @@ class Diagrams(Struct, frozen=True):
 
     def _line(self, body: BodyFacts, draft: Draft, in_use: Set[str], words: Callable[[Words], Words]) -> ForceLine:
         """Forces, with their letters where equations speak of them, and in brackets those that have no say in them."""
+        if not body.acting:
+            return ForceLine(spoken(body.name), (("no force",),), body.positive)
         laws = [self.pool[index] for index in draft.laws]
         pushed = any(law.label.startswith(SECOND_LAW) and body.name in law.bodies for law in laws)
         spoken_of, silent = [], []
