@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rotsolve.algebra.formula import ONE, Formula, Integral, Number, Symbol, add
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
@@ -39,9 +40,18 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
 
 
 def equation(
-    left: Formula, right: Formula, words: str, travel: Travel, section: str, family: str = KINEMATICS, cost: int = 2
+    left: Formula,
+    right: Formula,
+    words: str,
+    travel: Travel,
+    section: str,
+    family: str = KINEMATICS,
+    cost: int = 2,
+    remark: Words = (),
 ) -> Equation:
-    return Equation(left, right, f"{words}, {spoken(travel.body)}", section, family, cost, bodies=(travel.body,))
+    return Equation(
+        left, right, f"{words}, {spoken(travel.body)}", section, family, cost, remark, bodies=(travel.body,)
+    )
 
 
 def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
@@ -57,7 +67,9 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
     yield equation(after, before + rate * time, words, travel, section)
     yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
     yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
-    yield equation(change, HALF * (before + after) * time, words, travel, section, cost=3)
+    yield equation(
+        change, HALF * (before + after) * time, words, travel, section, cost=3, remark=("mean velocity × time",)
+    )
 
 
 def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap as wrap_words
 
@@ -13,6 +14,9 @@ ARROW = "→"
 SHORT = 6  # a remark that is no longer than this is a number, as (12)
 HELD = "\N{NO-BREAK SPACE}"  # a blank at which no line may be broken
 LONG = 40  # a formula longer than this may be broken before its outer signs
+IN_FORMULAS = re.compile(  # blanks behind a number, beside a sign, and before a bracket that a letter is multiplied by
+    r"(?<=\d) (?=\w{1,3}\b|\w+/)| (?=[=+−·≈<>] )|(?<=[=+−·≈<>]) |(?<=\b[^\W\d]) (?=\()"
+)
 SIGNS = ("=", "+", "−", "≈", "≤", "≥", "<", ">")
 
 
@@ -30,6 +34,11 @@ class Row(Struct, frozen=True):
     left: str
     middle: str = ""
     right: str = ""
+
+
+def together(prose: str) -> str:
+    """Prose with the blanks within its formulas, and between a number and its unit, made unbreakable."""
+    return IN_FORMULAS.sub(HELD, prose)
 
 
 def hold(text: str) -> str:

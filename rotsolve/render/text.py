@@ -5,7 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
-from rotsolve.render.layout import ARROW, GAP, HELD, Line, Row, hold, labelled, page, paragraph, release, table, wrap
+from rotsolve.render.layout import (
+    ARROW,
+    GAP,
+    HELD,
+    Line,
+    Row,
+    hold,
+    labelled,
+    page,
+    paragraph,
+    release,
+    table,
+    together,
+    wrap,
+)
 from rotsolve.render.matrix import text_rows
 from rotsolve.render.options import Options
 from rotsolve.render.voice import TEXT, exact, lettered, shown, shown_components
@@ -43,7 +57,7 @@ def lines(derivation: Derivation, options: Options) -> Iterator[Line]:
 def opening(derivation: Derivation, width: int) -> Iterator[Line]:
     """Source, givens with the conventions, what is asked, and the states."""
     if derivation.source:
-        yield from labelled("Source", [derivation.source], " ", width)
+        yield from labelled("Source", [together(derivation.source)], " ", width)
     givens = ", ".join(hold(TEXT.given(given)) for given in shown(derivation.givens))
     conventions = "; ".join(TEXT.words(words) for words in derivation.conventions)
     apart = HELD * 10

@@ -129,12 +129,13 @@ def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
-    """The section of the weightiest law of a plan."""
+    """The section of the weightiest law of a plan, of what is no mere rule first."""
     if not laws:
         return answered.asked.section
     pool = inquiry.planner.pool
     order = {key: place for place, key in enumerate(moments(inquiry.history))}
-    return max((pool[index].cost, order.get(pool[index].section, -1), pool[index].section) for index in laws)[2]
+    weights = ((pool[index].cost, bool(pool[index].family), pool[index].section) for index in laws)
+    return max(weights, key=lambda weight: (*weight[:2], order.get(weight[2], -1), weight[2]))[2]
 
 
 def moments(history: History) -> list[str]:

@@ -80,8 +80,18 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry)
     motion = harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
     undecided = sign(slope, inquiry.values) is None
     yield replace(motion, remark=("stable while ", swing.omega**2, " > 0")) if undecided else motion
+    same = same_at_any_size(swing, inquiry) if words == "period" else None
     for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
+        if same is not None and equation.left == swing.letters["swing_period"]:
+            equation = replace(equation, right=same, label="period, the same for swings of any size")
         inquiry.planner.extend(equation)
+
+
+def same_at_any_size(swing: Swing, inquiry: Inquiry) -> Formula | None:
+    """The period of a large swing of the same bodies, where it has been found."""
+    swings = [other for other in inquiry.history.swings.values() if other.start and other.group == swing.group]
+    found = [other.letters["swing_period"] for other in swings if other.omega == swing.omega]
+    return next((letter for letter in found if letter.symbols() & set(inquiry.solver.solved)), None)
 
 
 def large_motion(swing: Swing, exact: Formula, slope: Formula, inquiry: Inquiry) -> Iterator[Equation]:
