@@ -135,7 +135,7 @@ def _part(part: Part, letters: _Letters) -> Part:
     shape = part.body.shape
     if isinstance(shape, Rod) and shape.length is None and part.start is not None and part.end is not None:
         gap = place(part.end) - place(part.start)
-        length = simplify(sqrt(gap.dot(gap)))
+        length = simplify(sqrt(gap.dot(gap)), positive=letters.positive)
         part = replace(part, body=replace(part.body, shape=replace(shape, length=length)))
     return replace(part, body=_body(part.body, letters, False))
 
