@@ -9,7 +9,6 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length
-from rotsolve.motion.followed import STILL
 from rotsolve.scene.model import Path, PointRef
 
 
@@ -50,14 +49,8 @@ class OfPoints(Moment, frozen=True):
             if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns and arm.parts
             else ""
         )
-        shown = vector if path.quantity != "speed" or self._stands(path) else None
+        shown = None if path.quantity == "speed" else vector  # a speed points nowhere
         return Meaning(size_of(vector), dimension, shown, remark, label)
-
-    def _stands(self, path: Path) -> bool:
-        """Whether it is known where a point is: at first all stands as drawn; a body whose angle nobody follows has turned since."""
-        instant = self.instant
-        first = instant.arrangement.timeline.states[0].name == instant.state and not instant.generic
-        return first or path.point in STILL or instant.angle(instant.host(path.owner)) is not None
 
     def _inside(self, path: Path) -> Meaning:
         """What acts at a cut through a rod."""
