@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import ForceLine, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, Equation
-from rotsolve.core.facts import BodyFacts, Facts, Force
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.compose.draft import Draft
@@ -30,8 +30,9 @@ class Diagrams(Struct, frozen=True):
     def givens(self, draft: Draft) -> Iterator[str]:
         """Givens in the forces that the diagrams of a section name, supports left out."""
         for body in self._drawn(draft):
+            pushed = self._pushed(body, draft)
             for item in body.acting:
-                if item.role not in UNSEEN:
+                if item.role not in UNSEEN and not at_the_axis(item, body, pushed):
                     letters = (item.size if isinstance(item, Force) else item.torque).symbols()
                     yield from sorted(name for name in letters if SEPARATOR not in name)
 
@@ -69,12 +70,11 @@ class Diagrams(Struct, frozen=True):
         """Forces, with their letters where equations speak of them, and in brackets those that have no say in them."""
         if not body.acting:
             return ForceLine(spoken(body.name), (("no force",),), body.positive)
-        laws = [self.pool[index] for index in draft.laws]
-        pushed = any(law.label.startswith(SECOND_LAW) and body.name in law.bodies for law in laws)
+        pushed = self._pushed(body, draft)
         spoken_of, silent = [], []
         for item in body.acting:
             size = item.size if isinstance(item, Force) else item.torque
-            if isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts:
+            if at_the_axis(item, body, pushed):
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
                 continue
             letters = {letter for letter in size.symbols() if SEPARATOR in letter}
@@ -86,6 +86,16 @@ class Diagrams(Struct, frozen=True):
         if silent and not spoken_of:
             return ForceLine(spoken(body.name), (only_at_support(silent),), body.positive)
         return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, without_torque(silent))
+
+    def _pushed(self, body: BodyFacts, draft: Draft) -> bool:
+        """Whether a law of a section is Newton's second for a body."""
+        laws = (self.pool[index] for index in draft.laws)
+        return any(law.label.startswith(SECOND_LAW) and body.name in law.bodies for law in laws)
+
+
+def at_the_axis(item: Force | Couple, body: BodyFacts, pushed: bool) -> bool:
+    """Whether a force has no say in the laws: it acts at the axis of a body, whose second law nobody writes."""
+    return isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts
 
 
 def nameless(words: Words) -> Words:
