@@ -82,15 +82,17 @@ class Formula(Struct, frozen=True):
 
     def symbols(self) -> frozenset[str]:
         """Names of the free symbols (a variable of integration is bound, hence not among them)."""
-        if isinstance(self, Symbol):
-            return frozenset((self.name,))
-        if isinstance(self, Integral):
-            inner = self.integrand.symbols() - {self.variable}
-            return inner | self.lower.symbols() | self.upper.symbols()
-        names: frozenset[str] = frozenset()
-        for child in self.children():
-            names |= child.symbols()
-        return names
+        names, stack = set[str](), [self]
+        while stack:
+            node = stack.pop()
+            if type(node) is Symbol:
+                names.add(node.name)
+            elif type(node) is Integral:
+                names |= node.integrand.symbols() - {node.variable}
+                stack += (node.lower, node.upper)
+            else:
+                stack += node.children()
+        return frozenset(names)
 
     def substitute(self, values: Mapping[str, Formula]) -> Formula:
         """The same formula with symbols replaced; trivial zeros and ones that this makes are dropped."""
@@ -98,15 +100,18 @@ class Formula(Struct, frozen=True):
             return self
         if isinstance(self, Integral):
             values = {name: value for name, value in values.items() if name != self.variable}
-        return self.transform(lambda node: values.get(node.name, node) if isinstance(node, Symbol) else node)
+        return self.transform(lambda node: values.get(node.name, node) if type(node) is Symbol else node)
 
     def transform(self, change: Callable[[Formula], Formula]) -> Formula:
         """Rebuild bottom-up, passing every node through `change`; unchanged parts keep their written form."""
         old = self.children()
-        new = tuple(child.transform(change) for child in old)
-        if all(a is b for a, b in zip(old, new, strict=True)):
+        if not old:
             return change(self)
-        return change(self.with_children(new))
+        new = tuple([child.transform(change) for child in old])
+        for before, after in zip(old, new, strict=True):
+            if before is not after:
+                return change(self.with_children(new))
+        return change(self)
 
 
 class Number(Formula, frozen=True):

@@ -6,12 +6,14 @@ Symbols are real; only the names in `positive` are taken to be positive. Answers
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
+from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.rewrite import Rewriter
 from rotsolve.algebra.exact.writing.shape import Shaper, length
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
+REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
 
@@ -83,6 +85,11 @@ class Problem:
 
 def is_zero(f: Formula, positive: Collection[str] = frozenset()) -> bool:
     """Whether the formula vanishes identically."""
+    return _is_zero(f, frozenset(positive))
+
+
+@lru_cache(REMEMBERED)
+def _is_zero(f: Formula, positive: frozenset[str]) -> bool:
     problem = Problem([f], positive=positive, split_logs=True)
     num, _ = problem.ratio()
     return not len(problem.field.reduce(num))
@@ -97,6 +104,11 @@ def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str]
     """The formula in factored textbook form, symbols in the given order."""
     if isinstance(f, (Symbol, Number)):
         return f
+    return _simplify(f, tuple(order), frozenset(positive))
+
+
+@lru_cache(REMEMBERED)
+def _simplify(f: Formula, order: tuple[str, ...], positive: frozenset[str]) -> Formula:
     problem = Problem([f], order, positive)
     return problem.shortest(problem.ratio())
 
@@ -105,6 +117,13 @@ def coefficients(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> tuple[Formula, ...] | None:
     """(c₀, c₁, …) of the numerator of f as a polynomial in the unknown; None when the unknown is inside an atom."""
+    return _coefficients(f, unknown, tuple(order), frozenset(positive))
+
+
+@lru_cache(REMEMBERED)
+def _coefficients(
+    f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
+) -> tuple[Formula, ...] | None:
     problem = Problem([f], order, positive, extra=(unknown,))
     parts = polynomial(problem, unknown)
     if parts is None:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
+from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.normal import Problem, polynomial
+from rotsolve.algebra.exact.normal import REMEMBERED, Problem, polynomial
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
@@ -34,6 +35,11 @@ def solve_linear(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> Formula | None:
     """The unknown from f = 0; None when f is not linear in it or does not hold it."""
+    return _solve_linear(f, unknown, tuple(order), frozenset(positive))
+
+
+@lru_cache(REMEMBERED)
+def _solve_linear(f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
     problem = Problem([f], order, positive, extra=(unknown,))
     parts = polynomial(problem, unknown)
     if parts is None or len(parts) != 2:
