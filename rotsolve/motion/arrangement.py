@@ -11,6 +11,7 @@ from rotsolve.algebra.formula import ZERO
 from rotsolve.core.drive import Drive, along_line
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.letters import letter_order
+from rotsolve.core.remembered import remembered
 from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.core.vectors.directions import WORDS
 from rotsolve.core.vectors.heading import UP, Heading
@@ -99,6 +100,7 @@ class Arrangement(Struct, frozen=True, dict=True):
     def gripped(self) -> tuple[Connection, ...]:
         return gripped(self.problem)
 
+    @remembered
     def connections(self, state: str) -> tuple[Connection, ...]:
         """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""
         after = self.timeline.after(state)
@@ -130,6 +132,7 @@ class Arrangement(Struct, frozen=True, dict=True):
         carried = self._absent[state] | {member.name for member in self.members(state)}
         return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in carried)
 
+    @remembered
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         now = self.timeline.order[state]
@@ -149,6 +152,7 @@ class Arrangement(Struct, frozen=True, dict=True):
         """What makes a body slide along another, with which it turns."""
         return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
 
+    @remembered
     def host(self, name: str, state: str) -> str:
         """The body that carries `name` at a state: itself, unless joined."""
         hosts = {member.name: member.host for member in self.members(state)}
@@ -162,6 +166,7 @@ class Arrangement(Struct, frozen=True, dict=True):
         direct = [member for member in members if member.host == host]
         return tuple(item for member in direct for item in (member, *self.cluster(member.name, state)))
 
+    @remembered
     def pivot(self, name: str, state: str) -> PointRef | None:
         """The point of a body that a hinge or axle holds to the ground."""
         for item in self.connections(state):
@@ -228,6 +233,7 @@ class Arrangement(Struct, frozen=True, dict=True):
             return None
         return next((orbit for item in items if (orbit := item.orbit(body, self, state)) is not None), None)
 
+    @remembered
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
         found, pending = set(), [self.host(name, state)]
@@ -245,6 +251,7 @@ class Arrangement(Struct, frozen=True, dict=True):
             if name in owners and not item.independent:
                 yield from owners
 
+    @remembered
     def pace(self, name: str, state: str) -> str:
         """How the acceleration of a body's component varies in the phase of a state (see core.varying)."""
         component = self.component(name, state)
@@ -270,6 +277,7 @@ class Arrangement(Struct, frozen=True, dict=True):
         """Whether a body on an axis carries its centre of mass on that axis."""
         return not frame(self, name, state).cm.parts
 
+    @remembered
     def span(self, name: str, state: str) -> str:
         """Where forces and accelerations of a body at a state belong: its phase while they are constant, else the state."""
         phase = self.timeline.phase_of(state)

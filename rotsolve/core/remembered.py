@@ -1,0 +1,26 @@
+"""Remembered: what a frozen object answers once, it answers the same way ever after."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Any, TypeVar, cast
+
+Method = TypeVar("Method", bound=Callable[..., Any])
+
+
+def remembered(method: Method) -> Method:
+    """A method that keeps its answers with its object, which must not change; the arguments must be hashable, and be no keywords.
+
+    functools.cache would hash the whole object at each call, and keep it alive.
+    """
+    name = f"_{method.__name__}_answers"
+
+    @wraps(method)
+    def answer(self: Any, *asked: Any) -> Any:
+        known: dict[Any, Any] = self.__dict__.setdefault(name, {})
+        if asked not in known:
+            known[asked] = method(self, *asked)
+        return known[asked]
+
+    return cast(Method, answer)
