@@ -62,8 +62,9 @@ class Planner:
 
     def plan(self, asked: str, known: Collection[str], allowed: Collection[int] | None = None) -> Plan | Shortage:
         """The cheapest plan for `asked`, with the equations `allowed`."""
+        given = frozenset(known)
         unknowns = {
-            index: tuple(sorted(self.symbols[index] - set(known)))
+            index: tuple(sorted(self.symbols[index] - given))
             for index in (range(len(self.pool)) if allowed is None else allowed)
         }
         relevant = self._usable(self._connected(asked, unknowns))
@@ -139,9 +140,10 @@ class Planner:
 
     def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
-        told = {
-            index: tuple(name for name in names if name not in self.summed[index]) for index, names in unknowns.items()
-        }
+        told = dict(unknowns)
+        for index in told:
+            if summed := self.summed[index]:
+                told[index] = tuple(name for name in told[index] if name not in summed)
         for index, names in unknowns.items():
             if names and not told[index] and self.constants:
                 told[index] = self._behind(names, unknowns)

@@ -109,12 +109,12 @@ class Solver(Isolation, kw_only=True):
     def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination:
         """What to eliminate next, the most trivial first."""
         ranked: list[tuple[tuple[int, ...], Item, str]] = []
-        for item in items:
-            names = item.unknowns(unknowns)
+        held = [item.unknowns(unknowns) for item in items]
+        for item, names in zip(items, held, strict=True):
             self._check_alive(item, names)
             for name in sorted(names - {asked}):
                 explicit = isolated(item, name)
-                others = sum(1 for other in items if other is not item and name in other.unknowns(unknowns))
+                others = sum(name in other for other in held) - 1
                 kind = kind_of(item, name, names)
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
                 away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
