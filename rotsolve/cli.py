@@ -76,7 +76,9 @@ def moment_checked(text: str | None) -> str | None:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
 
 
-Files = Annotated[list[str], typer.Argument(metavar="FILES...", help="Scene files; - reads one from standard input.")]
+Files = Annotated[
+    list[str], typer.Argument(metavar="FILES...", help="Scenes or folders; - reads one from standard input.")
+]
 Law = Annotated[
     str | None,
     typer.Option(metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"),
@@ -156,7 +158,7 @@ def solve(
       rotsolve solve problems/pulleys/block-on-disc.yaml
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy
       rotsolve solve problems/pulleys/block-on-disc.yaml --set m=3kg --digits 10
-      rotsolve solve problems/rolling/*.yaml -o answers.tex
+      rotsolve solve problems/rolling -o answers.tex
       rotsolve solve problems/pulleys/block-on-disc.yaml --show equations
 
     A file that fails neither stops nor hides the others: its message goes to standard error, and the exit code is

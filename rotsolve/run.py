@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.solution import Solution
 
 SOLVED, UNSOLVED, BAD = 0, 1, 2
+SCENES = (".yaml", ".yml")
 PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
@@ -48,10 +49,11 @@ class Outcome(Struct, frozen=True):
 
 def run(request: Request) -> int:
     """Solve every file, write all that was solved, then say what was not; the exit code is the worst one."""
-    if request.output and any(same_file(request.output, file) for file in request.files):
+    files = scenes(request.files)
+    if request.output and any(same_file(request.output, file) for file in files):
         print(f"error: {request.output} is a scene to solve; it would be overwritten", file=sys.stderr)
         return BAD
-    outcomes = [attempt(file, request) for file in with_progress(request.files)]
+    outcomes = [attempt(file, request) for file in with_progress(files)]
     code = max(outcome.code for outcome in outcomes)
     if any(outcome.solution for outcome in outcomes) or (request.format == "json" and len(outcomes) > 1):
         code = max(code, deliver(outcomes, request))
@@ -62,11 +64,22 @@ def run(request: Request) -> int:
     return code
 
 
+def scenes(files: tuple[str, ...]) -> tuple[str, ...]:
+    """The files, and in the place of a folder the scenes within it, in the order of their paths."""
+    found: list[str] = []
+    for file in files:
+        inside = [path for path in Path(file).rglob("*") if path.suffix in SCENES] if file != "-" else []
+        found += sorted(map(str, inside)) or [file]
+    return tuple(found)
+
+
 def attempt(file: str, request: Request) -> Outcome:
     """Solve one file; whatever goes wrong becomes a message."""
     from rotsolve.core.faults import SceneError, Unsolvable
     from rotsolve.pipeline import solve
 
+    if Path(file).is_dir():
+        return Outcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
         solution = solve(source(file), law=request.law, settings=request.settings, digits=request.digits, at=request.at)
     except SceneError as error:

@@ -115,7 +115,7 @@ def test_a_file_that_is_not_there(command: Command) -> None:
 
 def test_a_folder(command: Command) -> None:
     Path("folder").mkdir()
-    assert command("solve", "folder") == (2, "", "error: can't read `folder`: Is a directory\n")
+    assert command("solve", "folder") == (2, "", "error: there is no scene (*.yaml) in folder\n")
 
 
 def test_a_file_that_may_not_be_read(command: Command, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -57,6 +57,14 @@ def test_one_failing_file_neither_stops_nor_hides_the_rest(rotsolve: Run) -> Non
     assert (ran.code, ran.out, ran.err) == (2, ONE, f"{BAD}\n{OPEN}\n{BROKEN}")
 
 
+def test_a_folder_stands_for_the_scenes_in_it(rotsolve: Run, engine: Any, tmp_path: Path) -> None:
+    for path in ("page/b.yaml", "page/inner/c.yml", "page/a.yaml", "page/notes.txt"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text("find: [a]\n", encoding="utf-8")
+    assert rotsolve("solve", str(tmp_path / "page")).code == 0
+    assert [name for name, _ in engine.asked] == ["a.yaml", "b.yaml", "c.yml"]
+
+
 @pytest.mark.parametrize(
     ("file", "code", "message"),
     [
@@ -64,7 +72,6 @@ def test_one_failing_file_neither_stops_nor_hides_the_rest(rotsolve: Run) -> Non
         ("open.yaml", 1, OPEN),
         ("broken.yaml", 1, BROKEN),
         ("none.yaml", 2, "error: cannot read none.yaml: No such file or directory\n"),
-        (".", 2, "error: cannot read .: Is a directory\n"),
     ],
 )
 def test_exit_codes(rotsolve: Run, file: str, code: int, message: str) -> None:
