@@ -14,7 +14,7 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.plan import Plan
 from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
@@ -23,6 +23,7 @@ from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, 
 from rotsolve.solver.textbook import quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
+ACCELERATIONS = ("acceleration|", "angular_acceleration|")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -116,6 +117,8 @@ class Solver(Isolation, kw_only=True):
                 explicit = isolated(item, name)
                 others = sum(name in other for other in held) - 1
                 kind = kind_of(item, name, names)
+                if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
+                    kind = 3  # v = a t tells a speed by the acceleration, not the other way round
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
                 away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))

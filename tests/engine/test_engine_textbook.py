@@ -215,3 +215,14 @@ find: {Q: lost kinetic_energy from start to even, n: c.rotation from start to ev
     )
     steps = str(solution).partition("Answers")[0]
     assert "√" not in steps
+
+
+def test_accelerations_come_before_the_speeds_that_they_lead_to() -> None:
+    scene = """
+given: {m1: 3 kg, m2: 2 kg}
+bodies: {a: {mass: m1, moves: down}, b: {mass: m2, moves: up}, p: {mass: 0, radius: 10 cm}}
+connections: {axle: {axle: p}, rope: {string: [b, p, a]}}
+states: {start: at rest}
+find: {v: a.velocity at any time}
+"""
+    assert "v(t)/t" not in str(solve(scene))
