@@ -21,6 +21,40 @@ def listed(names: Iterable[str], last: str = ", ") -> str:
     return last.join((", ".join(words[:-1]), words[-1])) if len(words) > 1 and last != ", " else ", ".join(words)
 
 
+MEANT = {  # other words for the same thing
+    "hoop": "ring",
+    "disk": "disc",
+    "wheel": "disc",
+    "ball": "sphere",
+    "shell": "spherical shell",
+    "tube": "cylindrical shell",
+    "pipe": "cylindrical shell",
+    "plate": "rectangle",
+    "block": "cuboid",
+    "box": "cuboid",
+    "brick": "cuboid",
+    "stick": "rod",
+    "pole": "rod",
+    "bar": "rod",
+    "chain": "rope",
+    "point": "particle",
+    "pivot": "hinge",
+    "pin": "hinge",
+    "cord": "string",
+    "cable": "string",
+    "rope": "string",
+    "prop": "contact",
+    "slides": "contact",
+    "wire": "torsion",
+    "collision": "collides",
+    "sticks": "joins",
+    "cut": "cuts",
+    "blow": "impulse",
+    "torque": "couple",
+    "moment": "couple",
+}
+
+
 def nearest(word: str, names: Iterable[str]) -> str | None:
     """The name that `word` was most likely meant to be."""
     if not word or len(word) > LONGEST:
@@ -31,6 +65,8 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     lower = {name.lower(): name for name in reversed(choices)}
     if word.lower() in lower:
         return lower[word.lower()]
+    if MEANT.get(word.lower()) in choices:
+        return MEANT[word.lower()]
     found = get_close_matches(word, choices, n=1, cutoff=0.6)
     return found[0] if found else None
 

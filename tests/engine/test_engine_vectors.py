@@ -305,3 +305,14 @@ find: {A: ball.kinetic_energy.rotational, B: ball.kinetic_energy.translational, 
     assert [solution.answers[name].float for name in "ABC"] == pytest.approx([3.6, 9, 45])
     text = solution.to("text")
     assert "rotational kinetic energy of ball" in text and "B = ½ m v²" in text and "v v" not in text
+
+
+def test_the_size_of_a_vector_needs_no_bars() -> None:
+    scene = """
+given: {M: 1 kg, L: 1 m}
+bodies: {stick: {shape: rod, mass: M, length: L}}
+connections: {pivot: {hinge: stick.start}}
+states: {up: {stick.angle: 90 deg, at rest: all}, down: {stick.angle: 0}}
+find: {F: size of pivot.force at down}
+"""
+    assert "|" not in str(solve(scene))

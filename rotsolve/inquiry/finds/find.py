@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
@@ -15,7 +15,7 @@ from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.finds.conversion import conversion
 from rotsolve.inquiry.finds.differences import DIFFERENCE
 from rotsolve.inquiry.finds.ratios import dimension_in, label_of
-from rotsolve.inquiry.finds.terms import meaning_of
+from rotsolve.inquiry.finds.terms import meaning_of, size
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked, Meaning, in_parts
 from rotsolve.scene.model import Find
@@ -62,7 +62,7 @@ def formula_of(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> For
     values = {f"#{index}": meaning for index, meaning in enumerate(meanings)}
     values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
     formula = find.formula.substitute(values)
-    return Call("abs", (formula,)) if find.modifier == "size of" and formula.symbols() else formula
+    return size(formula) if find.modifier == "size of" else formula
 
 
 def of_one_path(question: Asked, meaning: Meaning) -> Asked:

@@ -29,9 +29,15 @@ SUMMED = {  # what the mean of a quantity is the mean of, over time
 def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
     meaning, section = signed(term, history, beside)
-    if term.modifier == "size of" and meaning.formula.symbols():
-        meaning = replace(meaning, formula=Call("abs", (meaning.formula,)))
+    if term.modifier == "size of":
+        meaning = replace(meaning, formula=size(meaning.formula))
     return meaning, section
+
+
+def size(formula: Formula) -> Formula:
+    """|x|; a root is never negative, and neither is a number that is asked for by `size of`."""
+    bare = isinstance(formula, Call) and formula.function in ("abs", "sqrt")
+    return formula if bare or not formula.symbols() else Call("abs", (formula,))
 
 
 def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning, str]:

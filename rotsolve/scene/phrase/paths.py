@@ -74,7 +74,9 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
         scope.fault(
             span,
             f"{quoted(node.value[start:end])} is no path",
-            "write `body.quantity` or `body.point.quantity`",
+            "give the place a letter: `x: 2 m` among the givens, then `body.at(x)`"
+            if ".at(" in node.value[start:end]
+            else "write `body.quantity` or `body.point.quantity`",
             "path",
         )
         return None
