@@ -19,7 +19,7 @@ from rotsolve.inquiry.answers import Answered, Chosen, NoAnswer
 from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.definitions import Definitions
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.planning import Search, families_for
+from rotsolve.inquiry.planning import OF_ONE_MOMENT, Search, families_for
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.roots import Numbers, RootChoice
 from rotsolve.inquiry.stepwise import Stepwise
@@ -204,9 +204,15 @@ class Inquiry(Struct, dict=True):
         if stepwise is not None:
             return stepwise
         barred = banned | self.retired | self.stepwise.foreign(letter)
-        quantity = self.history.registry.quantities.get(letter)
-        kind = quantity.kind if quantity is not None else ""
-        return Search(self.planner, letter, kind, self.known, self.families, self.spare, barred).best()
+        momentary = self._of_one_moment(letter)
+        return Search(self.planner, letter, momentary, self.known, self.families, self.spare, barred).best()
+
+    def _of_one_moment(self, letter: str) -> bool:
+        """Whether a letter is an acceleration or a force, or made of such, so that Newton's laws of that moment tell it."""
+        quantities = self.history.registry.quantities
+        meaning = self.definitions.formula(letter)
+        names = {letter} if meaning is None else meaning.symbols() & quantities.keys()
+        return bool(names) and all(name in quantities and quantities[name].kind in OF_ONE_MOMENT for name in names)
 
     def remember(self) -> None:
         """Results found on the way may serve the next question."""

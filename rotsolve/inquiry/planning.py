@@ -27,11 +27,11 @@ def families_for(law: str | None) -> tuple[str, ...]:
 
 
 class Search(Struct, frozen=True, dict=True):
-    """The search for a plan that settles `letter`, a quantity of a `kind`, from what is known."""
+    """The search for a plan that settles `letter` from what is known; `momentary` where the laws of one moment may do."""
 
     planner: Planner
     letter: str
-    kind: str
+    momentary: bool
     known: Collection[str]
     families: tuple[str, ...]
     spare: bool  # whether second-choice equations may be used from the start
@@ -39,7 +39,7 @@ class Search(Struct, frozen=True, dict=True):
 
     def best(self) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
-        if self.kind in OF_ONE_MOMENT and NEWTON in self.families and not self.spare:
+        if self.momentary and NEWTON in self.families and not self.spare:
             plan = self._from(self._of_families(self._first_choice(self._allowed), ("", NEWTON)))
             if isinstance(plan, Plan):
                 return plan

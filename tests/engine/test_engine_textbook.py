@@ -226,3 +226,15 @@ states: {start: at rest}
 find: {v: a.velocity at any time}
 """
     assert "v(t)/t" not in str(solve(scene))
+
+
+def test_what_is_made_of_forces_goes_by_the_laws_of_its_moment() -> None:
+    scene = """
+surfaces: {roof: {slope: 30 deg, down: right}}
+given: {M: 1 kg, R: 20 cm, d: 6 m}
+bodies: {hoop: {shape: ring, mass: M, radius: R, moves: down}}
+connections: {base: {rolls: [hoop, roof]}}
+states: {top: at rest, edge: {hoop.displacement: d}}
+find: {w: hoop.angular_velocity at edge, t: time from top to edge, mu: size of base.friction_force/base.normal_force}
+"""
+    assert "w/t" not in str(solve(scene))
