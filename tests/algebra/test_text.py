@@ -238,6 +238,7 @@ TABLE = [
         "integral(c*time^2, time, 0, t1)",
     ),
     (Integral(d, "x", n(0), n(1)), "∫[0 → 1] (d) dx", "integral(d, x, 0, 1)"),
+    (Integral(Symbol("t1"), "t1", n(0), n(1)), "∫[0 → 1] t₁ dt₁", "integral(t1, t1, 0, 1)"),
     (Integral(Call("abs", (Negative(x),)), "x", n(0), n(1)), "∫[0 → 1] |−x| dx", "integral(abs(-x), x, 0, 1)"),
 ]
 

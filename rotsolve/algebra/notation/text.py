@@ -170,7 +170,7 @@ def _unicode(formula: Formula) -> Piece:
             looks = any(name.startswith("d") for name in integrand.symbols())
             text = f"({body[0]})" if body[1] <= NEGATIVE or looks else body[0]
             bounds = f"{_unicode(lower)[0]} → {_unicode(upper)[0]}"
-            head = variable.partition("_")[0].removesuffix(PRIME)
+            head = variable.partition("_")[0].removesuffix(PRIME).rstrip("0123456789")
             gap = "" if len(name_to_text(head)) == 1 else " "  # dt, dω, but d time
             return f"∫[{bounds}] {text} d{gap}{name_to_text(variable)}", NEGATIVE
     raise TypeError(f"no text for {formula!r}")
