@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 
 from msgspec import Struct, field
 
@@ -16,7 +16,7 @@ VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
 PHASE = " to "  # within the name of a phase
-FIRST_WITH_TIME = 2  # the first of the indices that speaks of a time
+FIRST_WITH_TIME = 4  # the first of the indices that speaks of a time
 REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
@@ -75,15 +75,18 @@ class Registry(Struct):
         self.quantities.setdefault(quantity.key, quantity)
         self.known[quantity.key] = value
 
-    def letters(self, used: Iterable[str], taken: frozenset[str], chosen: dict[str, str]) -> dict[str, str]:
+    def letters(
+        self, used: Iterable[str], taken: frozenset[str], chosen: dict[str, str], indices: Mapping[str, str]
+    ) -> dict[str, str]:
         """Printed names of the used quantities: the plain letter where it is unambiguous, else with owner or time as index.
 
-        `chosen` holds names that the scene itself gives (an asked quantity has the name of its question).
+        `chosen` holds names that the scene itself gives (an asked quantity has the name of its question); `indices` those of
+        bodies, by which a₂ is the acceleration of m₂.
         """
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
-        for step, index in enumerate(_indices(chosen.get(TIME, TIME))):
+        for step, index in enumerate(_indices(chosen.get(TIME, TIME), indices)):
             rest = []
             if step == FIRST_WITH_TIME:
                 numbered = _numbered(pending, occupied)
@@ -133,10 +136,17 @@ def _as_index(part: str) -> str:
     return "_".join(part.split())
 
 
-def _indices(time: str) -> tuple[Callable[[Quantity], str], ...]:
+def _indices(time: str, indices: Mapping[str, str]) -> tuple[Callable[[Quantity], str], ...]:
     """Ways to index a letter, from the plainest on; ω(t) for one in the midst of a phase."""
+
+    def of_body(quantity: Quantity, body: str) -> str:
+        index = indices.get(body, "") if quantity.letter.isalpha() else ""
+        return quantity.letter + index if index else _join(quantity.letter, quantity.component)
+
     return (
+        lambda q: of_body(q, q.component) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component) + (f"({time})" if q.runs else ""),
+        lambda q: of_body(q, q.owner) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.owner) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.when),
         lambda q: _join(q.letter, q.component, q.owner, q.when),

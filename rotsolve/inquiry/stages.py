@@ -22,7 +22,7 @@ def facts_text(history: History) -> str:
     for state in history.arrangement.timeline.states:
         history.facts(state.name)
     taken = frozenset(given.name for given in history.arrangement.problem.givens)
-    letters = {key: Symbol(name) for key, name in registry.letters(registry.quantities, taken, {}).items()}
+    letters = {key: Symbol(name) for key, name in registry.letters(registry.quantities, taken, {}, {}).items()}
     for state in history.arrangement.timeline.states:
         facts = history.facts(state.name)
         lines.append(f"at {spoken(state.name)}" if state.name else "facts")
@@ -68,7 +68,7 @@ def all_names(inquiry: Inquiry, letters: Letters) -> dict[str, str]:
     """Printed names of all quantities, in the derivation's letters where it has one."""
     registry = inquiry.history.registry
     taken = frozenset(inquiry.givens) - set(letters.names.values())
-    return registry.letters(registry.quantities, taken, letters.names)
+    return registry.letters(registry.quantities, taken, letters.names, {})
 
 
 def in_text(equation: Equation, names: Mapping[str, str]) -> str:

@@ -40,7 +40,7 @@ _SUB_CLASS = "".join(_UNSUBSCRIPT)
 RUN = rf"[A-Za-z{_GREEK_CLASS}][A-Za-z0-9_{_GREEK_CLASS}{_SUB_CLASS}]*"
 SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[A-Za-z0-9{_GREEK_CLASS}]+)*"
 
-_INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
+INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
 _CHANGE = re.compile(rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)")  # delta_theta, delta_K1
@@ -100,7 +100,7 @@ def name_to_text(name: str) -> str:
         return f"{name_to_text(match[1])}({name_to_text(match[2])})"
     if name.endswith(PRIME):
         return name_to_text(name.removesuffix(PRIME)) + "′"
-    if match := _INDEXED.fullmatch(name):
+    if match := INDEXED.fullmatch(name):
         return _greek(match[1]) + subscripted(match[2])
     if match := _LETTERED.fullmatch(name):
         return _greek(match[1]) + subscripted(match[2])
@@ -131,7 +131,7 @@ def name_to_latex(name: str) -> str:
         return f"{name_to_latex(match[1])}({name_to_latex(match[2])})"
     if name.endswith(PRIME):
         return name_to_latex(name.removesuffix(PRIME)) + PRIME
-    if match := _INDEXED.fullmatch(name):
+    if match := INDEXED.fullmatch(name):
         return f"{_latex_head(match[1])}_{{{match[2]}}}"
     if match := _WORDED.fullmatch(name):
         index = f"{match[2]}," if match[2] else ""

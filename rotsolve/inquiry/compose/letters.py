@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from rotsolve.algebra.formula import Formula, Integral, Symbol
-from rotsolve.algebra.notation.letters import PRIME
+from rotsolve.algebra.notation.letters import INDEXED, PRIME
 from rotsolve.core.derivation import Words
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.inquiry.compose.diagrams import Diagrams
 from rotsolve.inquiry.compose.draft import Draft
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.scene.model import Find
+from rotsolve.scene.model import Body, Find
 
 
 class Letters:
@@ -97,7 +97,8 @@ class Letters:
             chosen[TIME] = self.time
         others = [key for key in self._occurring if key not in chosen]
         chosen |= self._running(others, taken | set(chosen.values()), chosen.get(TIME, TIME))
-        return self.inquiry.history.registry.letters(self._occurring, taken - set(chosen.values()), chosen)
+        indices = own_indices(self.problem.bodies)
+        return self.inquiry.history.registry.letters(self._occurring, taken - set(chosen.values()), chosen, indices)
 
     def _of_answers(self) -> dict[str, str]:
         """The names that the scene gives to what it asks for; a component that was asked before keeps that name."""
@@ -145,6 +146,18 @@ class Letters:
             if isinstance(node, Integral):
                 found.setdefault(node.variable, set()).update(node.integrand.symbols())
         return found
+
+
+def own_indices(bodies: Iterable[Body]) -> dict[str, str]:
+    """The index that the letters of a body have in common, as m₂ and R₂, where no other body has it."""
+    found: dict[str, str] = {}
+    for body in bodies:
+        sizes = [getattr(body.shape, name, None) for name in (body.shape.declared if body.shape else ())]
+        letters = [item.name for item in (body.mass, body.inertia, *sizes) if isinstance(item, Symbol)]
+        indices = {match[2] for letter in letters if (match := INDEXED.fullmatch(letter))}
+        if len(indices) == 1:
+            found[body.name] = indices.pop()
+    return {name: index for name, index in found.items() if list(found.values()).count(index) == 1}
 
 
 def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
