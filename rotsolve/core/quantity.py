@@ -131,8 +131,8 @@ QUANTITIES = (
         "of a body, or of the whole scene",
         ("rotational", "translational"),
     ),
-    kind("potential_energy", "energy", "U", (BODY, LINK, SYSTEM), "of gravity and springs"),
-    kind("energy", "energy", "E", (BODY, SYSTEM), "kinetic and potential energy together"),
+    kind("potential_energy", "energy", "U", (BODY, LINK, SYSTEM), "of gravity and springs, as `change of` or `lost`"),
+    kind("energy", "energy", "E", (BODY, SYSTEM), "kinetic and potential energy together, as `change of` or `lost`"),
     kind("momentum", "momentum", "p", (BODY, SYSTEM), "mass times velocity of the centre of mass", PLANE),
     kind(
         "angular_momentum",

@@ -16,7 +16,6 @@ VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
 GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
 PHASE = " to "  # within the name of a phase
-FIRST_WITH_TIME = 4  # the first of the indices that speaks of a time
 REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
@@ -86,26 +85,27 @@ class Registry(Struct):
         names = dict(chosen)
         occupied = set(taken) | set(chosen.values())
         pending = [self.quantities[key] for key in used if key in self.quantities and key not in chosen]
-        for step, index in enumerate(_indices(chosen.get(TIME, TIME), indices)):
-            rest = []
-            if step == FIRST_WITH_TIME:
-                numbered = _numbered(pending, occupied)
-                names |= numbered
-                occupied |= set(numbered.values())
-                pending = [quantity for quantity in pending if quantity.key not in numbered]
-            wanted: dict[str, list[Quantity]] = {}
-            for quantity in pending:
-                wanted.setdefault(index(quantity), []).append(quantity)
-            for name, group in wanted.items():
-                if len(group) == 1 and name not in occupied:
-                    names[group[0].key] = name
-                else:
-                    rest.extend(group)
-            occupied |= set(names.values())
-            pending = rest
+        plain, timed = _indices(chosen.get(TIME, TIME), indices)
+        for way in (*(_each(index) for index in plain), _numbered, *(_each(index) for index in timed)):
+            found = way(pending, occupied)
+            names |= found
+            occupied |= set(found.values())
+            pending = [quantity for quantity in pending if quantity.key not in found]
         for number, quantity in enumerate(pending, 1):
             names[quantity.key] = f"{quantity.letter}_{quantity.owner}_{number}"
         return names
+
+
+def _each(index: Callable[[Quantity], str]) -> Callable[[list[Quantity], set[str]], dict[str, str]]:
+    """The names by one index, of those quantities that do not share them and find them free."""
+
+    def named(pending: list[Quantity], occupied: set[str]) -> dict[str, str]:
+        wanted: dict[str, list[Quantity]] = {}
+        for quantity in pending:
+            wanted.setdefault(index(quantity), []).append(quantity)
+        return {group[0].key: name for name, group in wanted.items() if len(group) == 1 and name not in occupied}
+
+    return named
 
 
 def _numbered(pending: list[Quantity], occupied: set[str]) -> dict[str, str]:
@@ -136,18 +136,23 @@ def _as_index(part: str) -> str:
     return "_".join(part.split())
 
 
-def _indices(time: str, indices: Mapping[str, str]) -> tuple[Callable[[Quantity], str], ...]:
-    """Ways to index a letter, from the plainest on; ω(t) for one in the midst of a phase."""
+Index = Callable[[Quantity], str]
+
+
+def _indices(time: str, indices: Mapping[str, str]) -> tuple[tuple[Index, ...], tuple[Index, ...]]:
+    """Ways to index a letter, from the plainest on, without and with a time; ω(t) for one in the midst of a phase."""
 
     def of_body(quantity: Quantity, body: str) -> str:
         index = indices.get(body, "") if quantity.letter.isalpha() else ""
         return quantity.letter + index if index else _join(quantity.letter, quantity.component)
 
-    return (
+    plain: tuple[Index, ...] = (
         lambda q: of_body(q, q.component) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component) + (f"({time})" if q.runs else ""),
         lambda q: of_body(q, q.owner) + (f"({time})" if q.runs else ""),
         lambda q: _join(q.letter, q.component, q.owner) + (f"({time})" if q.runs else ""),
+    )
+    return plain, (
         lambda q: _join(q.letter, q.component, q.when),
         lambda q: _join(q.letter, q.component, q.owner, q.when),
     )

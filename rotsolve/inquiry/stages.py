@@ -10,6 +10,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.compose import Letters, in_letters
+from rotsolve.inquiry.compose.letters import own_indices
 from rotsolve.inquiry.explain.missing import plural
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
@@ -21,8 +22,10 @@ def facts_text(history: History) -> str:
     registry = history.registry
     for state in history.arrangement.timeline.states:
         history.facts(state.name)
-    taken = frozenset(given.name for given in history.arrangement.problem.givens)
-    letters = {key: Symbol(name) for key, name in registry.letters(registry.quantities, taken, {}, {}).items()}
+    problem = history.arrangement.problem
+    taken = frozenset(given.name for given in problem.givens)
+    names = registry.letters(registry.quantities, taken, {}, own_indices(problem.bodies))
+    letters = {key: Symbol(name) for key, name in names.items()}
     for state in history.arrangement.timeline.states:
         facts = history.facts(state.name)
         lines.append(f"at {spoken(state.name)}" if state.name else "facts")
@@ -68,7 +71,7 @@ def all_names(inquiry: Inquiry, letters: Letters) -> dict[str, str]:
     """Printed names of all quantities, in the derivation's letters where it has one."""
     registry = inquiry.history.registry
     taken = frozenset(inquiry.givens) - set(letters.names.values())
-    return registry.letters(registry.quantities, taken, letters.names, {})
+    return registry.letters(registry.quantities, taken, letters.names, own_indices(letters.problem.bodies))
 
 
 def in_text(equation: Equation, names: Mapping[str, str]) -> str:

@@ -9,7 +9,7 @@ from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, 
 from rotsolve.core.writing import spoken
 from rotsolve.scene.model import Find
 
-LIMIT = "friction at its limit, |f| = μ N"
+FRICTION = "friction over normal force"  # the least coefficient that keeps it from slipping
 ENERGIES = ("kinetic_energy", "potential_energy", "energy")
 
 
@@ -23,7 +23,7 @@ def label_of(find: Find, dimensions: Mapping[str, Dimension]) -> str:
     upper, lower = (paths.get(side.name) if isinstance(side, Symbol) else None for side in (top, bottom))
     sides = [(path.quantity, path.owner) for path in (upper, lower) if path is not None]
     if [quantity for quantity, _ in sides] == ["friction_force", "normal_force"] and sides[0][1] == sides[1][1]:
-        return LIMIT
+        return FRICTION
     above, below = dimension_in(top, dimensions), dimension_in(bottom, dimensions)
     if top == 2 * PI and below == ANGULAR_VELOCITY:
         return "period, the time of one turn"

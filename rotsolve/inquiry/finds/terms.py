@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, Call, Formula
+from rotsolve.algebra.formula import ONE, Call, Formula, Number
 from rotsolve.core.quantity import BY_WORD, OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, whole_way
@@ -35,7 +35,9 @@ def meaning_of(term: Term, history: History, beside: Beside | None = None) -> tu
 
 
 def size(formula: Formula) -> Formula:
-    """|x|; a root is never negative, and neither is a number that is asked for by `size of`."""
+    """|x|; of what is a root or a size already the same, of a number without its minus."""
+    if isinstance(formula, Number):
+        return Number(abs(formula.value))
     bare = isinstance(formula, Call) and formula.function in ("abs", "sqrt")
     return formula if bare or not formula.symbols() else Call("abs", (formula,))
 

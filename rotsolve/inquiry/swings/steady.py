@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.formula import Formula
@@ -15,32 +15,29 @@ OUTWARDS = ("out from the axis, where the shaft turns fast enough for it",)
 STABLE = ("the stable one: a body displaced from it comes back",)
 
 
-def on_shaft(name: str, history: History) -> list[tuple[BodyFacts, Formula, Facts]]:
-    """Bodies that stand steadily on a turning shaft at an angle that depends on a letter, with that angle and the facts there."""
-    found = []
-    for state in history.arrangement.timeline.states:
-        if not state.steady:
-            continue
-        facts = history.facts(state.name, virtual=True)
-        for body in facts.bodies:
-            angle = history.instant(state.name).angle(body.name)
-            if body.sweep is not None and angle is not None and name in angle.symbols():
-                found.append((body, angle, facts))
-    return found
+Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts at its state
 
 
-def balanced(name: str, history: History) -> list[tuple[BodyFacts, Formula, Facts]]:
-    """Bodies whose angle at a state in balance depends on a letter, with that angle and the facts there."""
-    found = []
-    for state in history.arrangement.timeline.states:
-        if not state.balance:
-            continue
-        facts = history.facts(state.name, virtual=True)
+def on_shaft(name: str, history: History) -> list[Standing]:
+    """Bodies that stand steadily on a turning shaft at an angle that depends on a letter."""
+    states = [state.name for state in history.arrangement.timeline.states if state.steady]
+    return [item for item in standing(name, states, history) if item[0].sweep is not None]
+
+
+def balanced(name: str, history: History) -> list[Standing]:
+    """Bodies on an axis whose angle at a state in balance depends on a letter."""
+    states = [state.name for state in history.arrangement.timeline.states if state.balance]
+    return [item for item in standing(name, states, history) if item[0].motion.kind == "axis"]
+
+
+def standing(name: str, states: Iterable[str], history: History) -> Iterator[Standing]:
+    """Bodies whose angle at one of some states depends on a letter."""
+    for state in states:
+        facts = history.facts(state, virtual=True)
         for body in facts.bodies:
-            angle = history.instant(state.name).angle(body.name) if body.motion.kind == "axis" else None
+            angle = history.instant(state).angle(body.name)
             if angle is not None and name in angle.symbols():
-                found.append((body, angle, facts))
-    return found
+                yield body, angle, facts
 
 
 def stable_roots(name: str, roots: Sequence[Formula], history: History, values: Mapping[str, Formula]) -> list[int]:

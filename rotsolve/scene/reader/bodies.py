@@ -114,15 +114,16 @@ def build(
     body = Body(name, span=key.span, **known)
     if body.holes:
         check_holes(scope, name, entries["holes"][1], body)
+    check_about(scope, entries, body)
+    return body
+
+
+def check_about(scope: Scope, entries: Entries, body: Body) -> None:
+    """A fault where the moment of inertia is about a point that the body does not have."""
     about = body.inertia_about
     if about is not None and about not in points_of(body):
-        scope.fault(
-            entries["inertia"][1],
-            f"`{name}` has no point {quoted(about)}",
-            hint(about, points_of(body), "points"),
-            "point",
-        )
-    return body
+        place, help = entries["inertia"][1], hint(about, points_of(body), "points")
+        scope.fault(place, f"`{body.name}` has no point {quoted(about)}", help, "point")
 
 
 def motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
