@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
+from functools import reduce
+from operator import mul
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Sum, Symbol, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Negative, Power, Product, Quotient, Sum, Symbol, formula, negate
 from rotsolve.core.writing import flat, positive_first
 from rotsolve.solver.step import Ref
+
+
+TWO = formula(2)
 
 
 class Item(Struct):
@@ -57,15 +62,48 @@ def moved_alone(item: Item, name: str) -> Formula | None:
     return positive_first([negate(term) if side == sign else term for term, side in terms if (term, side) != own[0]])
 
 
-def put_square(value: Formula, square: Formula, into: Formula) -> Formula:
-    """A formula with a square replaced."""
-    return value.transform(lambda node: into if node == square else node)
+def cofactor(base: Formula, name: str) -> Formula | None:
+    """What a letter is multiplied with in a single term: 1/r in v/r."""
+    if name not in base.symbols():
+        return None
+    if base == Symbol(name):
+        return ONE
+    if isinstance(base, Negative):
+        return cofactor(base.operand, name)  # its square is the same
+    if isinstance(base, Quotient) and name not in base.denominator.symbols():
+        above = cofactor(base.numerator, name)
+        return None if above is None else above / base.denominator
+    if isinstance(base, Product):
+        others = [factor for factor in base.factors if name not in factor.symbols()]
+        held = [factor for factor in base.factors if name in factor.symbols()]
+        inner = cofactor(held[0], name) if len(held) == 1 else None
+        return None if inner is None else reduce(mul, others, inner)
+    return None
+
+
+def put_square(value: Formula, name: str, into: Formula) -> Formula:
+    """A formula with the square of a letter replaced: in (v/r)² with v² = g r that is g r/r²."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Power) or node.exponent != TWO:
+            return node
+        factor = cofactor(node.base, name)
+        if factor is None:
+            return node
+        above, below = (factor.numerator, factor.denominator) if isinstance(factor, Quotient) else (factor, ONE)
+        return above**2 * into / below**2
+
+    return value.transform(change)
 
 
 def only_squared(item: Item, name: str) -> bool:
     """Whether a letter occurs in an equation as its square alone."""
-    square = Symbol(name) ** 2
-    return not any(name in put_square(side, square, ZERO).symbols() for side in (item.left, item.right))
+    return not any(name in put_square(side, name, ZERO).symbols() for side in (item.left, item.right))
+
+
+def holds_square(item: Item, name: str) -> bool:
+    """Whether the square of a letter occurs in an equation."""
+    return any(put_square(side, name, ZERO) != side for side in (item.left, item.right) if name in side.symbols())
 
 
 def monomial(value: Formula) -> bool:
@@ -73,11 +111,15 @@ def monomial(value: Formula) -> bool:
     return not any(isinstance(node, (Sum, Integral)) for node in value.walk())
 
 
-def kind_of(item: Item, name: str, names: Collection[str]) -> int:
-    """How little it takes to eliminate an unknown, of the unknowns `names` of an equation.
+def kind_of(item: Item, name: str, names: Collection[str], items: Sequence[Item]) -> int:
+    """How little it takes to eliminate an unknown, of the unknowns `names` of an equation among all `items`.
 
-    0: it is the only one, and alone on one side; 1: it is the only one; 2: one term equals another, with two unknowns; 3: else.
+    0: it is the only one, and alone on one side; 1: it is the only one; 2: one term equals another, with two unknowns; 3: it is the
+    only one, as its square alone, which another equation holds too; 4: else.
     """
-    if len(names) == 1:
-        return 0 if isolated(item, name) else 1
-    return 2 if len(names) == 2 and monomial(item.left) and monomial(item.right) else 3
+    if len(names) > 1:
+        return 2 if len(names) == 2 and monomial(item.left) and monomial(item.right) else 4
+    if isolated(item, name):
+        return 0
+    squared = only_squared(item, name) and any(holds_square(other, name) for other in items if other is not item)
+    return 3 if squared else 1

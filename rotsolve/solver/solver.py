@@ -14,7 +14,7 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.equation import ENERGY, KINEMATICS, Equation
 from rotsolve.plan import Plan
 from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
@@ -75,15 +75,8 @@ class Solver(Isolation, kw_only=True):
             self._put_in_functions(item)
         unknowns = set(plan.unknowns)
         while len(items) > 1:
-            found: Elimination | None
-            try:
-                found = self._next(items, unknowns, plan.asked)
-            except NoClosedForm:
-                found = self._within_function(items, unknowns, plan.asked)
-            if found is None:
-                item, name = self._eliminate_square(items, unknowns, plan.asked)
-            else:
-                item, name = found[:2]
+            found = self._next(items, unknowns, plan.asked) or self._within_function(items, unknowns, plan.asked)
+            item, name = found[:2] if found else self._eliminate_square(items, unknowns, plan.asked)
             items.remove(item)
             unknowns.discard(name)
             if found is not None:
@@ -107,8 +100,8 @@ class Solver(Isolation, kw_only=True):
         if used:
             self._substitute(item, used, [("known", name) for name in used])
 
-    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination:
-        """What to eliminate next, the most trivial first."""
+    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
+        """What to eliminate next, the most trivial first; None where that is a square, or none can be told from the others."""
         ranked: list[tuple[tuple[int, ...], Item, str]] = []
         held = [item.unknowns(unknowns) for item in items]
         for item, names in zip(items, held, strict=True):
@@ -116,32 +109,32 @@ class Solver(Isolation, kw_only=True):
             for name in sorted(names - {asked}):
                 explicit = isolated(item, name)
                 others = sum(name in other for other in held) - 1
-                kind = kind_of(item, name, names)
+                kind = kind_of(item, name, names, items)
                 if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
-                    kind = 3  # v = a t tells a speed by the acceleration, not the other way round
+                    kind = 4  # v = a t tells a speed by the acceleration, not the other way round
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
-                away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 3 else 0
+                away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 4 else 0
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
-        return self._first_linear(ranked)
+        return self._first_linear(ranked, items)
 
-    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]]) -> Elimination:
+    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], items: list[Item]) -> Elimination | None:
         """Of the best-ranked eliminations the one with the shortest result."""
         best: tuple[int, Elimination] | None = None
         rank: tuple[int, ...] | None = None
         for key, item, name in ranked:
             if best is not None and key[:4] != (rank or ())[:4]:
                 break
-            found = self.value_in(item, name, alone=key[0] <= 1)
+            if key[0] == 3 and self._square(item, name, items) is not None:
+                return None
+            found = self.value_in(item, name, alone=key[0] in (1, 3))
             if found is None:
                 continue
             value, reason = found
             trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value))
             if best is None or length(value) < best[0]:
                 best, rank = (length(value), (item, name, value, None if trivial else reason)), key
-        if best is None:
-            raise NoClosedForm(ENTANGLED)
-        return best[1]
+        return best[1] if best else None
 
     def _within_function(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
         """The first equation whose only unknown stands within a function and is not within an integral."""
@@ -149,7 +142,7 @@ class Solver(Isolation, kw_only=True):
             names = item.unknowns(unknowns)
             if len(names) == 1 and asked not in names and not names & inner(item):
                 name = names.pop()
-                found = self.value_within(item, name)
+                found = None if self._square(item, name, items) is not None else self.value_within(item, name)
                 if found is not None:
                     return item, name, *found
         return None
@@ -180,28 +173,33 @@ class Solver(Isolation, kw_only=True):
                 if not other.unknowns(unknowns) or (len(items) == 1 and is_zero(gap, self.positive)):
                     self._check_alive(other, set())
 
+    def _square(self, item: Item, name: str, items: list[Item]) -> Formula | None:
+        """The square of an unknown that one equation tells and that all others hold as its square alone."""
+        if not all(only_squared(other, name) for other in items if name in other.unknowns({name})):
+            return None
+        parts = coefficients(item.left - item.right, name, order=self.order, positive=self.positive)
+        if parts is None or len(parts) != 3 or parts[1] != ZERO:
+            return None
+        return self.simplify(-parts[0] / parts[2])
+
     def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
         """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""
-        for item in items:
+        for item in sorted(items, key=lambda item: (len(item.unknowns(unknowns)), self.pool[item.index].family != ENERGY)):
             for name in sorted(item.unknowns(unknowns) - {asked}):
-                parts = coefficients(item.left - item.right, name, order=self.order, positive=self.positive)
-                others = [other for other in items if other is not item and name in other.unknowns({name})]
-                if (
-                    parts is None
-                    or len(parts) != 3
-                    or parts[1] != ZERO
-                    or not all(only_squared(other, name) for other in others)
-                ):
+                value = self._square(item, name, items)
+                if value is None:
                     continue
-                square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
+                square = Symbol(name) ** 2
                 refs: list[Ref] = [item.ref, *item.sources]
-                if item.sources:
-                    chain = [Equality(item.left, item.right), Equality(square, value)]
+                if (item.left, item.right) != (square, value):
+                    chain = [Equality(item.left, item.right)] if item.sources else []
+                    chain.append(Equality(square, value))
                     refs = [("step", self._keep(item, chain, "", ()).number)]
                     self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
-                for other in others:
-                    other.left, other.right = (put_square(side, square, value) for side in (other.left, other.right))
-                    other.sources.extend(ref for ref in refs if ref not in other.sources)
+                for other in items:
+                    if other is not item and name in other.unknowns({name}):
+                        other.left, other.right = (put_square(side, name, value) for side in (other.left, other.right))
+                        other.sources.extend(ref for ref in refs if ref not in other.sources)
                 return item, name
         raise NoClosedForm(ENTANGLED)
 

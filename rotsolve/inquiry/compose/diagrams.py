@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Set
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.derivation import ForceLine, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
@@ -77,6 +77,9 @@ class Diagrams(Struct, frozen=True):
             if at_the_axis(item, body, pushed):
                 silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
                 continue
+            if size == ZERO:
+                spoken_of.append(absent(item))
+                continue
             letters = {letter for letter in size.symbols() if SEPARATOR in letter}
             if letters <= in_use:
                 spoken_of.append(words(item.words))
@@ -102,6 +105,11 @@ def nameless(words: Words) -> Words:
     """The words of a force whose letter no equation has: "normal force, up"."""
     told = [part for part in words if not isinstance(part, Formula)]
     return ("".join(part.rstrip() if k < len(told) - 1 else part for k, part in enumerate(told)),)
+
+
+def absent(item: Force | Couple) -> Words:
+    """What is said of a force that a state tells to be nothing: "no normal force at base"."""
+    return (f"no {str(item.words[0]).strip()} at {spoken(item.owner)}",)
 
 
 def without_torque(silent: list[str]) -> tuple[Words, ...]:

@@ -148,7 +148,10 @@ class Statements(Struct):
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
-        self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
+        if state.balance:
+            self.fixed.fix(normal, ZERO)
+        else:
+            self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
         if state.balance and item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
