@@ -20,7 +20,7 @@ from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.lines import line_in_letters, line_of
 from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, Ref, Step
-from rotsolve.solver.textbook import quarters_turned
+from rotsolve.solver.textbook import part_of_whole, quarters_turned
 
 FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
 ACCELERATIONS = ("acceleration|", "angular_acceleration|")
@@ -239,7 +239,10 @@ class Solver(Isolation, kw_only=True):
             value = moved
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
-            first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
+            as_written = written is not None and (integrals or part_of_whole(written))
+            first = [*more, Equality(Symbol(asked), written if written is not None and as_written else value)]
+            drawn = self.drawn_together(value)
+            first += [Equality(Symbol(asked), drawn)] if drawn not in (None, value, final) else []
             item.sources[:0] = [("known", name) for name in used]
             self._keep(item, line_in_letters(item, asked, first, final), asked, reason)
         elif item.sources or written != final:

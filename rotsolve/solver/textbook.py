@@ -17,7 +17,7 @@ from rotsolve.algebra.exact.writing.exponentials import spread
 from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.exact.writing.shape import length
-from rotsolve.algebra.formula import Call, Formula, Integral, Power, Sum
+from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Quotient, Sum, total
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.step import Found
@@ -34,6 +34,13 @@ def is_size(value: Formula) -> bool:
     """Whether a formula is the root of a sum of squares, as the size of a vector is."""
     root = value.arguments[0] if isinstance(value, Call) and value.function == "sqrt" else value
     return isinstance(root, Sum) and all(isinstance(term, Power) for term in root.terms)
+
+
+def part_of_whole(value: Formula) -> bool:
+    """Whether a formula is a share as it is defined, (K − K′)/K, which to divide out would make hard to recognise."""
+    return (
+        isinstance(value, Quotient) and isinstance(value.numerator, Sum) and value.denominator in value.numerator.terms
+    )
 
 
 def quarters_turned(value: Formula) -> Formula:
@@ -100,6 +107,18 @@ class Textbook(Struct, kw_only=True):
         known = {name: found.formula for name, found in self.solved.items() if found.formula is not None}
         used = {name: known[name] for name in value.symbols() if name in known}
         return value.substitute(used) if used else value
+
+    def drawn_together(self, value: Formula) -> Formula | None:
+        """A sum with its terms made of answers put together where that makes one term: in K − ½ I₁ ω² − ½ I₂ ω² the energy left."""
+        terms = value.terms if isinstance(value, Sum) else ()
+        found = [term for term in terms if not term.symbols().isdisjoint(self.solved)]
+        others = [term for term in terms if term.symbols().isdisjoint(self.solved)]
+        if len(found) < 2 or not others:
+            return None
+        together = self.simplify(self.with_answers(total(found)))
+        bare = together.operand if isinstance(together, Negative) else together
+        above = bare.numerator if isinstance(bare, Quotient) else bare
+        return None if any(isinstance(node, Sum) for node in above.walk()) else total([*others, together])
 
     def tidied(self, value: Formula) -> Formula:
         """What is integrated in its shortest form."""
