@@ -8,10 +8,22 @@ from operator import mul
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Negative, Power, Product, Quotient, Sum, Symbol, formula, negate
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Formula,
+    Integral,
+    Negative,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+    formula,
+    negate,
+)
 from rotsolve.core.writing import flat, positive_first
 from rotsolve.solver.step import Ref
-
 
 TWO = formula(2)
 

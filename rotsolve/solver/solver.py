@@ -184,7 +184,9 @@ class Solver(Isolation, kw_only=True):
 
     def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
         """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""
-        for item in sorted(items, key=lambda item: (len(item.unknowns(unknowns)), self.pool[item.index].family != ENERGY)):
+        for item in sorted(
+            items, key=lambda item: (len(item.unknowns(unknowns)), self.pool[item.index].family != ENERGY)
+        ):
             for name in sorted(item.unknowns(unknowns) - {asked}):
                 value = self._square(item, name, items)
                 if value is None:
