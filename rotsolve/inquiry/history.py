@@ -195,7 +195,7 @@ class History(Struct, dict=True):
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""
         section = interval.name
-        yield from energy.conservation(passage, section)
+        yield from energy.conservation(passage, section, self.leading_to(interval))
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
         yield from separation.separation(passage, section)
@@ -213,6 +213,15 @@ class History(Struct, dict=True):
         if self.arrangement.mentions.runs:
             changes = self.changes(passage, running=True)
             yield from constraints.for_displacements(self.thought(interval.start), changes, section)
+
+    def leading_to(self, interval: Interval) -> list[Passage]:
+        """The phases before one, back to the last event."""
+        timeline, found = self.arrangement.timeline, list[Passage]()
+        before = timeline.before(interval.start)
+        while before is not None and before.event is None:
+            found.insert(0, self.passages[before.name])
+            before = timeline.before(before.start)
+        return found
 
     def varies(self, interval: Interval) -> bool:
         """Whether accelerations vary in a phase."""

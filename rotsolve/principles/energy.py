@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
@@ -13,30 +13,57 @@ from rotsolve.core.equation import ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Rule, square
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP
-from rotsolve.core.writing import flat, is_negative, moved, positive_first
+from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 
 HALF = Number(Fraction(1, 2))
 
 
-def conservation(passage: Passage, section: str) -> Iterator[Equation]:
-    """K₁ + U₁ + W = K₂ + U₂ for every group of connected bodies whose heights are known."""
+def conservation(passage: Passage, section: str, earlier: Sequence[Passage] = ()) -> Iterator[Equation]:
+    """K₁ + U₁ + W = K₂ + U₂ for every group of connected bodies whose heights are known.
+
+    `earlier` are the phases that lead to this one, with no event between: where they start at rest, that is state 1 as well.
+    """
     for group in passage.groups:
         if any(passage.heights.get(name) is None for name in group):
             continue
-        first = [body for body in passage.start.bodies if body.name in group]
-        last = [body for body in passage.end.bodies if body.name in group]
-        if any(body.sweep is not None for body in first):
+        if any(body.sweep is not None for body in passage.start.bodies if body.name in group):
             continue  # the shaft gives energy too
         works = [work for work in passage.works if group & set(work.bodies)]
-        left = [*kinetic(first), *potential(passage, group, 0), *(work.amount for work in works)]
-        right = [*kinetic(last), *potential(passage, group, 1)]
-        if not flat(left) and not flat(right):
-            continue
-        sides = arranged(left, right)
-        label = "work and energy, K₁ + U₁ + W = K₂ + U₂" if works else "conservation of energy, K₁ + U₁ = K₂ + U₂"
-        yield Equation(
-            *sides, label, section, ENERGY, 4, reason(passage, group, bool(works)), bodies=tuple(sorted(group))
-        )
+        rest = None if works else at_rest_before(passage, group, earlier)
+        starts = [rest, passage] if rest is not None else [passage]
+        for start in starts:
+            left = [*energy(start, group, 0), *(work.amount for work in works)]
+            right = energy(passage, group, 1)
+            if not flat(left) and not flat(right):
+                continue
+            since = "" if start is passage else f" since {spoken(start.start.state)}"
+            label = (
+                "work and energy, K₁ + U₁ + W = K₂ + U₂"
+                if works
+                else f"conservation of energy{since}, K₁ + U₁ = K₂ + U₂"
+            )
+            words = reason(passage, group, bool(works))
+            yield Equation(*arranged(left, right), label, section, ENERGY, 4, words, bodies=tuple(sorted(group)))
+
+
+def at_rest_before(passage: Passage, group: frozenset[str], earlier: Sequence[Passage]) -> Passage | None:
+    """The phase that a group starts at rest, where its energy stays the same from then on; None where it is this one, or none."""
+    for before in reversed(earlier):
+        if energy(passage, group, 0) == potential(passage, group, 0):
+            return None  # it is at rest
+        kept = group in before.groups and not any(group & set(work.bodies) for work in before.works)
+        if not kept or energy(before, group, 1) != energy(passage, group, 0):
+            return None
+        if energy(before, group, 0) == potential(before, group, 0):
+            return before
+        passage = before
+    return None
+
+
+def energy(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
+    """K + U of a group at an end of a phase, term by term."""
+    bodies = (passage.start, passage.end)[end].bodies
+    return [*kinetic(body for body in bodies if body.name in group), *potential(passage, group, end)]
 
 
 def works(passage: Passage, section: str) -> Iterator[Equation]:
@@ -65,7 +92,7 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     return (idle[0],)
 
 
-def kinetic(bodies: list[BodyFacts]) -> list[Formula]:
+def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:
     """½ m v² + ½ I ω² of each body, about a fixed axis ½ I ω² alone; and ½ m v² of riders along it."""
     terms: list[Formula] = []
     for body in bodies:

@@ -231,7 +231,7 @@ class Solver(Isolation, kw_only=True):
         picked = self.choice(asked, candidates, item.left - item.right)
         if picked is None:
             raise Contradiction(item.index)
-        value = self.chosen(picked, candidates)
+        value = self.chosen(picked, candidates).transform(self.without_bars)
         more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
         summed = any(isinstance(node, Integral) for node in final.walk())

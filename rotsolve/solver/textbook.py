@@ -71,7 +71,7 @@ class Textbook(Struct, kw_only=True):
             return value
         value = simplify(value, order=self.order, positive=self.positive)
         if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
-            value = simplify(value.transform(self._without_bars), order=self.order, positive=self.positive)
+            value = simplify(value.transform(self.without_bars), order=self.order, positive=self.positive)
         return in_powers(value.transform(self._exponential), TIME, order=self.order, positive=self.positive)
 
     def shortest(self, value: Formula) -> Formula:
@@ -92,7 +92,7 @@ class Textbook(Struct, kw_only=True):
             return Call("exp", (tidy(node.arguments[0]),))
         return spread(one_logarithm(node, tidy), tidy)
 
-    def _without_bars(self, node: Formula) -> Formula:
+    def without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""
         if not (isinstance(node, Call) and node.function == "abs"):
             return node
