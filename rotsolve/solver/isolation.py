@@ -12,9 +12,9 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.solver.item import Item, inner, isolated
+from rotsolve.solver.item import Item, holds_square, inner, isolated
 from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant
 from rotsolve.solver.textbook import Textbook
 
@@ -111,6 +111,22 @@ class Isolation(Textbook, kw_only=True):
         value = self.simplify(whole.substitute({name: root}))
         wrapped = any(isinstance(node, Call) and node.function in inverses for node in value.walk())
         return [] if wrapped or {item.left, item.right} == {whole, value} else [Equality(whole, value)]
+
+    def like_terms(self, item: Item, name: str) -> list[Equality]:
+        """The equation with its terms in the square of an unknown put together: ½ m v² + ⅕ m r² (v/r)² as 7 m v²/10."""
+        sides = [self._together(side, name) for side in (item.left, item.right)]
+        return [] if sides == [item.left, item.right] or isolated(item, name) else [Equality(*sides)]
+
+    def _together(self, side: Formula, name: str) -> Formula:
+        terms: list[Formula] = []
+        for term in side.terms if isinstance(side, Sum) else ():
+            alike = [other for other in terms if holds_square(term, name) and self._like(term, other)]
+            terms = [self.simplify(other + term) if other in alike else other for other in terms]
+            terms += [] if alike else [term]
+        return total(terms) if 1 < len(terms) < len(side.children()) or len(terms) == 1 else side
+
+    def _like(self, term: Formula, other: Formula) -> bool:
+        return isinstance(self.simplify(term / other), Number)
 
     def one_root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
         """The root that is meant of several, and why it is."""

@@ -113,9 +113,9 @@ def only_squared(item: Item, name: str) -> bool:
     return not any(name in put_square(side, name, ZERO).symbols() for side in (item.left, item.right))
 
 
-def holds_square(item: Item, name: str) -> bool:
-    """Whether the square of a letter occurs in an equation."""
-    return any(put_square(side, name, ZERO) != side for side in (item.left, item.right) if name in side.symbols())
+def holds_square(side: Formula, name: str) -> bool:
+    """Whether the square of a letter occurs in a formula."""
+    return name in side.symbols() and put_square(side, name, ZERO) != side
 
 
 def monomial(value: Formula) -> bool:
@@ -133,5 +133,7 @@ def kind_of(item: Item, name: str, names: Collection[str], items: Sequence[Item]
         return 2 if len(names) == 2 and monomial(item.left) and monomial(item.right) else 4
     if isolated(item, name):
         return 0
-    squared = only_squared(item, name) and any(holds_square(other, name) for other in items if other is not item)
+    squared = only_squared(item, name) and any(
+        holds_square(side, name) for other in items if other is not item for side in (other.left, other.right)
+    )
     return 3 if squared else 1

@@ -161,9 +161,8 @@ class Solver(Isolation, kw_only=True):
         refs: list[Ref] = [item.ref, *item.sources]
         restated = not item.sources and not reason and isolated(item, name) == value
         if not restated and (reason is not None or (item.sources and self.pool[item.index].family)):
-            step = self._keep(
-                item, line_of(item, name, value, self.function_alone(item, name, value)), name, reason or ()
-            )
+            more = self.like_terms(item, name) + self.function_alone(item, name, value)
+            step = self._keep(item, line_of(item, name, value, more), name, reason or ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -195,7 +194,7 @@ class Solver(Isolation, kw_only=True):
                 refs: list[Ref] = [item.ref, *item.sources]
                 if (item.left, item.right) != (square, value):
                     chain = [Equality(item.left, item.right)] if item.sources else []
-                    chain.append(Equality(square, value))
+                    chain += [*self.like_terms(item, name), Equality(square, value)]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
                     self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
                 for other in items:
@@ -232,7 +231,7 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates).transform(self.without_bars)
-        more = more or self.function_alone(item, asked, candidates[picked.root])
+        more = self.like_terms(item, asked) + (more or self.function_alone(item, asked, candidates[picked.root]))
         final = self.shortest(self.with_answers(value))
         summed = any(isinstance(node, Integral) for node in final.walk())
         reason = picked.words or (SUMMED_NUMERICALLY if summed else ())
