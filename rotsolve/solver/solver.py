@@ -12,11 +12,11 @@ from msgspec import field
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.writing.shape import length
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import KINEMATICS, Equation
 from rotsolve.plan import Plan
-from rotsolve.solver.isolation import Isolation
+from rotsolve.solver.isolation import Isolation, has_integral
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.lines import line_in_letters, line_of
 from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, Ref, Step
@@ -136,7 +136,8 @@ class Solver(Isolation, kw_only=True):
             if found is None:
                 continue
             value, reason = found
-            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value))
+            summed = has_integral(item.left) or has_integral(item.right)
+            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value)) and not summed
             if best is None or length(value) < best[0]:
                 best, rank = (length(value), (item, name, value, None if trivial else reason)), key
         if best is None:
@@ -168,9 +169,8 @@ class Solver(Isolation, kw_only=True):
         refs: list[Ref] = [item.ref, *item.sources]
         restated = not item.sources and not reason and isolated(item, name) == value
         if not restated and (reason is not None or (item.sources and self.pool[item.index].family)):
-            step = self._keep(
-                item, line_of(item, name, value, self.function_alone(item, name, value)), name, reason or ()
-            )
+            more = [*self.bounds_put_in(item, name, value), *self.function_alone(item, name, value)]
+            step = self._keep(item, line_of(item, name, value, more), name, reason or ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
         for other in items:
@@ -196,7 +196,7 @@ class Solver(Isolation, kw_only=True):
                 square, value = Symbol(name) ** 2, self.simplify(-parts[0] / parts[2])
                 refs: list[Ref] = [item.ref, *item.sources]
                 if item.sources:
-                    chain = [Equality(item.left, item.right), Equality(square, value)]
+                    chain = [Equality(item.left, item.right), *self.bounds_put_in(item, name), Equality(square, value)]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
                     self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
                 for other in others:
@@ -213,15 +213,18 @@ class Solver(Isolation, kw_only=True):
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
-        """Write a step under the next number."""
-        step = Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), name, item.section, reason)
+        """Write a step under the next number; a line that has been written before is only cited."""
+        refs = item.ref, tuple(item.sources), tuple(chain)
+        again = (step for step in self.steps if (step.target, step.sources, step.chain) == refs)
+        if (written := next(again, None)) is not None:
+            return written
+        step = Step(len(self.steps) + 1, *refs, name, item.section, reason)
         self.steps.append(step)
         return step
 
     def _last(self, item: Item, asked: str) -> Found:
         """The asked unknown from the last equation."""
         written = isolated(item, asked)
-        integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
         candidates, more = self.roots(item, asked)
         if not candidates:
             root, words = self.certified_root(item, asked)
@@ -232,16 +235,23 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates)
-        more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
-        summed = any(isinstance(node, Integral) for node in final.walk())
-        reason = picked.words or (SUMMED_NUMERICALLY if summed else ())
+        more = more or [
+            *self.bounds_put_in(item, asked, final),
+            *self.function_alone(item, asked, candidates[picked.root]),
+        ]
+        reason = picked.words or (SUMMED_NUMERICALLY if has_integral(final) else ())
         moved = moved_alone(item, asked) or value
         if item.sources or written is None or moved.symbols() & set(self.solved):
             value = moved
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
-            first = [*more, Equality(Symbol(asked), written if written is not None and integrals else value)]
+            summed = written is not None and has_integral(written)
+            first = (
+                [Equality(Symbol(asked), written or value), *more]
+                if summed
+                else [*more, Equality(Symbol(asked), value)]
+            )
             item.sources[:0] = [("known", name) for name in used]
             self._keep(item, line_in_letters(item, asked, first, final), asked, reason)
         elif item.sources or written != final:
