@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
-from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Sum, Symbol, total
+from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.solver.item import Item, holds_square, inner, isolated
 from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant
@@ -71,14 +71,14 @@ class Isolation(Textbook, kw_only=True):
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
             pure = len(parts) == 3 and parts[1] == ZERO
             square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
-            return roots, square or self.unfolded(item, Equality(left, right))
+            return roots, [*self.bounds_put_in(item, asked), *square] or self.unfolded(item, Equality(left, right))
         if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
         for solve in (solve_polynomial, solve_unwrapped):
             for whole in dict.fromkeys((gap, self.with_answers(gap))):
                 roots = solve(whole, asked, order=self.order, positive=self.positive)
                 if roots:
-                    return roots, self.unfolded(item, Equality(left, right))
+                    return roots, self.bounds_put_in(item, asked) or self.unfolded(item, Equality(left, right))
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], []
 
@@ -149,9 +149,32 @@ class Isolation(Textbook, kw_only=True):
         whole = self.with_answers(gap)
         return whole != gap and is_zero(whole, self.positive)
 
+    def bounds_put_in(self, item: Item, name: str, value: Formula | None = None) -> list[Equality]:
+        """The lines between an equation with integrals and its result: inner integrals carried out, then the antiderivatives at their
+        bounds; where the unknown stands alone only if its `value` is shorter than that."""
+        if not has_integral(item.left) and not has_integral(item.right):
+            return []
+        alone = isolated(item, name)
+        whole = Equality(item.left, item.right) if alone is None else Equality(Symbol(name), alone)
+        inner = Equality(self.inner_carried_out(whole.left), self.inner_carried_out(whole.right))
+        lines = [inner] if inner != whole else []
+        left, right = self.at_bounds(inner.left), self.at_bounds(inner.right)
+        if left is None or right is None or (alone and value and letters_of(right) <= letters_of(value)):
+            return lines
+        return [*lines, Equality(left, right)]
+
     def unfolded(self, item: Item, done: Equality) -> list[Equality]:
         """The equation with its integrals carried out, where that is not how it stands."""
         return [] if (done.left, done.right) == (item.left, item.right) else [done]
+
+
+def has_integral(value: Formula) -> bool:
+    return any(isinstance(node, Integral) for node in value.walk())
+
+
+def letters_of(value: Formula) -> int:
+    """How many letters and functions are written in a formula."""
+    return sum(isinstance(node, (Symbol, Call)) for node in value.walk())
 
 
 def as_formula(root: Certified) -> Formula:

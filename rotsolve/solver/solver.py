@@ -12,11 +12,11 @@ from msgspec import field
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import coefficients, is_zero
 from rotsolve.algebra.exact.writing.shape import length
-from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, KINEMATICS, Equation
 from rotsolve.plan import Plan
-from rotsolve.solver.isolation import Isolation
+from rotsolve.solver.isolation import Isolation, has_integral
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.lines import line_in_letters, line_of
 from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, Ref, Step
@@ -131,7 +131,8 @@ class Solver(Isolation, kw_only=True):
             if found is None:
                 continue
             value, reason = found
-            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value))
+            summed = has_integral(item.left) or has_integral(item.right)
+            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value)) and not summed
             if best is None or length(value) < best[0]:
                 best, rank = (length(value), (item, name, value, None if trivial else reason)), key
         return best[1] if best else None
@@ -161,7 +162,11 @@ class Solver(Isolation, kw_only=True):
         refs: list[Ref] = [item.ref, *item.sources]
         restated = not item.sources and not reason and isolated(item, name) == value
         if not restated and (reason is not None or (item.sources and self.pool[item.index].family)):
-            more = self.like_terms(item, name) + self.function_alone(item, name, value)
+            more = [
+                *self.like_terms(item, name),
+                *self.bounds_put_in(item, name, value),
+                *self.function_alone(item, name, value),
+            ]
             step = self._keep(item, line_of(item, name, value, more), name, reason or ())
             refs = [("step", step.number)]
             self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
@@ -194,7 +199,11 @@ class Solver(Isolation, kw_only=True):
                 refs: list[Ref] = [item.ref, *item.sources]
                 if (item.left, item.right) != (square, value):
                     chain = [Equality(item.left, item.right)] if item.sources else []
-                    chain += [*self.like_terms(item, name), Equality(square, value)]
+                    chain += [
+                        *self.bounds_put_in(item, name),
+                        *self.like_terms(item, name),
+                        Equality(square, value),
+                    ]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
                     self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
                 for other in items:
@@ -212,15 +221,18 @@ class Solver(Isolation, kw_only=True):
         item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
 
     def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
-        """Write a step under the next number."""
-        step = Step(len(self.steps) + 1, item.ref, tuple(item.sources), tuple(chain), name, item.section, reason)
+        """Write a step under the next number; a line that has been written before is only cited."""
+        refs = item.ref, tuple(item.sources), tuple(chain)
+        again = (step for step in self.steps if (step.target, step.sources, step.chain) == refs)
+        if (written := next(again, None)) is not None:
+            return written
+        step = Step(len(self.steps) + 1, *refs, name, item.section, reason)
         self.steps.append(step)
         return step
 
     def _last(self, item: Item, asked: str) -> Found:
         """The asked unknown from the last equation."""
         written = isolated(item, asked)
-        integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
         candidates, more = self.roots(item, asked)
         if not candidates:
             root, words = self.certified_root(item, asked)
@@ -231,22 +243,34 @@ class Solver(Isolation, kw_only=True):
         if picked is None:
             raise Contradiction(item.index)
         value = self.chosen(picked, candidates).transform(self.without_bars)
-        more = self.like_terms(item, asked) + (more or self.function_alone(item, asked, candidates[picked.root]))
         final = self.shortest(self.with_answers(value))
-        summed = any(isinstance(node, Integral) for node in final.walk())
-        reason = picked.words or (SUMMED_NUMERICALLY if summed else ())
+        more = more or [
+            *self.bounds_put_in(item, asked, final),
+            *self.function_alone(item, asked, candidates[picked.root]),
+        ]
+        more = [*self.like_terms(item, asked), *more]
+        reason = picked.words or (SUMMED_NUMERICALLY if has_integral(final) else ())
         moved = moved_alone(item, asked) or value
         if item.sources or written is None or moved.symbols() & set(self.solved):
             value = moved
         if final != value:
             used = [name for name in self.solved if name in value.symbols()]
-            as_written = written is not None and (integrals or part_of_whole(written))
-            first = [*more, Equality(Symbol(asked), written if written is not None and as_written else value)]
-            drawn = self.drawn_together(value)
-            first += [Equality(Symbol(asked), drawn)] if drawn not in (None, value, final) else []
+            first = self._in_letters(asked, value, final, more, written)
             item.sources[:0] = [("known", name) for name in used]
             self._keep(item, line_in_letters(item, asked, first, final), asked, reason)
         elif item.sources or written != final:
             self._keep(item, line_of(item, asked, final, more), asked, reason)
         others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked.root)
         return Found(asked, final, None, others)
+
+    def _in_letters(
+        self, asked: str, value: Formula, final: Formula, more: Sequence[Equality], written: Formula | None
+    ) -> list[Equality]:
+        """What stands before an answer: it in the letters found before, and what leads there and on."""
+        letter = Symbol(asked)
+        if written is not None and has_integral(written):
+            return [Equality(letter, written), *more]
+        stated = written if written is not None and part_of_whole(written) else value
+        drawn = self.drawn_together(value)
+        together = [Equality(letter, drawn)] if drawn not in (None, value, final) else []
+        return [*more, Equality(letter, stated), *together]

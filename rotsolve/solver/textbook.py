@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
-from functools import partial
+from functools import partial, reduce
 
 from msgspec import Struct, field
 
+from rotsolve.algebra.calculus.bounds import at_bounds
 from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
 from rotsolve.algebra.calculus.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
@@ -17,7 +18,7 @@ from rotsolve.algebra.exact.writing.exponentials import spread
 from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.exact.writing.shape import length
-from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Quotient, Sum, total
+from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.step import Found
@@ -55,6 +56,14 @@ def quarters_turned(value: Formula) -> Formula:
         return turn.sin() if node.function == "sin" else turn.cos()
 
     return value.transform(change)
+
+
+def gathered(node: Formula) -> Formula:
+    """(1/M) ∫ f dx as ∫ (1/M) f dx."""
+    if not isinstance(node, Product) or not isinstance(node.factors[-1], Integral):
+        return node
+    summed = node.factors[-1]
+    return Integral(reduce(multiply, node.factors[:-1], summed.integrand), summed.variable, summed.lower, summed.upper)
 
 
 class Textbook(Struct, kw_only=True):
@@ -145,6 +154,28 @@ class Textbook(Struct, kw_only=True):
             return node if done is None else self.simplify(done)
 
         return value.transform(change)
+
+    def inner_carried_out(self, value: Formula) -> Formula:
+        """Integrals within integrals in closed form."""
+
+        def change(node: Formula) -> Formula:
+            if not isinstance(node, Integral):
+                return node
+            return Integral(self.carried_out(node.integrand), node.variable, node.lower, node.upper)
+
+        return value.transform(change)
+
+    def at_bounds(self, value: Formula) -> Formula | None:
+        """All integrals as the antiderivative at both ends; None where one has no antiderivative that a page would hold."""
+        value = value.transform(gathered)
+        ends: dict[Formula, Formula] = {}
+        for node in value.walk():
+            if isinstance(node, Integral):
+                put_in = None if self._open(node) else at_bounds(node, self.simplify)
+                if put_in is None or not is_zero(put_in - self.carried_out(node), self.positive):
+                    return None
+                ends[node] = put_in
+        return value.transform(lambda node: ends.get(node, node))
 
     def _open(self, node: Integral) -> bool:
         """Whether something within an integral runs with its variable in a way that is not known yet."""

@@ -242,6 +242,24 @@ def test_both_ways_may_be_asked_in_one_scene() -> None:
     assert "rings of radius r" in solution.to("text")
 
 
+def test_of_integrals_within_each_other_the_inner_one_is_carried_out_first() -> None:
+    scene = """title: Sheet with a density that varies
+given: {a: 3 m, b: 4 m, c: 2 kg/m^4}
+bodies: {sheet: {shape: lamina, density: c*x*y, region: {x: [0, a], y: [0, b*x/a]}}}
+find: {M: sheet.mass}"""
+    text = " ".join(solve(scene).to("text").split())
+    assert "M = ∫[0 → a] c b² x³/(2 a²) dx → M = c b² a⁴/(8 a²) → M = ⅛ c a² b²" in text
+
+
+def test_an_integral_that_serves_two_questions_is_worked_out_once() -> None:
+    scene = """title: Bowl that is full
+given: {M: 3 kg, R: 0.2 m}
+bodies: {bowl: {shape: solid of revolution, mass: M, profile: {z: [0, R], r: sqrt(R^2 - z^2)}}}
+find: {z: bowl.cm.z, I: bowl.inertia}"""
+    text = solve(scene).to("text")
+    assert text.count("(R³ − ⅓ R³)") == 1
+
+
 def test_angular_momentum_is_the_tensor_times_the_angular_velocity() -> None:
     scene = ARM.replace("x: PHRASE", "L: arm.angular_momentum about arm.center, T: arm.inertia_tensor about arm.center")
     answers = solve(scene).answers

@@ -48,18 +48,21 @@ class Place:
             pending = rest
 
     def settle(self, left: Formula, right: Formula) -> bool:
-        """Find the one unknown letter of an equality that is linear in it; False where that is not yet possible."""
+        """Find the one unknown letter of an equality that is linear in it or in its square (of which the root that is not negative
+        will do, since nothing else speaks of such a letter); False where that is not yet possible."""
         open_ = sorted((left.symbols() | right.symbols()) - set(self.values))
         if len(open_) != 1:
             return not open_
         name = open_[0]
         try:
-            gaps = [self.gap(left, right, {**self.values, name: trial}) for trial in (0.0, 1.0, 2.0)]
+            gaps = [self.gap(left, right, {**self.values, name: trial}) for trial in (0.0, 1.0, 2.0, -1.0)]
         except (ValueError, ZeroDivisionError):
             return False
         slope, bend = gaps[1] - gaps[0], gaps[2] - 2 * gaps[1] + gaps[0]
         if abs(slope) > 1e-9 * (1 + abs(gaps[0])) and abs(bend) < 1e-9 * abs(slope):
             self.values[name] = -gaps[0] / slope
+        elif slope and abs(gaps[3] - gaps[1]) < 1e-9 * abs(slope) and abs(bend - 2 * slope) < 1e-9 * abs(slope):
+            self.values[name] = max(0.0, -gaps[0] / slope) ** 0.5
         return name in self.values
 
     def gap(self, left: Formula, right: Formula, values: dict[str, float]) -> float:

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from rotsolve.algebra.calculus.antiderivative import antiderivative
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, multiply
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
@@ -69,8 +68,7 @@ def content(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     cut = sliced(spread, piece)
     integral = cut.total(ONE, spread.tidy)
     extent = spread.letter(letter)
-    said = (*cut.element, *antiderivative_words(spread, integral))
-    return extent, (spread.define(extent, integral, f"{word}, {letter} = ∫ d{letter}", said),)
+    return extent, (spread.define(extent, integral, f"{word}, {letter} = ∫ d{letter}", cut.element),)
 
 
 def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
@@ -82,8 +80,7 @@ def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     if piece.shape.graded:
         cut = sliced(spread, piece)
         integral = cut.total(ONE, spread.tidy)
-        said = (*elements(spread, cut, ONE), *antiderivative_words(spread, integral))
-        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", said),)
+        return letter, (spread.define(letter, integral, "mass, M = ∫ dm", elements(spread, cut, ONE)),)
     if steps:  # the density comes from the mass
         return spread.mass, ()
     extent, steps = content(spread, piece)
@@ -99,7 +96,7 @@ def centre_letter(spread: Spread, piece: Piece, axis: str) -> tuple[Formula, Ste
     sigma, steps = density(spread, piece)
     whole, more = mass(spread, piece)
     integral = cut.total(multiply(sigma, cut.first(axis)), spread.tidy)
-    said = (*elements(spread, cut, sigma), *antiderivative_words(spread, integral))
+    said = elements(spread, cut, sigma)
     letter = spread.letter("cm", f"{axis}_cm")
     label = f"centre of mass, {axis} = (1/M) ∫ {axis} dm"
     return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
@@ -149,19 +146,12 @@ def integral_of(spread: Spread, piece: Piece, cut: Slicing, sigma: Formula, entr
     if second == ZERO or integral == ZERO or (isinstance(integral, Integral) and integral.integrand == ZERO):
         return ZERO, label, ()
     plain = {item.variable**2 for item in cut.ranges}
-    each: Words = () if second in plain else ("; each adds ", second, " dm")
-    return integral, label, (*elements(spread, cut, sigma), *each, *antiderivative_words(spread, integral))
+    factor: Words = ("(", second, ")") if isinstance(second, Sum) else (second,)
+    each: Words = () if second in plain else ("; each adds ", *factor, " dm")
+    return integral, label, (*elements(spread, cut, sigma), *each)
 
 
 def elements(spread: Spread, cut: Slicing, sigma: Formula) -> Words:
     """As "rings of radius r and width dr: dm = 2 π σ r dr"."""
     width: Words = tuple(part for item in cut.ranges for part in (" d", item.variable))
     return (*cut.element, ": dm = ", spread.tidy(multiply(sigma, cut.weight)), *width)
-
-
-def antiderivative_words(spread: Spread, integral: Formula) -> Words:
-    """As "; antiderivative …", where there is one that a page would hold."""
-    if not isinstance(integral, Integral) or isinstance(integral.integrand, Integral):
-        return ()
-    found = antiderivative(integral.integrand, integral.variable)
-    return () if found is None else ("; antiderivative ", spread.tidy(found))
