@@ -115,7 +115,7 @@ class Isolation(Textbook, kw_only=True):
     def like_terms(self, item: Item, name: str) -> list[Equality]:
         """The equation with its terms in the square of an unknown put together: ½ m v² + ⅕ m r² (v/r)² as 7 m v²/10."""
         sides = [self._together(side, name) for side in (item.left, item.right)]
-        return [] if sides == [item.left, item.right] or isolated(item, name) else [Equality(*sides)]
+        return [] if sides == [item.left, item.right] or isolated(item, name) else [Equality(sides[0], sides[1])]
 
     def _together(self, side: Formula, name: str) -> Formula:
         terms: list[Formula] = []
