@@ -36,18 +36,21 @@ class Place:
         for letter, ends in running(inquiry).items():
             known = [number(end, self.values) for end in ends if end.symbols() <= set(self.values)]
             self.values[letter] = sum(known) / len(known) if known else MOMENT
-        self.spread([(step.chain[-1].left, step.chain[-1].right) for step in inquiry.solver.steps])
+        pool = [law for index, law in enumerate(inquiry.planner.pool) if index not in inquiry.retired]
+        steps = [(step.chain[-1].left, step.chain[-1].right) for step in inquiry.solver.steps]
+        self.spread([*steps, *((law.left, law.right) for law in pool if not hides(law.left) and not hides(law.right))])
 
     def spread(self, equalities: Iterable[Sides]) -> None:
-        """Letters that stand alone in an equality with known ones, and so on."""
-        pending = list(equalities)
+        """Letters that stand alone in an equality with known ones, and so on; those that only a square tells at the end."""
+        pending, squares = list(equalities), False
         while pending:
-            rest = [sides for sides in pending if not self.settle(*sides)]
-            if len(rest) == len(pending):
+            rest = [sides for sides in pending if not self.settle(*sides, squares=squares)]
+            if len(rest) == len(pending) and squares:
                 return
+            squares = len(rest) == len(pending)
             pending = rest
 
-    def settle(self, left: Formula, right: Formula) -> bool:
+    def settle(self, left: Formula, right: Formula, *, squares: bool) -> bool:
         """Find the one unknown letter of an equality that is linear in it or in its square (of which the root that is not negative
         will do, since nothing else speaks of such a letter); False where that is not yet possible."""
         open_ = sorted((left.symbols() | right.symbols()) - set(self.values))
@@ -61,7 +64,12 @@ class Place:
         slope, bend = gaps[1] - gaps[0], gaps[2] - 2 * gaps[1] + gaps[0]
         if abs(slope) > 1e-9 * (1 + abs(gaps[0])) and abs(bend) < 1e-9 * abs(slope):
             self.values[name] = -gaps[0] / slope
-        elif slope and abs(gaps[3] - gaps[1]) < 1e-9 * abs(slope) and abs(bend - 2 * slope) < 1e-9 * abs(slope):
+        elif (
+            squares
+            and slope
+            and abs(gaps[3] - gaps[1]) < 1e-9 * abs(slope)
+            and abs(bend - 2 * slope) < 1e-9 * abs(slope)
+        ):
             self.values[name] = max(0.0, -gaps[0] / slope) ** 0.5
         return name in self.values
 
