@@ -12,6 +12,8 @@ NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
 KINEMATICS = "kinematics"  # motion in time: used with every law, but not where only one moment is looked at
 LAWS = (NEWTON, ENERGY, ANGULAR_MOMENTUM)  # what `--law` may name; an equation without a law serves them all
 
+DERIVATIVE = "derivative of the energy"  # the label of what may stand in for one of Newton's laws of its bodies
+
 
 class Equation(Struct, frozen=True):
     """left = right.

@@ -190,7 +190,7 @@ class History(Struct, dict=True):
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
             yield from rate_of_angular_momentum(facts, group, section)
-            yield from energy.power(virtual, group, section)
+            yield from energy.rate(virtual, group, section)
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""

@@ -19,7 +19,7 @@ from rotsolve.inquiry.answers import Answered, Chosen, NoAnswer
 from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.definitions import Definitions
 from rotsolve.inquiry.history import History
-from rotsolve.inquiry.planning import OF_ONE_MOMENT, Search, families_for
+from rotsolve.inquiry.planning import FORCES, OF_ONE_MOMENT, Search, families_for
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.roots import Numbers, RootChoice
 from rotsolve.inquiry.stepwise import Stepwise
@@ -60,6 +60,7 @@ class Inquiry(Struct, dict=True):
         self.numbers = Numbers(self.values, lambda value: self.solver.with_found(value), self.aside)
         self.roots = RootChoice(self.history, self.givens, self.numbers, self.definitions.formula)
         self.running = {"time"} | places_and_speeds(self.history.passages.values())
+        self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
         self.running |= {swing.coordinate.name for swing in self.history.swings.values()}
         self.solver = Solver(
@@ -205,7 +206,9 @@ class Inquiry(Struct, dict=True):
             return stepwise
         barred = banned | self.retired | self.stepwise.foreign(letter)
         momentary = self._of_one_moment(letter)
-        return Search(self.planner, letter, momentary, self.known, self.families, self.spare, barred).best()
+        return Search(
+            self.planner, letter, momentary, self.known, self.families, self.spare, barred, self.forces_asked
+        ).best()
 
     def _of_one_moment(self, letter: str) -> bool:
         """Whether a letter is an acceleration or a force, or made of such, so that Newton's laws of that moment tell it."""

@@ -6,24 +6,31 @@ equations that restate others only where the rest does not do.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Iterator
 from functools import cached_property
 from itertools import combinations
 
 from msgspec import Struct
 
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, LAWS, NEWTON
+from rotsolve.core.equation import ANGULAR_MOMENTUM, DERIVATIVE, ENERGY, KINEMATICS, LAWS, NEWTON
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.plan import Plan, Planner, Shortage
 
 SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
 SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
-OF_ONE_MOMENT = ("acceleration", "angular_acceleration", "tension", "force", "normal_force", "friction_force")
+FORCES = ("tension", "force", "normal_force", "friction_force")
+OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES)
 
 
 def families_for(law: str | None) -> tuple[str, ...]:
     """The equation families that a law may use; all for none."""
     return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
+
+
+def forces_in(plan: Plan) -> int:
+    """How many unknowns of a plan are forces."""
+    return sum(name.startswith(tuple(kind + SEPARATOR for kind in FORCES)) for name in plan.unknowns)
 
 
 class Search(Struct, frozen=True, dict=True):
@@ -36,15 +43,17 @@ class Search(Struct, frozen=True, dict=True):
     families: tuple[str, ...]
     spare: bool  # whether second-choice equations may be used from the start
     barred: Collection[int]  # pool indices of equations that may not be used
+    forces_asked: bool = False  # whether the scene asks for forces, so that Newton's laws are needed anyway
 
     def best(self) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
         if self.momentary and NEWTON in self.families and not self.spare:
-            plan = self._from(self._of_families(self._first_choice(self._allowed), ("", NEWTON)))
+            laws = self._of_families(self._first_choice(self._allowed), ("", NEWTON))
+            plan = self._from(laws)
             if isinstance(plan, Plan):
-                return plan
+                return plan if self.forces_asked else self._leaner(plan, laws)
         first = self._allowed if self.spare else self._first_choice(self._allowed)
-        plans = [self._from(pool) for pool in self._starts(first)]
+        plans = [self._from(pool) for pool in (*self._starts(first), *self._differentiated(first))]
         settled = [plan for plan in plans if isinstance(plan, Plan)]
         if settled:
             sound = [plan for plan in settled if not self._crowded(plan)] or self._with_few_times(first)
@@ -75,6 +84,23 @@ class Search(Struct, frozen=True, dict=True):
         alone = [self._of_families(allowed, ("", KINEMATICS, law)) for law in laws]
         summed = self._of_families(allowed, ("", ANGULAR_MOMENTUM))  # impulses sum over a phase without kinematics
         return [allowed, *alone, summed]
+
+    def _differentiated(self, allowed: list[int]) -> Iterator[list[int]]:
+        """Some equations with the derivative of the energy of a linkage instead of one of Newton's laws, which together imply it."""
+        pool = self.planner.pool
+        for index in self._allowed:
+            energy = pool[index]
+            if energy.label == DERIVATIVE and index not in allowed:
+                laws = [law for law in self._of_families(allowed, (NEWTON,)) if pool[law].section == energy.section]
+                for law in laws:
+                    if set(pool[law].bodies) <= set(energy.bodies):
+                        yield [*(other for other in allowed if other != law), index]
+
+    def _leaner(self, plan: Plan, laws: list[int]) -> Plan:
+        """A plan by Newton's laws, or one by the derivative of the energy where that leaves out two forces or more."""
+        others = [other for pool in self._differentiated(laws) if isinstance(other := self._from(pool), Plan)]
+        best = min(others, key=lambda other: other.cost, default=plan)
+        return best if forces_in(plan) - forces_in(best) >= 2 else plan
 
     # equations of constant acceleration
 

@@ -321,6 +321,11 @@ def test_trig_roots(text: str) -> None:
         assert abs(value.float) < 1e-12
 
 
+def test_a_factor_without_closed_form_leaves_all_angles_open() -> None:
+    assert solve_trig(parse("cos(x)*(2*cos(x)-1)*sin(x)"), "x", positive=POSITIVE)
+    assert not solve_trig(parse("cos(x)*(sin(x)**3-3*sin(x)+1)*sin(x)"), "x", positive=POSITIVE)
+
+
 def formulas() -> st.SearchStrategy[Formula]:
     """Random rational and trigonometric expressions in a few symbols."""
     leaves = st.one_of(

@@ -6,6 +6,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from msgspec import Struct, field
 
+from rotsolve.core.equation import DERIVATIVE
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.history import History
@@ -122,10 +123,10 @@ def is_law(index: int, inquiry: Inquiry) -> bool:
     return inquiry.refs.get(index, ("law", index))[0] == "law"
 
 
-def law_order(index: int, inquiry: Inquiry) -> tuple[int, int]:
-    """Laws and what approximates them first, then definitions and rules, as they were written."""
+def law_order(index: int, inquiry: Inquiry) -> tuple[int, bool, int]:
+    """Laws and what approximates them first, a derivative behind what it is of, then definitions and rules, as they were written."""
     equation = inquiry.planner.pool[index]
-    return (0 if equation.family or equation.relation != "=" else 1, index)
+    return (0 if equation.family or equation.relation != "=" else 1, equation.label == DERIVATIVE, index)
 
 
 def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:

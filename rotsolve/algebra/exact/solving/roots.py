@@ -112,7 +112,7 @@ def solve_trig(
     found = _angle_roots(problem, num, pair, order, positive)
     return [
         Candidate(simplify(shown, order=order, positive=positive), form)
-        for value, form in found
+        for value, form in found or ()
         for shown in _unwrap(atom.arguments[0], unknown, value)
     ]
 
@@ -126,7 +126,8 @@ def _unwrap(argument: Formula, unknown: str, value: Formula) -> list[Formula]:
 
 def _angle_roots(
     problem: Problem, num: Poly, pair: tuple[int, int, Poly], order: Sequence[str], positive: Collection[str]
-) -> list[tuple[Formula, str]]:
+) -> list[tuple[Formula, str]] | None:
+    """All angles with their forms; None where one of the factors has no closed form, since its roots may be those that are meant."""
     ring = problem.field
     s, c, _ = pair
     degrees = num.degrees()
@@ -137,16 +138,17 @@ def _angle_roots(
     if degrees[c] and degrees[s]:  # sin x (A cos x + B) = 0: each factor by itself
         factors = [factor for factor, _ in ring.factor(num)[1] if factor.degrees()[s] or factor.degrees()[c]]
         if len(factors) > 1:
-            return [root for factor in factors for root in _angle_roots(problem, factor, pair, order, positive)]
+            found = [_angle_roots(problem, factor, pair, order, positive) for factor in factors]
+            return None if None in found else [root for roots in found for root in roots or ()]
     for i, name in ((s, "asin"), (c, "acos")):
         if not degrees[s + c - i] and degrees[i] <= 2:
             values = _roots(problem, ring.coefficients(num, i), order, positive)
             return [root for value in values for root in _inverse(name, value)]
     if degrees[c] > 1 or degrees[s] > 1:
-        return []
+        return None
     free, slope = ring.coefficients(num, c)
     if slope.degrees()[s]:
-        return []
+        return None
     lines = ring.coefficients(free, s)
     a, k = lines[1], -lines[0]
     if not len(k):
