@@ -27,7 +27,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, inside, kinematics, newton, separation
+from rotsolve.principles import constraints, driven, energy, inside, kinematics, newton, power, separation
 from rotsolve.principles import rotation as turning
 from rotsolve.principles.momentum import collision, impulse
 from rotsolve.principles.momentum.rate import rate_of_angular_momentum
@@ -190,7 +190,7 @@ class History(Struct, dict=True):
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
             yield from rate_of_angular_momentum(facts, group, section)
-            yield from energy.rate(virtual, group, section)
+            yield from power.rate(virtual, group, section)
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""

@@ -26,7 +26,7 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
-from rotsolve.principles.energy import one_motion
+from rotsolve.principles.power import one_motion
 
 RATES = ("velocity|", "angular_velocity|")
 TURNS_BACK, HOLDS = "turns back", "holds"

@@ -21,7 +21,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints, energy, newton
+from rotsolve.principles import constraints, newton, power
 from rotsolve.principles import rotation as turning
 from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 
@@ -165,7 +165,7 @@ class Swing(Struct, frozen=True, dict=True):
             yield from newton.second_law(facts, self.balanced)
             yield from turning.law_of_rotation(facts, self.balanced)
             yield from rate_of_angular_momentum(facts, self.group, self.balanced)
-            yield from energy.power(self.still, self.group, self.balanced)
+            yield from power.power(self.still, self.group, self.balanced)
 
     def equations(self) -> Iterator[Equation]:
         """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
@@ -180,7 +180,7 @@ class Swing(Struct, frozen=True, dict=True):
             left, right = (side.substitute(changes) for side in rule.velocity)
             yield constraints.written(rule, (left, right), section)
         yield from rate_of_angular_momentum(facts, self.group, section)
-        yield from energy.power(free_bodies(moving(self.near)), self.group, section)
+        yield from power.power(free_bodies(moving(self.near)), self.group, section)
 
     def within(self, facts: Facts) -> Facts:
         """The facts of the bodies that swing together."""

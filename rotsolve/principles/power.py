@@ -1,0 +1,197 @@
+"""Power: rate of the kinetic energy = power of all forces at an instant, and for a linkage the derivative of its energy."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_system
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import DERIVATIVE, ENERGY, Equation
+from rotsolve.core.facts import BodyFacts, Facts, Rule
+from rotsolve.core.writing import flat, positive_first
+
+ACCELERATIONS = ("acceleration|", "angular_acceleration|")
+HALF = Number(Fraction(1, 2))
+
+
+def rate(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+    """The derivative of the energy where it tells the one acceleration of a linkage, else the power of all forces."""
+    yield from list(differentiated(facts, group, section)) or power(facts, group, section)
+
+
+def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+    """dE/dt divided by the rate of the motion, for one group that moves in one way while its rates change their ratio: J α = Σ F·v/ω.
+
+    Such a group is a linkage, as a ladder between floor and wall: its accelerations, too, come down to one, so that neither the others
+    nor the forces of its guides, which do no work, are needed. Only where K = ½ J ω² with the same J in every position: else there
+    would be ½ ω² dJ/dt, too, which no one sees at a glance. `facts` are of a virtual moment, as for the power.
+    """
+    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
+    bodies = [body for body in facts.bodies if body.name in group]
+    if all(rule.linear for rule in rules) or any(body.changing or body.sweep is not None for body in bodies):
+        return
+    gains, supplies = ([pair for body in bodies for pair in of(body)] for of in (gained, supplied))
+    rates, allowed = freedom(facts, group, [power for _, power in (*gains, *supplies)])
+    names = sorted({name for _, power in gains for name in power.symbols() if name.startswith(ACCELERATIONS)})
+    ties = [rule.acceleration[0] - rule.acceleration[1] for rule in rules if rule.acceleration is not None]
+    bound = by_one(names, ties)
+    if not allowed or not bound:
+        return
+    unit, still, moving = with_free(rates, allowed, ONE), with_free(names, bound, ZERO), with_free(names, bound, ONE)
+    if not is_zero(total([size * power.substitute(still).substitute(unit) for size, power in gains])):
+        return
+    pushes = [size * simplify(power.substitute(unit)) for size, power in supplies]
+    inertia = total(
+        [
+            size * simplify((power - power.substitute(still)).substitute(moving).substitute(unit))
+            for size, power in gains
+        ]
+    )
+    free = next(name for name in names if name not in bound)
+    pace = "angular velocity" if free.startswith("angular") else "speed"
+    words: Words = (
+        "The kinetic energy is ",
+        HALF * inertia,
+        f" times the square of the {pace}; the derivative of the energy, divided by this {pace}, leaves out the forces that do no work.",
+    )
+    sides = positive_first(pushes), inertia * Symbol(free)
+    yield Equation(*sides, DERIVATIVE, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
+
+
+def with_free(names: list[str], others: dict[str, Formula], value: Formula) -> dict[str, Formula]:
+    """All letters, where the one by which the others are told has a value."""
+    free = next(name for name in names if name not in others)
+    return {free: value} | {name: told.substitute({free: value}) for name, told in others.items()}
+
+
+def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+    """Rate of K = power of the forces, for one group that can move in one way only, divided by its one free rate.
+
+    `facts` are of a virtual moment: positions and accelerations as they are, velocities of any motion that the rules allow. Ideal
+    connections give no power, so their forces do not occur.
+    """
+    bodies = [body for body in facts.bodies if body.name in group]
+    if any(body.changing or body.sweep is not None for body in bodies):
+        return  # inner forces, or the shaft, give energy too
+    balance = drive(facts, group)
+    if balance is not None and balance != (ZERO, ZERO):
+        words: Words = (
+            "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
+        )
+        label = "power and kinetic energy"
+        yield Equation(
+            positive_first([balance[0]]), balance[1], label, section, ENERGY, 5, words, bodies=tuple(sorted(group))
+        )
+
+
+def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:
+    """Σ F·v and Σ m a·v of a group, divided by its one free rate: what drives its motion; None where it moves in several ways."""
+    bodies = [body for body in facts.bodies if body.name in group]
+    gains, supplies = (
+        [term for body in bodies for term in gain(body)],
+        [term for body in bodies for term in supply(body)],
+    )
+    rates, allowed = freedom(facts, group, [*gains, *supplies])
+    if allowed is None:
+        return None
+    gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
+    free = next(name for name in rates if allowed.get(name) is None)
+    left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
+    return left, right
+
+
+def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[list[str], dict[str, Formula] | None]:
+    """The velocity letters of a group that the rules or `terms` speak of, and all of them by one; None where it moves in several ways."""
+    rules = [rule for rule in facts.rules if group & set(rule.bodies)]
+    spoken_of = {
+        name for term in (*terms, *(rule.velocity[0] - rule.velocity[1] for rule in rules)) for name in term.symbols()
+    }
+    rates = sorted({name for body in facts.bodies if body.name in group for name in rates_of(body)} & spoken_of)
+    return rates, one_motion(rates, rules)
+
+
+def rates_of(body: BodyFacts) -> set[str]:
+    """The velocity letters of a body."""
+    names = body.motion.spin.symbols()
+    for size, _ in body.motion.velocity.parts:
+        names |= size.symbols()
+    return set(names)
+
+
+def one_motion(rates: list[str], rules: list[Rule]) -> dict[str, Formula] | None:
+    """All rates in terms of one, or None where the group can move in several ways."""
+    return by_one(rates, [rule.velocity[0] - rule.velocity[1] for rule in rules])
+
+
+def by_one(names: list[str], ties: list[Formula]) -> dict[str, Formula] | None:
+    """Rates or accelerations in terms of one of them, that of a turn first, by equations that are zero; None where one does not do."""
+    if not names:
+        return None
+    equations = [equation for equation in ties if equation.symbols() & set(names)]
+    free = next((name for name in names if name.startswith("angular")), names[0])
+    others = [name for name in names if name != free]
+    try:
+        solved = {name: solve_system(equations, others, name) for name in others}
+    except (Singular, NotLinear):
+        return None
+    if any(set(value.symbols()) & set(others) for value in solved.values()):
+        return None
+    return solved if all(is_zero(equation.substitute(solved)) for equation in equations) else None
+
+
+def gain(body: BodyFacts) -> list[Formula]:
+    """m a·v + I α ω; of a body that is carried round an axis also what its pieces' m a do in the plane."""
+    terms = [size * power for size, power in gained(body)]
+    if body.sweep is not None:
+        terms.append(body.sweep.moment * body.motion.spin)
+    return [term for term in terms if term != ZERO]
+
+
+def gained(body: BodyFacts) -> list[tuple[Formula, Formula]]:
+    """m and a·v, I and α ω."""
+    pairs = []
+    if body.motion.kind != "axis":
+        pairs.append((body.mass, body.motion.acceleration.dot(body.motion.velocity)))
+    if body.inertia is not None:
+        pairs.append((body.inertia.letter, unsigned_product(body.motion.spin_rate, body.motion.spin)))
+    return pairs
+
+
+def unsigned_product(first: Formula, second: Formula) -> Formula:
+    """first · second; two minus signs cancel."""
+    if isinstance(first, Negative) and isinstance(second, Negative):
+        return first.operand * second.operand
+    return first * second
+
+
+def supply(body: BodyFacts) -> list[Formula]:
+    """F·v at the point of every force that can work, and τ ω of every couple."""
+    terms = [unsigned_product(size, power) for size, power in supplied(body)]
+    return [term for term in terms if term != ZERO]
+
+
+def supplied(body: BodyFacts) -> list[tuple[Formula, Formula]]:
+    """The size of a force and the velocity of its point along it, τ and ω."""
+    forces = [force for force in body.forces if not force.internal]
+    couples = [couple for couple in body.couples if not couple.internal]
+    pairs = [(force.size, force.direction.dot(body.motion.velocity_of(force.arm))) for force in forces]
+    return [*pairs, *((couple.torque, body.motion.spin) for couple in couples)]
+
+
+def per_rate(term: Formula, rate: str) -> Formula:
+    """term / rate, where the rate is one of the factors."""
+    letter = Symbol(rate)
+    if isinstance(term, Negative):
+        return negate(per_rate(term.operand, rate))
+    if term == letter:
+        return Number(Fraction(1))
+    if isinstance(term, Product) and letter in term.factors:
+        index = term.factors.index(letter)
+        rest = (*term.factors[:index], *term.factors[index + 1 :])
+        return rest[0] if len(rest) == 1 else Product(rest)
+    if isinstance(term, Quotient) and rate in term.numerator.symbols():
+        return per_rate(term.numerator, rate) / term.denominator
+    return simplify(term / letter)
