@@ -1,4 +1,4 @@
-"""Energy: K₁ + U₁ + W = K₂ + U₂ over a phase; at an instant the power of all forces, or the derivative of a linkage's energy."""
+"""Energy: K₁ + U₁ + W = K₂ + U₂ over a phase, and the power of all forces = rate of the kinetic energy at an instant."""
 
 from __future__ import annotations
 
