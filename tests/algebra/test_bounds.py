@@ -41,6 +41,7 @@ def tidy(value: Formula) -> Formula:
         ("k*x/(M+c*x^2)", "0", "b", "(k/(2 c)) ln((M + b² c)/M)"),
         ("k*sin(w*x)", "0", "R", "−(k/w) (cos(w R) − cos(0))"),
         ("k*cos(w*x)", "0", "R", "k sin(w R)/w"),
+        ("k*sin(x)^3", "0", "pi", "k (−cos π + ⅓ cos³ π + cos(0) − ⅓ cos³(0))"),
     ],
 )
 def test_the_antiderivative_stands_at_both_ends(integrand: str, lower: str, upper: str, written: str) -> None:

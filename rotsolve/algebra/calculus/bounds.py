@@ -50,7 +50,8 @@ def at_bounds(integral: Integral, tidy: Tidy) -> Formula | None:
         return in_front(constant, high)
     if is_zero(high):
         return in_front(negate(constant), low)
-    if len(terms) > 1 and is_zero(high + low):  # an even function from −a to a
+    symmetric = is_zero(integral.lower + integral.upper)
+    if len(terms) > 1 and symmetric and is_zero(high + low):  # an even function from −a to a
         return multiply(TWO, in_front(constant, high))
     return in_front(constant, high - low)
 
