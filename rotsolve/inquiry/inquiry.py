@@ -268,4 +268,6 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
 
 def has_calls(value: Formula) -> bool:
     """Whether a letter of the laws stands inside a function."""
-    return any(isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk())
+    return any(
+        isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk(Call)
+    )

@@ -99,17 +99,17 @@ class Isolation(Textbook, kw_only=True):
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:
         """The line before a root of an unknown that stands within functions of one argument: cos φ = 10/17."""
         sides = [self.carried_out(side) for side in (item.left, item.right)]
-        nodes = (node for side in sides for node in side.walk())
+        nodes = (node for side in sides for node in side.walk(Call))
         calls = [node for node in nodes if isinstance(node, Call) and name in node.symbols()]
         known = {node.function for node in calls} & set(INVERSES.values())
-        inverses = {node.function for node in root.walk() if isinstance(node, Call)} & set(INVERSES)
+        inverses = {node.function for node in root.walk(Call) if isinstance(node, Call)} & set(INVERSES)
         functions = {INVERSES[inverse] for inverse in inverses} or known
         arguments = {node.arguments for node in calls}
         if len(arguments) != 1 or len(functions) != 1 or not known:
             return []
         whole = Call(functions.pop(), arguments.pop())
         value = self.simplify(whole.substitute({name: root}))
-        wrapped = any(isinstance(node, Call) and node.function in inverses for node in value.walk())
+        wrapped = value.holds(*inverses)
         return [] if wrapped or {item.left, item.right} == {whole, value} else [Equality(whole, value)]
 
     def one_root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:

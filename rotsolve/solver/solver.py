@@ -221,7 +221,7 @@ class Solver(Isolation, kw_only=True):
     def _last(self, item: Item, asked: str) -> Found:
         """The asked unknown from the last equation."""
         written = isolated(item, asked)
-        integrals = written is not None and any(isinstance(node, Integral) for node in written.walk())
+        integrals = written is not None and written.holds(Integral)
         candidates, more = self.roots(item, asked)
         if not candidates:
             root, words = self.certified_root(item, asked)
@@ -234,7 +234,7 @@ class Solver(Isolation, kw_only=True):
         value = self.chosen(picked, candidates)
         more = more or self.function_alone(item, asked, candidates[picked.root])
         final = self.shortest(self.with_answers(value))
-        summed = any(isinstance(node, Integral) for node in final.walk())
+        summed = final.holds(Integral)
         reason = picked.words or (SUMMED_NUMERICALLY if summed else ())
         moved = moved_alone(item, asked) or value
         if item.sources or written is None or moved.symbols() & set(self.solved):
