@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import gc
 import os
-import shutil
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -61,4 +60,6 @@ def page_width(output: str | None) -> int:
     """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
     if output or not sys.stdout.isatty():
         return 120
+    import shutil
+
     return max(50, min(120, shutil.get_terminal_size((120, 24)).columns))

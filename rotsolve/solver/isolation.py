@@ -8,7 +8,7 @@ from fractions import Fraction
 from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.normal import coefficients, degree, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
@@ -60,17 +60,16 @@ class Isolation(Textbook, kw_only=True):
         written = isolated(item, asked)
         if written is not None:
             return [self.shortest(self.carried_out(written))], []
-        parts = coefficients(gap, asked, order=self.order, positive=self.positive)
-        if parts is not None and len(parts) < 2:
+        power = degree(gap, asked, order=self.order, positive=self.positive)
+        if power == 0:
             raise (
                 Redundant(item.index) if is_zero(self.with_answers(gap), self.positive) else Contradiction(item.index)
             )
-        if parts is not None and len(parts) <= 3:
+        if power in (1, 2):
             if self.hollow(gap, asked):
                 raise Redundant(item.index)
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
-            pure = len(parts) == 3 and parts[1] == ZERO
-            square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
+            square = self._square(gap, asked) if power == 2 else []
             return roots, square or self.unfolded(item, Equality(left, right))
         if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
@@ -81,6 +80,12 @@ class Isolation(Textbook, kw_only=True):
                     return roots, self.unfolded(item, Equality(left, right))
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], []
+
+    def _square(self, gap: Formula, asked: str) -> list[Equality]:
+        """The line x² = c of an equation that holds an unknown only squared."""
+        parts = coefficients(gap, asked, order=self.order, positive=self.positive) or ()
+        pure = len(parts) == 3 and parts[1] == ZERO
+        return [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
 
     def certified_root(self, item: Item, asked: str) -> tuple[Certified, Words]:
         """A certified root where there is no closed form, and why it is this one."""

@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.writing.shape import Shaper, length
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
+LATELY = 64  # formulas of which the polynomials are kept: an equation is asked for its degree, then for its roots
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
 
@@ -124,11 +125,25 @@ def coefficients(
 def _coefficients(
     f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
 ) -> tuple[Formula, ...] | None:
-    problem = Problem([f], order, positive, extra=(unknown,))
-    parts = polynomial(problem, unknown)
+    problem, parts = expanded(f, unknown, order, positive)
     if parts is None:
         return None
     return tuple(problem.shortest((part, problem.field.one)) if len(part) else ZERO for part in parts)
+
+
+def degree(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> int | None:
+    """The highest power of the unknown in the numerator of f; None when the unknown is inside an atom."""
+    parts = expanded(f, unknown, tuple(order), frozenset(positive))[1]
+    return None if parts is None else len(parts) - 1
+
+
+@lru_cache(LATELY)
+def expanded(
+    f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
+) -> tuple[Problem, list[Poly] | None]:
+    """The numerator of f by powers of the unknown, and the problem in which it is; None when the unknown is inside an atom."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    return problem, polynomial(problem, unknown)
 
 
 def polynomial(problem: Problem, unknown: str) -> list[Poly] | None:
