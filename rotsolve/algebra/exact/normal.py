@@ -14,6 +14,7 @@ from rotsolve.algebra.exact.writing.shape import Shaper, length
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
+WRITTEN = "written"  # under this name a formula in textbook form keeps the order of letters and the signs that it is written for
 LATELY = 64  # formulas of which the polynomials are kept: an equation is asked for its degree, then for its roots
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
@@ -30,7 +31,7 @@ class Problem:
         split_logs: bool = False,
         extra: Iterable[str] = (),
     ) -> None:
-        self.order = tuple(order)
+        self.order, self.positive = tuple(order), frozenset(positive)
         rewrite = Rewriter(formulas, self.order, positive, split_logs)
         self.formulas = [rewrite(formula) for formula in formulas]
         self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
@@ -60,6 +61,7 @@ class Problem:
                 if best is None or length(shown) < length(best):
                     best = shown
         assert best is not None
+        best.__dict__[WRITTEN] = self.order, self.positive
         return best
 
     def _variants(self, ratio: Ratio) -> Iterable[Ratio]:
@@ -103,9 +105,10 @@ def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bo
 
 def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
     """The formula in factored textbook form, symbols in the given order."""
-    if isinstance(f, (Symbol, Number)):
+    order, positive = tuple(order), frozenset(positive)
+    if isinstance(f, (Symbol, Number)) or f.__dict__.get(WRITTEN) == (order, positive):
         return f
-    return _simplify(f, tuple(order), frozenset(positive))
+    return _simplify(f, order, positive)
 
 
 @lru_cache(REMEMBERED)
