@@ -1,6 +1,6 @@
 """`python -m rotsolve`: the same as the command `rotsolve`."""
 
-from rotsolve.cli import main
+from rotsolve.start import main
 
 if __name__ == "__main__":
     main()

@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import os
-import shutil
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
 from typing import Annotated, NoReturn
 
 import typer
 
 from rotsolve import __version__
+from rotsolve.process import USAGE, leave_after, orderly, page_width
 from rotsolve.render import FORMATS, format_of_file
 
 LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
-SOLVED, UNSOLVED, USAGE, BROKEN_PIPE, INTERRUPTED = 0, 1, 2, 141, 130
 
 app = typer.Typer(
     rich_markup_mode=None,
@@ -180,13 +176,6 @@ def solve(
     raise typer.Exit(code)
 
 
-def page_width(output: str | None) -> int:
-    """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
-    if output or not sys.stdout.isatty():
-        return 120
-    return max(50, min(120, shutil.get_terminal_size((120, 24)).columns))
-
-
 @app.command()
 def elements(name: Element = None) -> None:
     """Describe the elements of the scene language.
@@ -228,39 +217,6 @@ def schema() -> None:
         print(json.dumps(json_schema(), indent=2, ensure_ascii=False))
 
 
-@contextmanager
-def orderly() -> Iterator[None]:
-    """A command that is interrupted, or whose output can't be written, leaves with a word and the usual exit code."""
-    try:
-        yield
-        sys.stdout.flush()
-    except KeyboardInterrupt:
-        print("interrupted", file=sys.stderr)
-        sys.exit(INTERRUPTED)
-    except OSError as error:  # what is still in the buffer has nowhere to go
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        if isinstance(error, BrokenPipeError):
-            sys.exit(BROKEN_PIPE)
-        print(f"error: cannot write the output: {error.strerror or error}", file=sys.stderr)
-        sys.exit(USAGE)
-
-
 def main(arguments: list[str] | None = None) -> NoReturn:
     """Run a command and leave with its exit code; nothing that happens shows a traceback."""
-    prepare_streams()
-    try:
-        app(args=arguments, prog_name="rotsolve")
-    except Exception as error:
-        from rotsolve.run import internal_error
-
-        print(internal_error("rotsolve", error), file=sys.stderr)
-        sys.exit(UNSOLVED)
-    sys.exit(SOLVED)
-
-
-def prepare_streams() -> None:
-    """UTF-8 into pipes and files; on a terminal that lacks a letter, a question mark instead of a failure."""
-    for stream in (sys.stdout, sys.stderr):
-        reconfigure = getattr(stream, "reconfigure", None)
-        if reconfigure is not None:
-            reconfigure(errors="replace", encoding=None if stream.isatty() else "utf-8")
+    leave_after(lambda: app(args=arguments, prog_name="rotsolve"))

@@ -216,7 +216,7 @@ class Planner:
 
 def is_plain(equation: Equation) -> bool:
     """Whether one term equals another: a = R α."""
-    return not any(isinstance(node, Sum) for side in (equation.left, equation.right) for node in side.walk())
+    return not (equation.left.holds(Sum) or equation.right.holds(Sum))
 
 
 def _augment(index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str]) -> bool:

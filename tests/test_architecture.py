@@ -26,7 +26,9 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("scene",),
     ("pipeline",),
     ("run",),
+    ("process",),
     ("cli",),
+    ("start",),
     ("__main__",),
 )
 LATE: set[tuple[str, str]] = set()  # imports upwards that are allowed within functions, each one a debt

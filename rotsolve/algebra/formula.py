@@ -6,8 +6,9 @@ The normal form lives in `exact`, numbers in `ball`, printed text in `text`.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from typing import Any
 
 from msgspec import Struct
 
@@ -27,8 +28,20 @@ FUNCTIONS = {  # name -> number of arguments
 }
 
 
-class Formula(Struct, frozen=True):
-    """Base of all nodes; operators build trees and drop only trivial zeros and ones."""
+def united(sets: Iterable[frozenset[Any]]) -> frozenset[Any]:
+    """The union of some sets; where one holds all the others, that one."""
+    whole: frozenset[Any] = frozenset()
+    for one in sets:
+        if not one <= whole:
+            whole = one if whole <= one else whole | one
+    return whole
+
+
+class Formula(Struct, frozen=True, dict=True, cache_hash=True):
+    """Base of all nodes; operators build trees and drop only trivial zeros and ones.
+
+    A node remembers its hash, its free symbols and what occurs in it, so that equal parts and parts without a letter are cheap.
+    """
 
     def children(self) -> tuple[Formula, ...]:
         return ()
@@ -72,42 +85,55 @@ class Formula(Struct, frozen=True):
     def __neg__(self) -> Formula:
         return negate(self)
 
-    def walk(self) -> Iterator[Formula]:
-        """Every node of the tree, this one first."""
+    def walk(self, *within: str | type[Formula]) -> Iterator[Formula]:
+        """Every node of the tree, this one first; only those that hold what is named, where it is."""
         stack: list[Formula] = [self]
         while stack:
             node = stack.pop()
-            yield node
-            stack.extend(reversed(node.children()))
+            if not within or node.holds(*within):
+                yield node
+                stack.extend(reversed(node.children()))
 
     def symbols(self) -> frozenset[str]:
         """Names of the free symbols (a variable of integration is bound, hence not among them)."""
-        names, stack = set[str](), [self]
-        while stack:
-            node = stack.pop()
-            if type(node) is Symbol:
-                names.add(node.name)
-            elif type(node) is Integral:
-                names |= node.integrand.symbols() - {node.variable}
-                stack += (node.lower, node.upper)
-            else:
-                stack += node.children()
-        return frozenset(names)
+        known = self.__dict__
+        if "names" not in known:
+            known["names"] = self._symbols()
+        names: frozenset[str] = known["names"]
+        return names
+
+    def _symbols(self) -> frozenset[str]:
+        return united([child.symbols() for child in self.children()])
+
+    def holds(self, *wanted: str | type[Formula]) -> bool:
+        """Whether one of some functions, by its name, or nodes of some kind occur in the tree."""
+        return not self._contents().isdisjoint(wanted)
+
+    def _contents(self) -> frozenset[str | type[Formula]]:
+        """The functions and the kinds of nodes in the tree."""
+        known = self.__dict__
+        if "contents" not in known:
+            own = (type(self), self.function) if isinstance(self, Call) else (type(self),)
+            known["contents"] = united([*[child._contents() for child in self.children()], frozenset(own)])
+        contents: frozenset[str | type[Formula]] = known["contents"]
+        return contents
 
     def substitute(self, values: Mapping[str, Formula]) -> Formula:
         """The same formula with symbols replaced; trivial zeros and ones that this makes are dropped."""
-        if not values:
-            return self
-        if isinstance(self, Integral):
-            values = {name: value for name, value in values.items() if name != self.variable}
-        return self.transform(lambda node: values.get(node.name, node) if type(node) is Symbol else node)
+        return self if self.symbols().isdisjoint(values) else self._substitute(values)
 
-    def transform(self, change: Callable[[Formula], Formula]) -> Formula:
-        """Rebuild bottom-up, passing every node through `change`; unchanged parts keep their written form."""
+    def _substitute(self, values: Mapping[str, Formula]) -> Formula:
+        return self.with_children(tuple([child.substitute(values) for child in self.children()]))
+
+    def transform(self, change: Callable[[Formula], Formula], *within: str | type[Formula]) -> Formula:
+        """Rebuild bottom-up, passing every node through `change`, or only those that hold what is named; unchanged parts keep
+        their written form."""
+        if within and not self.holds(*within):
+            return self
         old = self.children()
         if not old:
             return change(self)
-        new = tuple([child.transform(change) for child in old])
+        new = tuple([child.transform(change, *within) for child in old])
         for before, after in zip(old, new, strict=True):
             if before is not after:
                 return change(self.with_children(new))
@@ -124,6 +150,12 @@ class Symbol(Formula, frozen=True):
     """A letter, by its ASCII name as in the scene: `m1`, `theta0`, `a_end`."""
 
     name: str
+
+    def _symbols(self) -> frozenset[str]:
+        return frozenset((self.name,))
+
+    def _substitute(self, values: Mapping[str, Formula]) -> Formula:
+        return values[self.name]
 
 
 class Constant(Formula, frozen=True):
@@ -226,6 +258,14 @@ class Integral(Formula, frozen=True):
 
     def with_children(self, children: tuple[Formula, ...]) -> Formula:
         return Integral(children[0], self.variable, children[1], children[2])
+
+    def _symbols(self) -> frozenset[str]:
+        return united([self.integrand.symbols() - {self.variable}, self.lower.symbols(), self.upper.symbols()])
+
+    def _substitute(self, values: Mapping[str, Formula]) -> Formula:
+        inside = {name: value for name, value in values.items() if name != self.variable}
+        lower, upper = self.lower.substitute(values), self.upper.substitute(values)
+        return Integral(self.integrand.substitute(inside), self.variable, lower, upper)
 
 
 ZERO = Number(Fraction(0))

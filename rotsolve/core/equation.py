@@ -39,7 +39,9 @@ class Equation(Struct, frozen=True):
 
     def summed(self) -> frozenset[str]:
         """Letters within its integrals, which it can not be solved for."""
-        integrals = [node for side in (self.left, self.right) for node in side.walk() if isinstance(node, Integral)]
+        integrals = [
+            node for side in (self.left, self.right) for node in side.walk(Integral) if isinstance(node, Integral)
+        ]
         return frozenset(name for node in integrals for name in node.integrand.symbols())
 
     def renamed(self, names: dict[str, Formula]) -> Equation:

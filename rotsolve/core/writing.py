@@ -65,7 +65,7 @@ def with_powers(term: Formula) -> Formula:
 
 def multiplied_out(term: Formula, positive: Collection[str] = ()) -> Formula:
     """A term with its fractions of sums cancelled, and a minus sign left in front: −F R ((R − h)/R) is −F (R − h)."""
-    if not any(isinstance(node, Quotient) and isinstance(node.numerator, (Sum, Call)) for node in term.walk()):
+    if not any(isinstance(node, Quotient) and isinstance(node.numerator, (Sum, Call)) for node in term.walk(Quotient)):
         return term
     return negate(simplify(negate(term), positive=positive)) if is_negative(term) else simplify(term, positive=positive)
 

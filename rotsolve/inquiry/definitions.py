@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.exact.normal import coefficients
+from rotsolve.algebra.exact.normal import degree
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.inquiry.answers import Answered
@@ -56,8 +56,7 @@ class Definitions(Struct):
     def _leads_back(self, meaning: Formula) -> bool:
         """Whether a definition may tell what it is made of: a single unknown, in proportion or with a sum, as in φ = θ + π/2."""
         names = {name for name in meaning.symbols() if name not in self.givens or self.givens[name].asked}
-        parts = coefficients(meaning, names.pop()) if len(names) == 1 else None
-        return parts is not None and len(parts) == 2
+        return len(names) == 1 and degree(meaning, names.pop()) == 1
 
 
 def section_of(formula: Formula, earlier: Sequence[Answered]) -> str:

@@ -29,7 +29,7 @@ from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
-TRIES = 30
+TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 
 
 class Inquiry(Struct, dict=True):
@@ -38,6 +38,7 @@ class Inquiry(Struct, dict=True):
     history: History
     families: tuple[str, ...]
     spare: bool = False  # whether second-choice equations may be used from the start
+    confirming: bool = False  # whether answers are only to be confirmed: in closed form, by one of a few plans
     answered: list[Answered] = field(default_factory=list)
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
@@ -152,7 +153,7 @@ class Inquiry(Struct, dict=True):
         try:
             return self._attempt(asked)
         except NoAnswer as error:
-            if not error.open_form:
+            if self.confirming or not error.open_form:
                 raise
         self.solver.numeric = True
         try:
@@ -165,7 +166,7 @@ class Inquiry(Struct, dict=True):
         banned: set[int] = set()
         problem: ValueError | None = None
         open_: Shortage | None = None
-        for _ in range(TRIES):
+        for _ in range(FEW_TRIES if self.confirming else TRIES):
             plan = self._plan(asked.letter, banned)
             if isinstance(plan, Shortage) or open_ is None:
                 open_ = Shortage(plan.asked, plan.equations, plan.unknowns)
@@ -271,4 +272,6 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
 
 def has_calls(value: Formula) -> bool:
     """Whether a letter of the laws stands inside a function."""
-    return any(isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk())
+    return any(
+        isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk(Call)
+    )

@@ -71,7 +71,9 @@ def linearised(
 
 def approximations(exact: Formula, coordinate: Symbol) -> Words:
     """sin θ ≈ θ and cos θ ≈ 1, as far as they occur; θ may be a multiple of the coordinate."""
-    calls = dict.fromkeys(node for node in exact.walk() if isinstance(node, Call) and coordinate.name in node.symbols())
+    calls = dict.fromkeys(
+        node for node in exact.walk(Call) if isinstance(node, Call) and coordinate.name in node.symbols()
+    )
     if not calls or not all(of_small_angle(node, coordinate) for node in calls):
         return ("to first order in ", coordinate)
     used: list[str | Formula] = []

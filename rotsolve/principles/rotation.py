@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Call, Formula, add, negate, sqrt
+from rotsolve.algebra.formula import ZERO, Formula, add, negate, sqrt
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed, square
@@ -68,7 +68,7 @@ def by_triangle(point: Vector, force: Force) -> Words:
 
 
 def has_any_root(value: Formula) -> bool:
-    return any(isinstance(node, Call) and node.function == "sqrt" for node in value.walk())
+    return value.holds("sqrt")
 
 
 def torque_about(point: Vector, force: Force) -> Formula:

@@ -8,7 +8,7 @@ from fractions import Fraction
 from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.normal import coefficients, degree, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
@@ -60,18 +60,18 @@ class Isolation(Textbook, kw_only=True):
         written = isolated(item, asked)
         if written is not None:
             return [self.shortest(self.carried_out(written))], []
-        parts = coefficients(gap, asked, order=self.order, positive=self.positive)
-        if parts is not None and len(parts) < 2:
+        power = degree(gap, asked, order=self.order, positive=self.positive)
+        if power == 0:
             raise (
                 Redundant(item.index) if is_zero(self.with_answers(gap), self.positive) else Contradiction(item.index)
             )
-        if parts is not None and len(parts) <= 3:
+        if power in (1, 2):
             if self.hollow(gap, asked):
                 raise Redundant(item.index)
             roots = solve_polynomial(gap, asked, order=self.order, positive=self.positive)
-            pure = len(parts) == 3 and parts[1] == ZERO
-            square = [Equality(Symbol(asked) ** 2, self.simplify(-parts[0] / parts[2]))] if pure else []
-            return roots, [*self.bounds_put_in(item, asked), *square] or self.unfolded(item, Equality(left, right))
+            square = self.square_in(gap, asked) if power == 2 else None
+            told = [] if square is None else [Equality(Symbol(asked) ** 2, square)]
+            return roots, [*self.bounds_put_in(item, asked), *told] or self.unfolded(item, Equality(left, right))
         if is_zero(self.with_answers(gap), self.positive):
             raise Redundant(item.index)
         for solve in (solve_polynomial, solve_unwrapped):
@@ -81,6 +81,12 @@ class Isolation(Textbook, kw_only=True):
                     return roots, self.bounds_put_in(item, asked) or self.unfolded(item, Equality(left, right))
         trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
         return [candidate.formula for candidate in trig], []
+
+    def square_in(self, gap: Formula, name: str) -> Formula | None:
+        """c of an equation x² = c, given as gap = 0; None for others."""
+        parts = coefficients(gap, name, order=self.order, positive=self.positive) or ()
+        pure = len(parts) == 3 and parts[1] == ZERO
+        return self.simplify(-parts[0] / parts[2]) if pure else None
 
     def certified_root(self, item: Item, asked: str) -> tuple[Certified, Words]:
         """A certified root where there is no closed form, and why it is this one."""
@@ -99,17 +105,17 @@ class Isolation(Textbook, kw_only=True):
     def function_alone(self, item: Item, name: str, root: Formula) -> list[Equality]:
         """The line before a root of an unknown that stands within functions of one argument: cos φ = 10/17."""
         sides = [self.carried_out(side) for side in (item.left, item.right)]
-        nodes = (node for side in sides for node in side.walk())
+        nodes = (node for side in sides for node in side.walk(Call))
         calls = [node for node in nodes if isinstance(node, Call) and name in node.symbols()]
         known = {node.function for node in calls} & set(INVERSES.values())
-        inverses = {node.function for node in root.walk() if isinstance(node, Call)} & set(INVERSES)
+        inverses = {node.function for node in root.walk(Call) if isinstance(node, Call)} & set(INVERSES)
         functions = {INVERSES[inverse] for inverse in inverses} or known
         arguments = {node.arguments for node in calls}
         if len(arguments) != 1 or len(functions) != 1 or not known:
             return []
         whole = Call(functions.pop(), arguments.pop())
         value = self.simplify(whole.substitute({name: root}))
-        wrapped = any(isinstance(node, Call) and node.function in inverses for node in value.walk())
+        wrapped = value.holds(*inverses)
         return [] if wrapped or {item.left, item.right} == {whole, value} else [Equality(whole, value)]
 
     def like_terms(self, item: Item, name: str) -> list[Equality]:
@@ -152,7 +158,7 @@ class Isolation(Textbook, kw_only=True):
     def bounds_put_in(self, item: Item, name: str, value: Formula | None = None) -> list[Equality]:
         """The lines between an equation with integrals and its result: inner integrals carried out, then the antiderivatives at their
         bounds; where the unknown stands alone only if its `value` is shorter than that."""
-        if not has_integral(item.left) and not has_integral(item.right):
+        if not item.left.holds(Integral) and not item.right.holds(Integral):
             return []
         alone = isolated(item, name)
         whole = Equality(item.left, item.right) if alone is None else Equality(Symbol(name), alone)
@@ -166,10 +172,6 @@ class Isolation(Textbook, kw_only=True):
     def unfolded(self, item: Item, done: Equality) -> list[Equality]:
         """The equation with its integrals carried out, where that is not how it stands."""
         return [] if (done.left, done.right) == (item.left, item.right) else [done]
-
-
-def has_integral(value: Formula) -> bool:
-    return any(isinstance(node, Integral) for node in value.walk())
 
 
 def letters_of(value: Formula) -> int:

@@ -47,7 +47,7 @@ def inner(item: Item) -> set[str]:
     return {
         name
         for side in (item.left, item.right)
-        for node in side.walk()
+        for node in side.walk(Integral)
         if isinstance(node, Integral)
         for name in node.integrand.symbols()
     }
@@ -120,7 +120,7 @@ def holds_square(side: Formula, name: str) -> bool:
 
 def monomial(value: Formula) -> bool:
     """Whether a formula is a single term without sums."""
-    return not any(isinstance(node, (Sum, Integral)) for node in value.walk())
+    return not value.holds(Sum, Integral)
 
 
 def kind_of(item: Item, name: str, names: Collection[str], items: Sequence[Item]) -> int:

@@ -10,13 +10,13 @@ from collections.abc import Mapping, Sequence
 from msgspec import field
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import coefficients, is_zero
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.writing.shape import length
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, KINEMATICS, Equation
 from rotsolve.plan import Plan
-from rotsolve.solver.isolation import Isolation, has_integral
+from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
 from rotsolve.solver.lines import line_in_letters, line_of
 from rotsolve.solver.step import Contradiction, Found, NoClosedForm, Redundant, Ref, Step
@@ -125,13 +125,13 @@ class Solver(Isolation, kw_only=True):
         for key, item, name in ranked:
             if best is not None and key[:4] != (rank or ())[:4]:
                 break
-            if key[0] == 3 and self._square(item, name, items) is not None:
+            if key[0] == 3 and self._told_square(item, name, items) is not None:
                 return None
             found = self.value_in(item, name, alone=key[0] in (1, 3))
             if found is None:
                 continue
             value, reason = found
-            summed = has_integral(item.left) or has_integral(item.right)
+            summed = item.left.holds(Integral) or item.right.holds(Integral)
             trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value)) and not summed
             if best is None or length(value) < best[0]:
                 best, rank = (length(value), (item, name, value, None if trivial else reason)), key
@@ -143,7 +143,7 @@ class Solver(Isolation, kw_only=True):
             names = item.unknowns(unknowns)
             if len(names) == 1 and asked not in names and not names & inner(item):
                 name = names.pop()
-                found = None if self._square(item, name, items) is not None else self.value_within(item, name)
+                found = None if self._told_square(item, name, items) is not None else self.value_within(item, name)
                 if found is not None:
                     return item, name, *found
         return None
@@ -177,14 +177,11 @@ class Solver(Isolation, kw_only=True):
                 if not other.unknowns(unknowns) or (len(items) == 1 and is_zero(gap, self.positive)):
                     self._check_alive(other, set())
 
-    def _square(self, item: Item, name: str, items: list[Item]) -> Formula | None:
+    def _told_square(self, item: Item, name: str, items: list[Item]) -> Formula | None:
         """The square of an unknown that one equation tells and that all others hold as its square alone."""
         if not all(only_squared(other, name) for other in items if name in other.unknowns({name})):
             return None
-        parts = coefficients(item.left - item.right, name, order=self.order, positive=self.positive)
-        if parts is None or len(parts) != 3 or parts[1] != ZERO:
-            return None
-        return self.simplify(-parts[0] / parts[2])
+        return self.square_in(item.left - item.right, name)
 
     def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
         """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""
@@ -192,7 +189,7 @@ class Solver(Isolation, kw_only=True):
             items, key=lambda item: (len(item.unknowns(unknowns)), self.pool[item.index].family != ENERGY)
         ):
             for name in sorted(item.unknowns(unknowns) - {asked}):
-                value = self._square(item, name, items)
+                value = self._told_square(item, name, items)
                 if value is None:
                     continue
                 square = Symbol(name) ** 2
@@ -242,14 +239,14 @@ class Solver(Isolation, kw_only=True):
         picked = self.choice(asked, candidates, item.left - item.right)
         if picked is None:
             raise Contradiction(item.index)
-        value = self.chosen(picked, candidates).transform(self.without_bars)
+        value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
         final = self.shortest(self.with_answers(value))
         more = more or [
             *self.bounds_put_in(item, asked, final),
             *self.function_alone(item, asked, candidates[picked.root]),
         ]
         more = [*self.like_terms(item, asked), *more]
-        reason = picked.words or (SUMMED_NUMERICALLY if has_integral(final) else ())
+        reason = picked.words or (SUMMED_NUMERICALLY if final.holds(Integral) else ())
         moved = moved_alone(item, asked) or value
         if item.sources or written is None or moved.symbols() & set(self.solved):
             value = moved
@@ -268,7 +265,7 @@ class Solver(Isolation, kw_only=True):
     ) -> list[Equality]:
         """What stands before an answer: it in the letters found before, and what leads there and on."""
         letter = Symbol(asked)
-        if written is not None and has_integral(written):
+        if written is not None and written.holds(Integral):
             return [Equality(letter, written), *more]
         stated = written if written is not None and part_of_whole(written) else value
         drawn = self.drawn_together(value)

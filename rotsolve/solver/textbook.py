@@ -55,7 +55,7 @@ def quarters_turned(value: Formula) -> Formula:
             return node
         return turn.sin() if node.function == "sin" else turn.cos()
 
-    return value.transform(change)
+    return value.transform(change, "sin", "cos")
 
 
 def gathered(node: Formula) -> Formula:
@@ -79,9 +79,11 @@ class Textbook(Struct, kw_only=True):
         if is_long_root(value):
             return value
         value = simplify(value, order=self.order, positive=self.positive)
-        if any(isinstance(node, Call) and node.function == "abs" for node in value.walk()):
-            value = simplify(value.transform(self.without_bars), order=self.order, positive=self.positive)
-        return in_powers(value.transform(self._exponential), TIME, order=self.order, positive=self.positive)
+        if value.holds("abs"):
+            value = simplify(value.transform(self.without_bars, "abs"), order=self.order, positive=self.positive)
+        return in_powers(
+            value.transform(self._exponential, "exp", "log"), TIME, order=self.order, positive=self.positive
+        )
 
     def shortest(self, value: Formula) -> Formula:
         """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
@@ -89,7 +91,7 @@ class Textbook(Struct, kw_only=True):
         bare = value.arguments[0] if isinstance(value, Call) and value.function == "abs" else None
         if bare is not None and length(bare) < length(final) and is_zero(bare - final, self.positive):
             return bare
-        roots = [node.arguments[0] for node in value.walk() if isinstance(node, Call) and node.function == "sqrt"]
+        roots = [node.arguments[0] for node in value.walk("sqrt") if isinstance(node, Call) and node.function == "sqrt"]
         sums = all(isinstance(root, Sum) for root in roots)
         much = 1 if is_size(value) else Fraction(3, 2)
         return value if sums and much * length(value) < length(final) else final
@@ -139,7 +141,7 @@ class Textbook(Struct, kw_only=True):
                 self.simplify(node.integrand), node.variable, self.simplify(node.lower), self.simplify(node.upper)
             )
 
-        return value.transform(change)
+        return value.transform(change, Integral)
 
     def carried_out(self, value: Formula) -> Formula:
         """All integrals in closed form where there is one."""
@@ -153,7 +155,7 @@ class Textbook(Struct, kw_only=True):
                 done = summed(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
             return node if done is None else self.simplify(done)
 
-        return value.transform(change)
+        return value.transform(change, Integral)
 
     def inner_carried_out(self, value: Formula) -> Formula:
         """Integrals within integrals in closed form."""

@@ -43,7 +43,7 @@ def carried_out(
         done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=positive)
         return node if done is None else tidied(done) if tidied else done
 
-    return f.transform(change)
+    return f.transform(change, Integral)
 
 
 def _continuous(primitive: Formula, name: str, lower: Formula, upper: Formula, positive: Collection[str]) -> bool:
@@ -51,7 +51,7 @@ def _continuous(primitive: Formula, name: str, lower: Formula, upper: Formula, p
     singular = any(
         (isinstance(node, Quotient) and name in node.denominator.symbols())
         or (isinstance(node, Call) and node.function == "log" and name in node.symbols())
-        for node in primitive.walk()
+        for node in primitive.walk(Quotient, "log")
     )
     return not singular or all(_is_positive(end, positive) for end in (lower, upper))
 

@@ -191,10 +191,10 @@ class Stretch(Struct, frozen=True):
 
 def needs_care(f: Formula, name: str) -> bool:
     """Whether an integrand is divided by something with the variable in it, or has a root of it."""
-    below = (node.denominator for node in f.walk() if isinstance(node, Quotient))
+    below = (node.denominator for node in f.walk(Quotient) if isinstance(node, Quotient))
     return has_root(f, name) or any(name in node.symbols() for node in below)
 
 
 def has_root(f: Formula, name: str) -> bool:
     """Whether the variable stands under a root."""
-    return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk())
+    return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk("sqrt"))

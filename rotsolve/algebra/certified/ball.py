@@ -206,7 +206,7 @@ def _enclose(
 
 
 def _has_integral(f: Formula, values: Mapping[str, Formula]) -> bool:
-    return any(isinstance(node, Integral) for g in (f, *values.values()) for node in g.walk())
+    return any(g.holds(Integral) for g in (f, *values.values()))
 
 
 def decimal_text(value: Any, values: Values | None = None, digits: int = 4) -> str:

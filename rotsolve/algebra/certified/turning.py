@@ -22,11 +22,11 @@ HALF = Number(Fraction(1, 2))
 
 def radicand(node: Integral) -> Formula | None:
     """r where the integrand is ±1/√r; None for any other."""
-    inside = [part for part in node.integrand.walk() if isinstance(part, Call) and node.variable in part.symbols()]
+    inside = [part for part in node.integrand.walk(Call) if isinstance(part, Call) and node.variable in part.symbols()]
     if not any(part.function == "sqrt" for part in inside):
         return None
     found = simplify(1 / (node.integrand * node.integrand))
-    roots = (part for part in found.walk() if isinstance(part, Call) and part.function == "sqrt")
+    roots = (part for part in found.walk("sqrt") if isinstance(part, Call) and part.function == "sqrt")
     return None if any(node.variable in part.symbols() for part in roots) else found
 
 

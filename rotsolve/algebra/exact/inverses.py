@@ -38,7 +38,7 @@ _ATAN = {
 
 def _square(node: Formula) -> tuple[int, Fraction] | None:
     """Sign and exact square of a number such as √3/2; None where the formula is no such number."""
-    if node.symbols() or any(isinstance(n, Call) and n.function != "sqrt" for n in node.walk()):
+    if node.symbols() or any(isinstance(n, Call) and n.function != "sqrt" for n in node.walk(Call)):
         return None
     sign = -1 if isinstance(node, Negative) or (isinstance(node, Number) and node.value < 0) else 1
     ring = Field([node])

@@ -14,6 +14,8 @@ from rotsolve.algebra.exact.writing.shape import Shaper, length
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
+WRITTEN = "written"  # under this name a formula in textbook form keeps the order of letters and the signs that it is written for
+LATELY = 64  # formulas of which the polynomials are kept: an equation is asked for its degree, then for its roots
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
 
@@ -29,7 +31,7 @@ class Problem:
         split_logs: bool = False,
         extra: Iterable[str] = (),
     ) -> None:
-        self.order = tuple(order)
+        self.order, self.positive = tuple(order), frozenset(positive)
         rewrite = Rewriter(formulas, self.order, positive, split_logs)
         self.formulas = [rewrite(formula) for formula in formulas]
         self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
@@ -59,6 +61,7 @@ class Problem:
                 if best is None or length(shown) < length(best):
                     best = shown
         assert best is not None
+        best.__dict__[WRITTEN] = self.order, self.positive
         return best
 
     def _variants(self, ratio: Ratio) -> Iterable[Ratio]:
@@ -102,9 +105,10 @@ def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bo
 
 def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
     """The formula in factored textbook form, symbols in the given order."""
-    if isinstance(f, (Symbol, Number)):
+    order, positive = tuple(order), frozenset(positive)
+    if isinstance(f, (Symbol, Number)) or f.__dict__.get(WRITTEN) == (order, positive):
         return f
-    return _simplify(f, tuple(order), frozenset(positive))
+    return _simplify(f, order, positive)
 
 
 @lru_cache(REMEMBERED)
@@ -124,11 +128,25 @@ def coefficients(
 def _coefficients(
     f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
 ) -> tuple[Formula, ...] | None:
-    problem = Problem([f], order, positive, extra=(unknown,))
-    parts = polynomial(problem, unknown)
+    problem, parts = expanded(f, unknown, order, positive)
     if parts is None:
         return None
     return tuple(problem.shortest((part, problem.field.one)) if len(part) else ZERO for part in parts)
+
+
+def degree(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> int | None:
+    """The highest power of the unknown in the numerator of f; None when the unknown is inside an atom."""
+    parts = expanded(f, unknown, tuple(order), frozenset(positive))[1]
+    return None if parts is None else len(parts) - 1
+
+
+@lru_cache(LATELY)
+def expanded(
+    f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
+) -> tuple[Problem, list[Poly] | None]:
+    """The numerator of f by powers of the unknown, and the problem in which it is; None when the unknown is inside an atom."""
+    problem = Problem([f], order, positive, extra=(unknown,))
+    return problem, polynomial(problem, unknown)
 
 
 def polynomial(problem: Problem, unknown: str) -> list[Poly] | None:

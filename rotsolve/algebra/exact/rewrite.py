@@ -61,7 +61,7 @@ class Rewriter:
         self.known: dict[tuple[str, Formula], Formula] = {}
         self.shares: dict[Formula, int] = {}  # term -> denominator of its base angle, for terms to be expanded
         self.exp_shares: dict[Formula, int] = {}
-        found = [node for f in formulas for node in f.walk() if isinstance(node, Call)]
+        found = [node for f in formulas for node in f.walk(Call) if isinstance(node, Call)]
         self.plain = not found
         self._plan(dict.fromkeys(found))
 
@@ -98,7 +98,7 @@ class Rewriter:
 
     def __call__(self, node: Formula) -> Formula:
         """The formula with all its calls canonical."""
-        if self.plain and not any(isinstance(n, (Power, Integral)) for n in node.walk()):
+        if self.plain and not node.holds(Power, Integral):
             return node
         return self._rewrite(node)
 
@@ -263,7 +263,7 @@ class Rewriter:
 
 
 def _holds(node: Formula, functions: tuple[str, ...]) -> bool:
-    return any(isinstance(n, Call) and n.function in functions for n in node.walk())
+    return node.holds(*functions)
 
 
 def _is_inverse(term: Formula) -> bool:

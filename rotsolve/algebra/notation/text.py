@@ -238,7 +238,7 @@ def _unicode_call(function: str, arguments: tuple[Formula, ...]) -> Piece:
     inner = ", ".join(_unicode(argument)[0] for argument in arguments)
     if function == "abs":
         # Bars within bars could not be told apart.
-        nested = any(isinstance(node, Call) and node.function == "abs" for node in arguments[0].walk())
+        nested = arguments[0].holds("abs")
         return (f"abs({inner})", ATOM) if nested else (f"|{inner}|", ATOM)
     bare = len(arguments) == 1 and may_be_bare(arguments[0])
     if function == "sqrt":

@@ -135,7 +135,7 @@ class Lamina(Integrated, frozen=True):
             )
 
         parts = [gathered(part) for part in (ONE, x, y, x**2, y**2, x * y)]
-        if any(isinstance(node, Integral) for part in parts for node in part.walk()):
+        if any(part.holds(Integral) for part in parts):
             return None
         size, *means = (parts[0], *(simplify(part / parts[0], positive=self.positive) for part in parts[1:]))
         return Slicing(

@@ -112,11 +112,7 @@ def runs(equation: Equation, inquiry: Inquiry) -> bool:
     """Whether an equation is about any moment of a phase, or sums over one."""
     sides = (equation.left, equation.right)
     letters = equation.symbols()
-    return (
-        bool(inquiry.running & letters)
-        or at_any_time(letters)
-        or any(isinstance(node, Integral) for side in sides for node in side.walk())
-    )
+    return bool(inquiry.running & letters) or at_any_time(letters) or any(side.holds(Integral) for side in sides)
 
 
 def known_numbers(inquiry: Inquiry) -> dict[str, Formula]:

@@ -29,7 +29,7 @@ def second_law(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
         and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
-        other = Inquiry(inquiry.history, families_for(law), spare=True)
+        other = Inquiry(inquiry.history, families_for(law), spare=True, confirming=True)
         agreed = []
         for answered in list(pending):
             if law in families(answered, inquiry):

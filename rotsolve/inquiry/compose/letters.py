@@ -142,7 +142,7 @@ class Letters:
         """Variables of integration, each with the letters of what is summed over it."""
         found: dict[str, set[str]] = {}
         sides = (side for draft in self.drafts for pair in self._equalities(draft) for side in pair)
-        for node in (node for side in sides for node in side.walk()):
+        for node in (node for side in sides for node in side.walk(Integral)):
             if isinstance(node, Integral):
                 found.setdefault(node.variable, set()).update(node.integrand.symbols())
         return found
@@ -175,5 +175,5 @@ def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
 
 def bound(formula: Formula) -> set[str]:
     """Letters inside integrals, bound ones too."""
-    inside = [node for node in formula.walk() if isinstance(node, Integral)]
+    inside = [node for node in formula.walk(Integral) if isinstance(node, Integral)]
     return {name for node in inside for name in {node.variable, *node.integrand.symbols()}}

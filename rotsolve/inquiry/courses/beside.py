@@ -10,7 +10,7 @@ from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.exact.normal import coefficients, simplify
+from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.registry import TIME
@@ -69,5 +69,4 @@ class Beside(Struct, frozen=True):
 
 def straight(function: Formula) -> bool:
     """Whether a function of time is linear, so that its zero needs no choice."""
-    parts = coefficients(function, TIME)
-    return parts is not None and len(parts) == 2
+    return degree(function, TIME) == 1

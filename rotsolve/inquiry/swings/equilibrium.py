@@ -69,7 +69,7 @@ def rate_of(angle: str, body: BodyFacts) -> Iterator[Formula]:
 
 def inside_function(value: Formula, name: str) -> bool:
     """Whether a letter stands in a sine or cosine."""
-    return any(isinstance(node, Call) and name in node.symbols() for node in value.walk())
+    return any(isinstance(node, Call) and name in node.symbols() for node in value.walk(Call))
 
 
 def sign(value: Formula, values: Mapping[str, Formula]) -> int | None:

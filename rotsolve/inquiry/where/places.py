@@ -108,7 +108,7 @@ def check_smooth(course: Course, domain: Domain, inquiry: Inquiry) -> None:
     signs = Signs(problem.field, positive)
     kinked = any(
         isinstance(node, Call) and node.function == "abs" and course.letter in node.symbols()
-        for node in course.curve.walk()
+        for node in course.curve.walk("abs")
     )
     if kinked or not (signs.nonnegative(bottom) or signs.nonnegative(-bottom)):
         raise NotYet(f"an extremum of what jumps or bends sharply as `{course.letter}` changes is not solved yet")

@@ -39,7 +39,7 @@ def apart(spread: Spread, piece: Piece, entry: str) -> list[Formula]:
     if len(parts) > 1:
         whole = simplify(total([part**2 for part in parts]))
         root = simplify(sqrt(whole), positive=spread.positive)
-        if isinstance(whole, (Power, Product)) and not any(isinstance(node, Call) for node in root.walk()):
+        if isinstance(whole, (Power, Product)) and not root.holds(Call):
             return [root]
     return [negate(part) if backward(part) else part for part in parts]
 

@@ -6,7 +6,7 @@ from collections.abc import Collection, Sequence
 from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.normal import REMEMBERED, Problem, polynomial
+from rotsolve.algebra.exact.normal import REMEMBERED, Problem, expanded
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
@@ -40,8 +40,7 @@ def solve_linear(
 
 @lru_cache(REMEMBERED)
 def _solve_linear(f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
-    problem = Problem([f], order, positive, extra=(unknown,))
-    parts = polynomial(problem, unknown)
+    problem, parts = expanded(f, unknown, order, positive)
     if parts is None or len(parts) != 2:
         return None
     return problem.shortest((-parts[0], parts[1]))

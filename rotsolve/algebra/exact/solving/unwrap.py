@@ -18,13 +18,15 @@ def solve_unwrapped(
 ) -> list[Formula]:
     """The roots of f = 0 where the unknown occurs within one function only, and linearly or as a square within that."""
     wraps = {
-        node for node in f.walk() if isinstance(node, Call) and unknown in node.symbols() and node.function in INVERSE
+        node
+        for node in f.walk(*INVERSE)
+        if isinstance(node, Call) and unknown in node.symbols() and node.function in INVERSE
     }
     outer = [node for node in wraps if not any(node is not other and node in set(other.walk()) for other in wraps)]
     if len(outer) != 1:
         return []
     wrap = outer[0]
-    opened = f.transform(lambda node: Symbol(STAND_IN) if node == wrap else node)
+    opened = f.transform(lambda node: Symbol(STAND_IN) if node == wrap else node, wrap.function)
     if unknown in opened.symbols():
         return []
     value = solve_linear(opened, STAND_IN, order=order, positive=positive)

@@ -61,4 +61,4 @@ def rank_of(atom: Formula, places: dict[str, int]) -> Rank:
 
 def late(term: Formula) -> tuple[bool, bool]:
     """Where a written term stands in a sum: minus signs behind plus, and among these roots behind the others."""
-    return isinstance(term, Negative), any(isinstance(node, Call) and node.function == "sqrt" for node in term.walk())
+    return isinstance(term, Negative), term.holds("sqrt")

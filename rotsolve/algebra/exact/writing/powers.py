@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.exact.normal import Problem, coefficients, is_zero, simplify
+from rotsolve.algebra.exact.normal import Problem, degree, is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 
 LONGEST = 12  # powers of a polynomial that is written by them
@@ -13,7 +13,7 @@ LONGEST = 12  # powers of a polynomial that is written by them
 
 def in_powers(value: Formula, name: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
     """The terms c₀ + c₁ x + c₂ x² + … with cₙ = f⁽ⁿ⁾(0)/n!; as it stands where it is no polynomial in the letter."""
-    if name not in value.symbols() or coefficients(value, name) is None or is_below(value, name):
+    if name not in value.symbols() or degree(value, name) is None or is_below(value, name):
         return value
     terms: list[Formula] = []
     slope, factor = value, 1

@@ -15,12 +15,13 @@ from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.writing.factors import Factors, Parts
 from rotsolve.algebra.exact.writing.grouping import FEWEST, groupings, shortest, singles, taken_apart
 from rotsolve.algebra.exact.writing.order import Order, late
-from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential
+from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Sum, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 
 # ways to group a long sum that are written out, and a sum in it; the ways to nest deeper grow without bounds
 TRIED = (4, 1)
+GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
 
 
 class Shaper:
@@ -44,7 +45,7 @@ class Shaper:
             (k for k, (coefficient, e) in enumerate(terms) if coefficient > 0 and not self.order.has_root(e)), 0
         )
         terms.insert(0, terms.pop(first))
-        plain = total([self._build(self.factors.of_term(*term, below)) for term in terms])
+        plain = total([self._term(*term, below) for term in terms])
         if below != 1 or len(terms) < FEWEST or self.depth == len(TRIED):
             return plain
         key = (self.depth, frozenset(poly.to_dict().items()))
@@ -53,6 +54,14 @@ class Shaper:
             self.grouped[key] = self._grouped(poly, plain)
             self.depth -= 1
         return self.grouped[key]
+
+    def _term(self, coefficient: int, exponents: tuple[int, ...], below: int) -> Formula:
+        """One term (over a number)."""
+        items = [(self.order.ranks[i], self.field.atoms[i], e) for i, e in enumerate(exponents) if e]
+        if any(isinstance(atom, Call) and atom.function in GATHERED for _, atom, _ in items):
+            return self._build(self.factors.of_term(coefficient, exponents, below))
+        shown = written_fraction(Fraction(abs(coefficient), below), items)
+        return shown if coefficient > 0 else negate(shown)
 
     def _grouped(self, poly: Poly, plain: Formula) -> Formula:
         """A long sum by the powers of one letter, where that is much shorter, or two brackets: m₂ (u − v) − m₁ (u + v)."""
