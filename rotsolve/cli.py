@@ -76,8 +76,21 @@ def moment_checked(text: str | None) -> str | None:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
 
 
+def limit_checked(text: str | None) -> float | None:
+    """The time limit in seconds."""
+    from rotsolve.scene.moment import read_seconds
+
+    try:
+        return None if text is None else read_seconds(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="'--time-limit'") from None
+
+
 Files = Annotated[
-    list[str], typer.Argument(metavar="FILES...", help="Scenes or folders; - reads one from standard input.")
+    list[str],
+    typer.Argument(
+        metavar="FILES...", help="Scenes, folders, or patterns such as 'page/*.yaml'; - reads one from standard input."
+    ),
 ]
 Law = Annotated[
     str | None,
@@ -111,6 +124,10 @@ Show = Annotated[
 Width = Annotated[
     int | None,
     typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
+TimeLimit = Annotated[
+    str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
 ]
 Element = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]", help="An element, such as disc, string or hinge.")
@@ -150,6 +167,8 @@ def solve(
     at: At = None,
     show: Show = None,
     width: Width = None,
+    jobs: Jobs = 1,
+    time_limit: TimeLimit = None,
 ) -> None:
     """Solve scenes, and print the derivation of each.
 
@@ -159,10 +178,11 @@ def solve(
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy
       rotsolve solve problems/pulleys/block-on-disc.yaml --set m=3kg --digits 10
       rotsolve solve problems/rolling -o answers.tex
+      rotsolve solve problems --jobs 4 --time-limit 10s
       rotsolve solve problems/pulleys/block-on-disc.yaml --show equations
 
-    A file that fails neither stops nor hides the others: its message goes to standard error, and the exit code is
-    that of the worst file.
+    A page is printed as soon as all before it are. A file that fails, takes too long or ends its process neither stops
+    nor hides the others: its message goes to standard error, and the exit code is that of the worst file.
     """
     from rotsolve.run import Request, run
 
@@ -173,7 +193,17 @@ def solve(
     if width is None:
         width = page_width(output)
     request = Request(
-        tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width, moment_checked(at)
+        tuple(files),
+        law=law,
+        format=chosen,
+        output=output,
+        digits=digits,
+        settings=read_settings(settings or []),
+        show=show,
+        width=width,
+        at=moment_checked(at),
+        jobs=jobs,
+        time_limit=limit_checked(time_limit),
     )
     with orderly():
         code = run(request)
@@ -251,7 +281,7 @@ def main(arguments: list[str] | None = None) -> NoReturn:
     try:
         app(args=arguments, prog_name="rotsolve")
     except Exception as error:
-        from rotsolve.run import internal_error
+        from rotsolve.run.attempt import internal_error
 
         print(internal_error("rotsolve", error), file=sys.stderr)
         sys.exit(UNSOLVED)
