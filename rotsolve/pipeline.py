@@ -19,6 +19,7 @@ from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.block import asked_block
 from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
 from rotsolve.scene.model import Problem
@@ -86,7 +87,8 @@ def arranged(problem: Problem) -> Arrangement:
     faults = list(negative_inertia(arrangement.problem))
     if faults:
         raise SceneError(faults, problem.lines, problem.file)
-    return arrangement
+    block = asked_block(arrangement.problem)
+    return arrangement if block is arrangement.problem else Arrangement(block)
 
 
 def check_consistent(inquiry: Inquiry) -> None:
