@@ -125,6 +125,9 @@ Width = Annotated[
     int | None,
     typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
 ]
+Timing = Annotated[
+    bool, typer.Option("--profile", help="Say on standard error where the time went, and what was skipped.")
+]
 Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
 TimeLimit = Annotated[
     str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
@@ -169,6 +172,7 @@ def solve(
     width: Width = None,
     jobs: Jobs = 1,
     time_limit: TimeLimit = None,
+    profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
 
@@ -188,6 +192,8 @@ def solve(
 
     if show and format not in (None, "text"):
         raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    if profile and (jobs > 1 or time_limit):
+        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
     by_name = format_of_file(output) if output and not show else None
     chosen = format or (by_name.name if by_name else "text")
     if width is None:
@@ -204,6 +210,7 @@ def solve(
         at=moment_checked(at),
         jobs=jobs,
         time_limit=limit_checked(time_limit),
+        profile=profile,
     )
     with orderly():
         code = run(request)

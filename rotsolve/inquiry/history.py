@@ -32,6 +32,7 @@ from rotsolve.principles import rotation as turning
 from rotsolve.principles.momentum import collision, impulse
 from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 from rotsolve.principles.steady import steady_rotation
+from rotsolve.profile import staged
 from rotsolve.scene.model import Condition, Path, State, Term
 
 
@@ -127,6 +128,7 @@ class History(Struct, dict=True):
         return self.swings[question_of(term)]
 
     @cached_property
+    @staged("laws")
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}

@@ -26,6 +26,7 @@ from rotsolve.inquiry.stepwise import Stepwise
 from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.profile import staged
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
@@ -198,6 +199,7 @@ class Inquiry(Struct, dict=True):
 
         return max(plan.equations, key=hardness)
 
+    @staged("plan")
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The plan that the question's own steps make, else the cheapest one by the laws chosen."""
         stepwise = self.stepwise.plan(letter, self.known, self.definitions.place(letter), banned)

@@ -26,7 +26,16 @@ def run(request: Request) -> int:
         print(f"error: {request.output} is a scene to solve; it would be overwritten", file=sys.stderr)
         return BAD
     request = replace(request, files=files, coloured=request.streams and not request.show and coloured())
-    outcomes = with_progress(attempts(request), len(files))
+    if request.profile:
+        from rotsolve.run.profiled import with_profile
+
+        return with_profile(work, request)
+    return work(request)
+
+
+def work(request: Request) -> int:
+    """Solve the files and write what they gave, one after the other."""
+    outcomes = with_progress(attempts(request), len(request.files))
     try:
         return deliver(outcomes, request)
     finally:

@@ -7,6 +7,7 @@ import sys
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from rotsolve.profile import stage
 from rotsolve.render.options import Options
 from rotsolve.run.request import BAD, SOLVED, UNSOLVED, Outcome, Request
 from rotsolve.run.scenes import PIPED
@@ -29,7 +30,8 @@ def attempt(file: str, request: Request, text: bytes = b"") -> Outcome:
         )  # a text has a line break, a path has none
         solution = solve(source, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
         objects = any(check.holds is False for check in solution.derivation.checks)
-        return Outcome(file, UNSOLVED if objects else SOLVED, page(solution, request))
+        with stage("render", whole=True):
+            return Outcome(file, UNSOLVED if objects else SOLVED, page(solution, request))
     except SceneError as error:
         not_yet = bool(getattr(error, "not_yet", False))
         return Outcome(file, UNSOLVED if not_yet else BAD, None, error.render(), "not yet" if not_yet else "scene")

@@ -26,6 +26,7 @@ class Request(Struct, frozen=True):
     at: str | None = None
     jobs: int = 1
     time_limit: float | None = None  # seconds a file
+    profile: bool = False
     coloured: bool = False  # whether pages are lines with their roles, for a terminal
 
     @property
