@@ -13,6 +13,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.varying import paths_in
+from rotsolve.elements.actions import Action
+from rotsolve.elements.connections import Connection
 from rotsolve.scene.keys import varying
 from rotsolve.scene.model import Path, Problem
 
@@ -25,8 +27,10 @@ def asked_block(problem: Problem) -> Problem:
     loose = loose_letters(problem)
     if len(problem.bodies) < 2 or spoken_of_as_a_whole(problem, loose):
         return problem
-    named = {item.name for item in (*problem.bodies, *problem.connections, *problem.actions)}
-    kept = reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *loose_surfaces(problem, loose)}) & named
+    named = {body.name for body in problem.bodies} | {item.name for item in acting(problem)}
+    kept = (
+        reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *loose_surfaces(problem, loose)}) & named
+    )
     return problem if kept == named else with_only(problem, kept, named - kept)
 
 
@@ -39,7 +43,10 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
         actions=tuple(item for item in problem.actions if item.name in kept),
         states=tuple(
             replace(
-                state, conditions=tuple(line for line in state.conditions if not any(name in dropped for name in names_in(line)))
+                state,
+                conditions=tuple(
+                    line for line in state.conditions if not any(name in dropped for name in names_in(line))
+                ),
             )
             for state in problem.states
         ),
@@ -62,13 +69,18 @@ def reached(names: Iterable[str], ties: Iterable[Iterable[str]], linking: Collec
     return found
 
 
+def acting(problem: Problem) -> tuple[Connection | Action, ...]:
+    """All that acts on bodies."""
+    return (*problem.connections, *problem.actions)
+
+
 def left_out(whole: Problem, block: Problem) -> list[str]:
     """The names of the bodies that were left out."""
     kept = {body.name for body in block.bodies}
     return [body.name for body in whole.bodies if body.name not in kept]
 
 
-def spoken_of_as_a_whole(problem: Problem, loose: Collection[str]) -> bool:
+def spoken_of_as_a_whole(problem: Problem, loose: frozenset[str]) -> bool:
     """Whether a question or a later state speaks of all bodies at once, or gravity is what is asked."""
     if any(of_all(term.path) for find in problem.finds for term in find.terms):
         return True
@@ -87,9 +99,9 @@ def of_all(path: Path) -> bool:
     return not path.owner and path.quantity != "time"
 
 
-def loose_surfaces(problem: Problem, loose: Collection[str]) -> set[str]:
+def loose_surfaces(problem: Problem, loose: frozenset[str]) -> set[str]:
     """The surfaces whose slope or size is asked for: what lies on one may tell it."""
-    return {surface.name for surface in problem.surfaces if loose and not set(loose).isdisjoint(names_in(surface))}
+    return {surface.name for surface in problem.surfaces if loose and not loose.isdisjoint(names_in(surface))}
 
 
 def loose_letters(problem: Problem) -> frozenset[str]:
@@ -108,9 +120,9 @@ def roots(problem: Problem) -> Iterator[str]:
         yield CLOCK
 
 
-def ties(problem: Problem, loose: Collection[str]) -> Iterator[Iterable[str]]:
+def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Iterable[str]]:
     """What depends on each other, name by name."""
-    for item in (*problem.connections, *problem.actions):
+    for item in acting(problem):
         owners = [ref.owner for ref in item.touches()]
         yield (item.name, *owners, *(owner for value in varying(item) for _, owner, _ in paths_in(value)))
     for event in problem.events:
@@ -122,9 +134,9 @@ def ties(problem: Problem, loose: Collection[str]) -> Iterator[Iterable[str]]:
             yield (*((CLOCK,) if number else ()), *names_in(line))
     if loose:
         for given in problem.givens:
-            yield (given.name, *names_in(given.value))
-        for part in (*problem.bodies, *problem.surfaces, *problem.connections, *problem.actions):
-            yield names_in(part)
+            yield (given.name, *loose.intersection(names_in(given.value)))
+        for part in (*problem.bodies, *problem.surfaces, *acting(problem)):
+            yield (part.name, *loose.intersection(names_in(part)))
 
 
 def names_in(item: object) -> Iterator[str]:
