@@ -10,6 +10,8 @@ import pytest
 from msgspec.structs import replace
 
 from rotsolve import SceneError, Unsolvable, pipeline, solve
+from rotsolve.inquiry.compose.draft import drafts_of
+from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
@@ -153,6 +155,18 @@ def test_no_law_is_written_for_what_is_left_out() -> None:
     )
     assert "left out, since nothing that is asked depends on it: block2, disc2, block3" in many.facts_text()
     assert "block2" not in many.equations_text()
+
+
+@pytest.mark.parametrize("folder", sorted({path.parent.name for path in (ROOT / "problems").glob("*/*.yaml")}))
+def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Checks derive by inquiries of their own; that of the answers holds what the page shows."""
+    inquiries: list[Inquiry] = []
+    composed = pipeline.composed
+    monkeypatch.setattr(pipeline, "composed", lambda *given: inquiries.append(given[1]) or composed(*given))
+    for path in sorted((ROOT / "problems" / folder).glob("*.yaml"))[:3]:
+        solve(path)
+        derived = {step.number for step in inquiries[-1].solver.steps}
+        assert derived == {step.number for draft in drafts_of(inquiries[-1]) for step in draft.steps}, path.name
 
 
 def test_friction_is_decided_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
