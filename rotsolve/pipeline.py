@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import SceneError, Unsolvable
@@ -27,6 +28,9 @@ from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.validity import Validity
 
 
 def solve(
@@ -92,8 +96,16 @@ def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int
         lambda: facts_text(inquiry.history, beside),
         lambda: equations_text(inquiry, composer.letters),
         lambda: plan_text(inquiry, composer.letters),
+        lambda: validity_of(inquiry),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
+
+
+def validity_of(inquiry: Inquiry) -> Validity:
+    """For which numbers the closed forms hold; worked out when someone asks."""
+    from rotsolve.inquiry.validity import validity
+
+    return validity(inquiry)
 
 
 def arranged(problem: Problem) -> Arrangement:

@@ -91,6 +91,7 @@ class Results(Struct, frozen=True):
             angle=self._slope(parts) if asked.points else None,
             remark=self._when(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
+            closed=found.formula,
         )
 
     def _when(self, answered: Answered) -> Words:
