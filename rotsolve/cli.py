@@ -72,8 +72,21 @@ def moment_checked(text: str | None) -> str | None:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
 
 
+def limit_checked(text: str | None) -> float | None:
+    """The time limit in seconds."""
+    from rotsolve.scene.moment import read_seconds
+
+    try:
+        return None if text is None else read_seconds(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="'--time-limit'") from None
+
+
 Files = Annotated[
-    list[str], typer.Argument(metavar="FILES...", help="Scenes or folders; - reads one from standard input.")
+    list[str],
+    typer.Argument(
+        metavar="FILES...", help="Scenes, folders, or patterns such as 'page/*.yaml'; - reads one from standard input."
+    ),
 ]
 Law = Annotated[
     str | None,
@@ -107,6 +120,13 @@ Show = Annotated[
 Width = Annotated[
     int | None,
     typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+]
+Timing = Annotated[
+    bool, typer.Option("--profile", help="Say on standard error where the time went, and what was skipped.")
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
+TimeLimit = Annotated[
+    str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
 ]
 Element = Annotated[
     list[str] | None, typer.Argument(metavar="[NAME]", help="An element, such as disc, string or hinge.")
@@ -146,6 +166,9 @@ def solve(
     at: At = None,
     show: Show = None,
     width: Width = None,
+    jobs: Jobs = 1,
+    time_limit: TimeLimit = None,
+    profile: Timing = False,
 ) -> None:
     """Solve scenes, and print the derivation of each.
 
@@ -155,21 +178,35 @@ def solve(
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy
       rotsolve solve problems/pulleys/block-on-disc.yaml --set m=3kg --digits 10
       rotsolve solve problems/rolling -o answers.tex
+      rotsolve solve problems --jobs 4 --time-limit 10s
       rotsolve solve problems/pulleys/block-on-disc.yaml --show equations
 
-    A file that fails neither stops nor hides the others: its message goes to standard error, and the exit code is
-    that of the worst file.
+    A page is printed as soon as all before it are. A file that fails, takes too long or ends its process neither stops
+    nor hides the others: its message goes to standard error, and the exit code is that of the worst file.
     """
     from rotsolve.run import Request, run
 
     if show and format not in (None, "text"):
         raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    if profile and (jobs > 1 or time_limit):
+        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
     by_name = format_of_file(output) if output and not show else None
     chosen = format or (by_name.name if by_name else "text")
     if width is None:
         width = page_width(output)
     request = Request(
-        tuple(files), law, chosen, output, digits, read_settings(settings or []), show, width, moment_checked(at)
+        tuple(files),
+        law=law,
+        format=chosen,
+        output=output,
+        digits=digits,
+        settings=read_settings(settings or []),
+        show=show,
+        width=width,
+        at=moment_checked(at),
+        jobs=jobs,
+        time_limit=limit_checked(time_limit),
+        profile=profile,
     )
     with orderly():
         code = run(request)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import SceneError, Unsolvable
@@ -12,19 +13,24 @@ from rotsolve.inquiry.answering import answer_all
 from rotsolve.inquiry.checks import checks, contradiction, turned_back
 from rotsolve.inquiry.compose import Composer, with_missing_told
 from rotsolve.inquiry.explain import contradicted, negative_inertia, said_otherwise, turns_back, unsolvable
-from rotsolve.inquiry.friction import decide
+from rotsolve.inquiry.friction import Decision, decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
+from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.validity import Validity
 
 
 def solve(
@@ -39,10 +45,11 @@ def solve(
 
     Raises SceneError for a scene that can't be read, Unsolvable for one without an answer.
     """
-    if isinstance(source, str) and "\n" in source:
-        problem = read_text(source, settings=settings or {})
-    else:
-        problem = read_file(Path(source), settings=settings or {})
+    with stage("read"):
+        if isinstance(source, str) and "\n" in source:
+            problem = read_text(source, settings=settings or {})
+        else:
+            problem = read_file(Path(source), settings=settings or {})
     return solve_problem(problem, law=law, digits=digits, at=at)
 
 
@@ -50,34 +57,59 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
-    arrangement = arranged(problem)
+    with stage("arrange", whole=True):
+        arrangement = arranged(problem)
     try:
-        decision = decide(arrangement)
+        with stage("friction", whole=True):
+            decision = decide(arrangement)
         for clash in said_otherwise(arrangement, decision.modes):
             raise clash
-        history = History(arrangement, decision.modes)
-        inquiry = Inquiry(history, families_for(law), spare=law is not None)
+        with stage("laws"):
+            history = History(arrangement, decision.modes)
+            inquiry = Inquiry(history, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
-    answer_all(inquiry, arrangement.problem.finds)
+    with stage("solve"):
+        answer_all(inquiry, arrangement.problem.finds)
     if at is not None and not arrangement.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
-    check_consistent(inquiry)
-    if law is not None:
-        check_law(inquiry, law)
-    composer = Composer(inquiry, decision.numbered + 1, read_moment(at) if at else None)
-    derivation = composer.derivation(checks(inquiry, composer.letters), decision.sections)
-    derivation = with_missing_told(derivation, arrangement.problem)
+    with stage("verify", whole=True):
+        check_consistent(inquiry)
+        if law is not None:
+            check_law(inquiry, law)
+    return composed(problem, inquiry, decision, digits, at)
+
+
+def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int, at: str | None) -> Solution:
+    """The answers of an inquiry as a derivation with its checks."""
+    with stage("compose", whole=True):
+        composer = Composer(inquiry, decision.numbered + 1, read_moment(at) if at else None)
+    with stage("verify", whole=True):
+        held = checks(inquiry, composer.letters)
+    with stage("compose", whole=True):
+        derivation = with_missing_told(composer.derivation(held, decision.sections), composer.problem)
+    beside = left_out(problem, composer.problem)
+    skipped("bodies", beside)
+    counted("equations written", derivation.equations_written)
+    counted("equations used", derivation.equations_used)
     trace = Trace(
-        lambda: facts_text(history),
+        lambda: facts_text(inquiry.history, beside),
         lambda: equations_text(inquiry, composer.letters),
         lambda: plan_text(inquiry, composer.letters),
+        lambda: validity_of(inquiry),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
 
+def validity_of(inquiry: Inquiry) -> Validity:
+    """For which numbers the closed forms hold; worked out when someone asks."""
+    from rotsolve.inquiry.validity import validity
+
+    return validity(inquiry)
+
+
 def arranged(problem: Problem) -> Arrangement:
-    """The problem with letters for what it leaves out; refused where a value in it can not be."""
+    """The part of the problem that is asked for, with letters for what it leaves out; refused where a value in any part can not be."""
     try:
         arrangement = Arrangement(completed(problem))
         check_values(arrangement)
@@ -86,7 +118,8 @@ def arranged(problem: Problem) -> Arrangement:
     faults = list(negative_inertia(arrangement.problem))
     if faults:
         raise SceneError(faults, problem.lines, problem.file)
-    return arrangement
+    block = asked_block(arrangement.problem)
+    return arrangement if block is arrangement.problem else Arrangement(block)
 
 
 def check_consistent(inquiry: Inquiry) -> None:

@@ -22,7 +22,7 @@ def leave_after(work: Callable[[], object]) -> NoReturn:
     try:
         work()
     except Exception as error:
-        from rotsolve.run import internal_error
+        from rotsolve.run.attempt import internal_error
 
         print(internal_error("rotsolve", error), file=sys.stderr)
         sys.exit(UNSOLVED)

@@ -15,6 +15,7 @@ from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.inquiry.validity import Validity
     from rotsolve.scene.model import Problem
 
 
@@ -25,6 +26,7 @@ class Trace:
     facts: Callable[[], str]
     equations: Callable[[], str]
     plan: Callable[[], str]
+    validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
 
 
 @dataclass(frozen=True)
@@ -138,6 +140,26 @@ class Solution:
     def plan_text(self) -> str:
         """The equations that were chosen, and for which unknowns."""
         return self.trace.plan()
+
+    def evaluate_many(
+        self, values: Mapping[str, Any], *, certified: bool = False, as_decided: bool = False
+    ) -> dict[str, Any]:
+        """The answers for many sets of givens at once, by NumPy: `values` are numbers or arrays in SI units, by the givens' names.
+
+        Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack or a contact
+        open. `certified` gives pairs of arrays, values and bounds on their errors. Where the numbers of the scene have decided more
+        (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
+        """
+        from rotsolve.arrays.many import evaluate_many
+        from rotsolve.arrays.program import NotForMany
+
+        valid = None if self.trace.validity is None else self.trace.validity()
+        if valid is None or (valid.decided and not as_decided):
+            decided = "how the answers were found" if valid is None else " and ".join(valid.decided)
+            raise NotForMany(
+                f"the numbers of the scene have decided {decided}: solve it again for others, or say `as_decided`"
+            )
+        return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
 
     def options(self, width: int | None = None) -> Options:
         """How this solution is printed."""

@@ -78,7 +78,7 @@ class Answer(Struct, frozen=True):
     `formula` is None where no closed form exists; `value`, signed like it, is None where a given has no number. `direction` is that of
     the value with its sign ("−12.73 rad/s², i.e. clockwise"). `components` hold the parts of a vector answer, whose `formula` and
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
-    size and direction alone where people read.
+    size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
     """
 
     name: str
@@ -93,6 +93,7 @@ class Answer(Struct, frozen=True):
     remark: Words = ()
     angle: Certified | None = None
     brief: bool = False
+    closed: Formula | None = None
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

@@ -179,6 +179,7 @@ QUANTITIES = (
     kind("principal_axes", "number", "e", (BODY,), "directions of the principal axes", later=True),
 )
 INSIDE = ("bending_moment", "shear", "compression")  # what acts at a cut through a rod
+SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")  # of a phase
 OSCILLATING = {  # what is asked of swings, and how it is said
     "swing_period": "period",
     "frequency": "frequency",

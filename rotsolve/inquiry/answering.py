@@ -14,13 +14,11 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.answers import Answered, NoAnswer
-from rotsolve.inquiry.choices import choose
 from rotsolve.inquiry.explain import no_answer, refuse_unsolved, unsolvable
 from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.questions import NotYet, Unclear, resting
-from rotsolve.inquiry.where import answer_where, over_a_letter
 from rotsolve.scene.model import Find
 
 
@@ -51,10 +49,10 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     problem = inquiry.history.arrangement.problem
     try:
         if find.choice is not None:
+            from rotsolve.inquiry.choices import choose
+
             inquiry.chosen.append(choose(find, find.choice, inquiry, lambda side: by_law(inquiry, side, find.name)))
-        elif find.where is not None or over_a_letter(find, inquiry):
-            answer_where(inquiry, find)
-        else:
+        elif not by_condition(inquiry, find):
             by_law(inquiry, find)
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
@@ -62,6 +60,18 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
         if error.shortage is not None:
             refuse_unsolved(inquiry, error.shortage, find)
         raise no_answer(error, inquiry, find) from None
+
+
+def by_condition(inquiry: Inquiry, find: Find) -> bool:
+    """Answer a question with a condition, or for an extremum over a letter; False where it is neither."""
+    if find.where is None and not find.extreme:
+        return False
+    from rotsolve.inquiry.where import answer_where, over_a_letter
+
+    if find.where is None and not over_a_letter(find, inquiry):
+        return False
+    answer_where(inquiry, find)
+    return True
 
 
 def by_law(inquiry: Inquiry, find: Find, whole: str = "") -> Answered:

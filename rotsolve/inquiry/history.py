@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
@@ -19,20 +20,20 @@ from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states import Fixed, Statements
-from rotsolve.inquiry.swings.placing import Placing
-from rotsolve.inquiry.swings.swing import Swing
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.encounters import encounter
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, inside, kinematics, newton, power, separation
+from rotsolve.principles import constraints, driven, energy, newton, power
 from rotsolve.principles import rotation as turning
-from rotsolve.principles.momentum import collision, impulse
 from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 from rotsolve.principles.steady import steady_rotation
+from rotsolve.profile import staged
 from rotsolve.scene.model import Condition, Path, State, Term
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.swings.swing import Swing
 
 
 class History(Struct, dict=True):
@@ -80,6 +81,8 @@ class History(Struct, dict=True):
         result = {}
         for interval in self.arrangement.timeline.intervals:
             if interval.event is not None:
+                from rotsolve.motion.encounters import encounter
+
                 pair = [(self.instant(state), self.facts(state)) for state in (interval.start, interval.end)]
                 found = encounter(interval, pair[0], pair[1])
                 if found is not None:
@@ -89,10 +92,15 @@ class History(Struct, dict=True):
     @cached_property
     def swings(self) -> dict[str, Swing]:
         """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
+        spoken_of = (*self._swings_asked(), *self._swings_observed())
+        if not spoken_of:
+            return {}
+        from rotsolve.inquiry.swings.placing import Placing
+
         values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
         placing = Placing(self.arrangement, self.registry, self.modes, values)
         found: dict[str, Swing] = {}
-        for term, span in (*self._swings_asked(), *self._swings_observed()):
+        for term, span in spoken_of:
             if question_of(term) not in found:
                 try:
                     found[question_of(term)] = placing.swing(term)
@@ -127,6 +135,7 @@ class History(Struct, dict=True):
         return self.swings[question_of(term)]
 
     @cached_property
+    @staged("laws")
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
@@ -150,6 +159,8 @@ class History(Struct, dict=True):
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
+                from rotsolve.principles.momentum import collision
+
                 yield from collision.through_event(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
@@ -182,7 +193,10 @@ class History(Struct, dict=True):
         yield from newton.second_law(facts, section)
         yield from turning.law_of_rotation(facts, section)
         yield from turning.balance_of_torques(facts, section)
-        yield from inside.of_pieces(facts, section)
+        if facts.cuts:
+            from rotsolve.principles import inside
+
+            yield from inside.of_pieces(facts, section)
         yield from constraints.for_accelerations(facts, section)
         yield from constraints.for_velocities(facts, state)
         yield from driven.rates(facts, state)
@@ -194,6 +208,9 @@ class History(Struct, dict=True):
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""
+        from rotsolve.principles import kinematics, separation
+        from rotsolve.principles.momentum import impulse
+
         section = interval.name
         yield from energy.conservation(passage, section, self.leading_to(interval))
         yield from energy.works(passage, section)

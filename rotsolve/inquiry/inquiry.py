@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -16,18 +17,20 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
 from rotsolve.inquiry.answers import Answered, Chosen, NoAnswer
-from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.definitions import Definitions
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.planning import FORCES, OF_ONE_MOMENT, Search, families_for
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.roots import Numbers, RootChoice
 from rotsolve.inquiry.stepwise import Stepwise
-from rotsolve.inquiry.swings.settling import release, settled
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.profile import staged
 from rotsolve.scene.model import Find
 from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.courses import Beside
 
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 
@@ -78,10 +81,13 @@ class Inquiry(Struct, dict=True):
         """The answers so far by name: what later questions may use."""
         return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
 
-    def beside(self) -> Beside:
-        """What can be worked out without a trace in this inquiry."""
-        other = Inquiry(self.history, families_for(None)) if self.history.arrangement.mentions.runs else self
-        return Beside(other.settled, self.values)
+    def beside(self) -> Beside | None:
+        """What can be worked out without a trace in this inquiry, for what takes functions of time; None where nothing does."""
+        if not self.history.arrangement.mentions.runs:
+            return None
+        from rotsolve.inquiry.courses import Beside
+
+        return Beside(Inquiry(self.history, families_for(None)).settled, self.values)
 
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
@@ -103,10 +109,20 @@ class Inquiry(Struct, dict=True):
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
         passing = [self.planner.extend(limit)] if limit is not None else []
         try:
+            if not (asked.swings or self.history.observed):
+                return self._answer(asked, aside)
+            return self._answer_swinging(asked, passing, aside)
+        finally:
+            self.retired.update(passing)
+
+    def _answer_swinging(self, asked: Asked, passing: list[int], aside: bool) -> Answered:
+        """Settle one question after all that is to be told of swings; what holds for it alone is `passing`."""
+        from rotsolve.inquiry.swings.settling import release, settled
+
+        try:
             passing += settled(asked, self)
             return self._answer(asked, aside)
         finally:
-            self.retired.update(passing)
             release(asked, self)
 
     def _answer(self, asked: Asked, aside: bool = False) -> Answered:
@@ -200,6 +216,7 @@ class Inquiry(Struct, dict=True):
 
         return max(plan.equations, key=hardness)
 
+    @staged("plan")
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The plan that the question's own steps make, else the cheapest one by the laws chosen."""
         stepwise = self.stepwise.plan(letter, self.known, self.definitions.place(letter), banned)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
@@ -16,8 +16,8 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 
 
-def facts_text(history: History) -> str:
-    """All facts, state by state: bodies with their forces, rules, requirements."""
+def facts_text(history: History, beside: Sequence[str] = ()) -> str:
+    """All facts, state by state: bodies with their forces, rules, requirements; at the end the bodies that stand `beside` what is asked."""
     lines = []
     registry = history.registry
     for state in history.arrangement.timeline.states:
@@ -35,6 +35,8 @@ def facts_text(history: History) -> str:
         for rule in facts.rules:
             left, right = (to_text(side.substitute(letters)) for side in rule.acceleration or rule.velocity)
             lines.append(f"  {rule.label}: {left} = {right}")
+    if beside:
+        lines.append(f"left out, since nothing that is asked depends on it: {', '.join(map(spoken, beside))}")
     return "\n".join(lines)
 
 

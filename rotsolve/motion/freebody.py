@@ -11,6 +11,7 @@ from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
     BodyFacts,
     Couple,
+    Cut,
     Facts,
     Force,
     GivenMotion,
@@ -30,7 +31,6 @@ from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.elements.rims import shape_of
 from rotsolve.motion.bodies.frame import Frame
 from rotsolve.motion.bodies.rigid import mass_of, moment_about, product_about
-from rotsolve.motion.cuts import cuts_at
 from rotsolve.motion.instant import Instant
 from rotsolve.scene.model import Body, PointRef
 
@@ -58,8 +58,15 @@ def free_bodies(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
-        cuts=() if moment else cuts_at(instant, tuple(bodies)),
+        cuts=() if moment or not arrangement.mentions.cuts else cut_free(instant, tuple(bodies)),
     )
+
+
+def cut_free(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
+    """The pieces of rods that are cut through, as free bodies."""
+    from rotsolve.motion.cuts import cuts_at
+
+    return cuts_at(instant, bodies)
 
 
 def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterable
 from typing import TextIO
 
 from rich.console import Console
-from rich.markup import escape
 from rich.progress import Progress
 from rich.text import Text
 
@@ -33,16 +31,17 @@ def show(lines: Iterable[Line], stream: TextIO) -> None:
         console.print(styled)
 
 
-@contextmanager
-def progress(files: Sequence[str], done: int, stream: TextIO) -> Iterator[Iterator[str]]:
-    """A progress bar over the files that are left, `done` of them being behind; it goes away at the end."""
-    with Progress(console=Console(file=stream), transient=True) as bar:
-        task = bar.add_task("solving", total=len(files), completed=done)
+class Bar:
+    """A progress bar over a number of files, which goes away while pages are written and at the end."""
 
-        def rest() -> Iterator[str]:
-            for file in files[done:]:
-                bar.update(task, description=escape(file))
-                yield file
-                bar.advance(task)
+    def __init__(self, total: int, stream: TextIO) -> None:
+        self.bar = Progress(*Progress.get_default_columns(), console=Console(file=stream), transient=True)
+        self.task = self.bar.add_task("solving", total=total)
 
-        yield rest()
+    def show(self, done: int) -> None:
+        """Show it with so many files behind."""
+        self.bar.update(self.task, completed=done)
+        self.bar.start()
+
+    def hide(self) -> None:
+        self.bar.stop()

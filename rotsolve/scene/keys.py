@@ -46,13 +46,19 @@ def key(kind: str, help: str, *, default: Any = None, **limits: Any) -> Any:
 
 @dataclass_transform(field_specifiers=(key,))
 class Declared(StructMeta):
-    """Makes element classes: keeps the keys that their fields declare, and leaves the fields their plain defaults."""
+    """Makes element classes: keeps the keys that their fields declare, and leaves the fields their plain defaults.
+
+    What fields hold points, and which may vary, is told once a class: a scene of a thousand elements asks it ten thousand times.
+    """
 
     def __new__(cls, name: str, bases: tuple[type, ...], body: dict[str, Any], **options: Any) -> Declared:
         found = {word: value for word, value in body.items() if isinstance(value, Declaration)}
         inherited = [known for base in reversed(bases) for known in getattr(base, "declared", {}).items()]
         body["declared"] = dict(inherited) | {word: value.key for word, value in found.items()}
         body.update((word, value.default) for word, value in found.items())
+        keys: dict[str, Key] = body["declared"]
+        body.setdefault("pointed", tuple(field for field, declared in keys.items() if declared.kind == "points"))
+        body["variable"] = tuple(field for field, declared in keys.items() if declared.varies)
         return super().__new__(cls, name, bases, body, **options)
 
 
@@ -60,6 +66,8 @@ class Element(Struct, metaclass=Declared, frozen=True):
     """Base of all that a scene is built of: a record whose fields declare YAML keys."""
 
     declared: ClassVar[dict[str, Key]]  # by the name of the field
+    pointed: ClassVar[tuple[str, ...]]  # the fields that hold several points
+    variable: ClassVar[tuple[str, ...]]  # the fields whose values may vary
 
 
 def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
@@ -70,7 +78,7 @@ def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
 
 def varying(element: Any) -> Iterator[Formula]:
     """The values of an element under keys that may vary."""
-    for word, declared in keys_of(element):
-        value = getattr(element, word, None) if declared.varies else None
+    for field in element.variable:
+        value = getattr(element, field)
         if isinstance(value, Formula):
             yield value

@@ -138,6 +138,7 @@ class Phase(Struct, frozen=True):
     span: Span | None = None
 
 
+EXTREMES = ("largest", "smallest")
 ANY_TIME = "any time"  # in place of a state: the moment that runs through a phase
 
 
@@ -199,6 +200,12 @@ class Find(Struct, frozen=True):
     def group(self) -> str:
         """The name under which the scene asks for it."""
         return self.whole or self.name
+
+    @property
+    def extreme(self) -> str:
+        """`largest` or `smallest` in front of a question without a condition, of the whole or of its only quantity."""
+        words = [self.modifier, *(term.modifier for term in self.terms if len(self.terms) == 1)]
+        return next((word for word in words if word in EXTREMES), "") if self.where is None else ""
 
     @property
     def runs(self) -> bool:

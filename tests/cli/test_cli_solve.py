@@ -6,13 +6,14 @@ import io
 import json
 import os
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
 from rotsolve import cli, run
+from rotsolve.run.request import Outcome
 
 Run = Callable[..., Any]
 
@@ -54,7 +55,8 @@ def test_several_scenes_are_printed_one_after_the_other(rotsolve: Run) -> None:
 
 def test_one_failing_file_neither_stops_nor_hides_the_rest(rotsolve: Run) -> None:
     ran = rotsolve("solve", "bad.yaml", "one.yaml", "open.yaml", "broken.yaml")
-    assert (ran.code, ran.out, ran.err) == (2, ONE, f"{BAD}\n{OPEN}\n{BROKEN}")
+    summary = "3 of 4 files not solved: bad.yaml, open.yaml, broken.yaml\n"
+    assert (ran.code, ran.out, ran.err) == (2, ONE, f"{BAD}\n{OPEN}\n{BROKEN}\n{summary}")
 
 
 def test_a_folder_stands_for_the_scenes_in_it(rotsolve: Run, engine: Any, tmp_path: Path) -> None:
@@ -63,6 +65,49 @@ def test_a_folder_stands_for_the_scenes_in_it(rotsolve: Run, engine: Any, tmp_pa
         (tmp_path / path).write_text("find: [a]\n", encoding="utf-8")
     assert rotsolve("solve", str(tmp_path / "page")).code == 0
     assert [name for name, _ in engine.asked] == ["a.yaml", "b.yaml", "c.yml"]
+
+
+@pytest.mark.parametrize(
+    ("names", "asked"),
+    [
+        (["page/*.yaml"], ["a.yaml", "b.yaml"]),
+        (["p*/**/*.y*ml"], ["a.yaml", "b.yaml", "c.yml"]),
+        (["pag[ef]"], ["a.yaml", "b.yaml", "c.yml"]),
+        (["page/b.yaml", "page"], ["b.yaml", "a.yaml", "c.yml"]),
+        (["page/[1].yaml"], ["[1].yaml"]),
+    ],
+)
+def test_a_pattern_stands_for_the_files_that_fit_and_each_is_solved_once(
+    rotsolve: Run, engine: Any, tmp_path: Path, names: list[str], asked: list[str]
+) -> None:
+    for path in ("page/b.yaml", "page/inner/c.yml", "page/a.yaml", "page/[1].yaml"):
+        if "[" not in path or "[1].yaml" in asked:
+            (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / path).write_text("find: [a]\n", encoding="utf-8")
+    assert rotsolve("solve", *names).code == 0
+    assert [name for name, _ in engine.asked] == asked
+
+
+def test_a_pattern_that_nothing_fits_is_said(rotsolve: Run) -> None:
+    ran = rotsolve("solve", "none/*.yaml")
+    assert (ran.code, ran.out) == (2, "")
+    assert ran.err == "error: cannot read none/*.yaml: No such file or directory\n"
+
+
+def test_a_page_is_written_as_soon_as_it_is_there(
+    rotsolve: Run, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    pipeline = sys.modules["rotsolve.pipeline"]
+    solved, seen = pipeline.solve, []
+
+    def solve(source: Path, **options: Any) -> Any:
+        seen.append(capsys.readouterr().out)
+        return solved(source, **options)
+
+    monkeypatch.setattr(pipeline, "solve", solve)
+    last = rotsolve("solve", "one.yaml", "two.yaml").out
+    assert seen == ["", ONE]
+    assert last == f"\n{'─' * 72}\n\n{TWO}"
 
 
 @pytest.mark.parametrize(
@@ -134,7 +179,7 @@ def test_a_format_that_is_asked_for_beats_the_name(rotsolve: Run) -> None:
 def test_json_of_several_files_has_one_entry_for_each(rotsolve: Run) -> None:
     ran = rotsolve("solve", "one.yaml", "bad.yaml", "--format", "json")
     first, second = json.loads(ran.out)
-    assert (ran.code, ran.err) == (2, BAD)
+    assert (ran.code, ran.err) == (2, f"{BAD}\n1 of 2 files not solved: bad.yaml\n")
     assert (first["file"], first["solved"], first["answers"][0]["value"]) == ("one.yaml", True, "0.3333")
     assert second == {"file": "bad.yaml", "solved": False, "kind": "scene", "error": BAD.rstrip("\n")}
 
@@ -248,21 +293,36 @@ def test_a_terminal_without_colours_gets_plain_text(
     assert on_terminal(monkeypatch, **environment) == f"{ONE}\n{'─' * 72}\n\n{TWO}"
 
 
+def outcomes(*files: str) -> Iterator[Outcome]:
+    return (Outcome(file, 0, file) for file in files)
+
+
 def test_a_progress_bar_comes_only_where_it_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
     files = ("a", "b", "c", "d")
     screen = Terminal()
     monkeypatch.setattr("sys.stderr", screen)
-    assert list(run.with_progress(files)) == list(files)
+    assert [outcome.file for outcome in run.with_progress(outcomes(*files), 4)] == list(files)
     assert screen.getvalue() == ""
     monkeypatch.setattr(run, "PATIENCE", -1.0)
-    assert list(run.with_progress(files)) == list(files)
-    assert "solving" in screen.getvalue() or "a" in screen.getvalue()
-    assert list(run.with_progress(("a",))) == ["a"]
+    assert [outcome.file for outcome in run.with_progress(outcomes("a"), 1)] == ["a"]
+    assert screen.getvalue() == ""
+    assert [outcome.file for outcome in run.with_progress(outcomes(*files), 4)] == list(files)
+    assert "solving" in screen.getvalue()
+
+
+def test_a_progress_bar_is_gone_while_a_page_is_written(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(run, "PATIENCE", -1.0)
+    screen = Terminal()
+    monkeypatch.setattr("sys.stderr", screen)
+    monkeypatch.setenv("TERM", "xterm-256color")
+    for _ in run.with_progress(outcomes("a", "b", "c"), 3):
+        shown, hidden = "\x1b[?25l", "\x1b[?25h"  # a live display takes the cursor away, and gives it back
+        assert screen.getvalue().count(shown) == screen.getvalue().count(hidden)
 
 
 def test_no_progress_bar_where_errors_go_to_a_file(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     monkeypatch.setattr(run, "PATIENCE", -1.0)
-    assert list(run.with_progress(("a", "b"))) == ["a", "b"]
+    assert len(list(run.with_progress(outcomes("a", "b"), 2))) == 2
     assert capsys.readouterr().err == ""

@@ -12,6 +12,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
+from rotsolve.profile import of_kind
 
 __all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "resolve"]
 
@@ -179,6 +180,7 @@ def _zero(f: Formula, values: Values) -> bool:
         raise Undefined("division by zero") from error
 
 
+@of_kind("certification")
 def _enclose(
     f: Formula, values: Mapping[str, Formula], digits: int, max_precision: int, roots: Mapping[str, Certified]
 ) -> Ball:

@@ -52,12 +52,10 @@ class Connection(Element, frozen=True):
 
     def touches(self) -> tuple[PointRef, ...]:
         """All points that the connection names."""
-        found: list[PointRef] = []
-        for name in self.__struct_fields__:
-            value = getattr(self, name)
-            if isinstance(value, tuple):
-                found.extend(part for part in value if isinstance(part, PointRef))
-        return tuple(found)
+        found: tuple[PointRef, ...] = ()
+        for field in self.pointed:
+            found += getattr(self, field)
+        return found
 
     def between(self) -> tuple[PointRef, ...]:
         """The two bodies, if any, whose turning against each other its angles and angular velocities are."""

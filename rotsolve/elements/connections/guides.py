@@ -22,6 +22,8 @@ class Guide(Connection, frozen=True):
 
     word = "guide"
     quantities = ("force", "torque")
+    pointed = ("guided",)
+
     guided: tuple[PointRef, ...] = ()
     motions: tuple[tuple[str, str, Formula], ...] = ()
 

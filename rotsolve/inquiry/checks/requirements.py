@@ -28,10 +28,7 @@ def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
             key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
             if key in told or not concerns(need, inquiry):
                 continue
-            judge, gap = aside, aside.settled(need.left - need.right)
-            if gap is None:
-                judge = inquiry.apart()
-                gap = judge.settled(need.left - need.right)
+            judge, gap = gap_of(need, aside, inquiry)
             sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
@@ -42,6 +39,15 @@ def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
                 yield Check(words)
             elif sign < 0:
                 yield Check(objection(need, place, inquiry, letters), False)
+
+
+def gap_of(need: Requirement, aside: Inquiry, inquiry: Inquiry) -> tuple[Inquiry, Formula | None]:
+    """What must be positive, as a formula of the givens: by the laws `aside`, else with all answers; and who told it."""
+    gap = aside.settled(need.left - need.right)
+    if gap is not None:
+        return aside, gap
+    judge = inquiry.apart()
+    return judge, judge.settled(need.left - need.right)
 
 
 def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:

@@ -17,7 +17,6 @@ from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.compose.letters import Letters
-from rotsolve.inquiry.courses import phases_of
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked, component
 from rotsolve.scene.model import ANY_TIME, Find, Moment
@@ -92,6 +91,7 @@ class Results(Struct, frozen=True):
             angle=self._slope(parts) if asked.points else None,
             remark=self._when(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
+            closed=found.formula,
         )
 
     def _when(self, answered: Answered) -> Words:
@@ -106,8 +106,12 @@ class Results(Struct, frozen=True):
 
     def _lasts(self, find: Find) -> bool:
         """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""
-        history = self.inquiry.history
-        for term in find.terms if self.at is not None else ():
+        history, beside = self.inquiry.history, self.inquiry.beside()
+        if self.at is None or beside is None:
+            return True
+        from rotsolve.inquiry.courses import phases_of
+
+        for term in find.terms:
             if term.at != ANY_TIME:
                 continue
             named = phases_of(term, history)
@@ -117,8 +121,8 @@ class Results(Struct, frozen=True):
             ):  # after the last state it goes on as before
                 ends.append((named[-1].end, -1))
             for state, sign in ends:
-                end = self.inquiry.beside().settle(history.instant(state).time())
-                gap = self.value(sign * (self.at.value - end)) if end is not None and self.at is not None else None
+                end = beside.settle(history.instant(state).time())
+                gap = self.value(sign * (self.at.value - end)) if end is not None else None
                 if gap is not None and gap.float < 0:
                     return False
         return True

@@ -10,11 +10,10 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.equation import KINEMATICS, Equation
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, SPANNED
 from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.courses.beside import Beside, straight
-from rotsolve.inquiry.courses.running import SPANNED
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
 from rotsolve.motion.timeline import Interval

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.formula import PI, Formula
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, SPANNED
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import CONSTANT
 from rotsolve.inquiry.history import History
@@ -12,8 +12,6 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.travels import displacement, so_far
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import Path, Term
-
-SPANNED = ("displacement", "rotation", "turns", "work", "impulse", "angular_impulse", "time", "distance")
 
 
 def phases_of(term: Term, history: History) -> tuple[Interval, ...]:

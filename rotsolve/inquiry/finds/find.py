@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -11,7 +12,6 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.courses import Beside
 from rotsolve.inquiry.finds.conversion import conversion
 from rotsolve.inquiry.finds.differences import DIFFERENCE
 from rotsolve.inquiry.finds.ratios import dimension_in, label_of
@@ -19,6 +19,9 @@ from rotsolve.inquiry.finds.terms import meaning_of, size
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked, Meaning, in_parts
 from rotsolve.scene.model import Find
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.courses import Beside
 
 Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from rotsolve.algebra.formula import PI, ZERO, Formula, total
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.vectors.heading import RIGHT, UP
-from rotsolve.inquiry.courses import way
 from rotsolve.inquiry.finds.transfers import blow, impulse, ways_of_blow, work
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
@@ -45,6 +44,8 @@ def within(path: Path, interval: Interval, history: History) -> Formula:
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, history.instant(interval.start))
+    from rotsolve.inquiry.courses import way
+
     instant = history.instant(interval.start)
     name = instant.host(path.owner) if path.owner in history.arrangement.bodies else path.owner
     return way(path, name, interval, instant)

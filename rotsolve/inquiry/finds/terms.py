@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Call, Formula, Number
-from rotsolve.core.quantity import BY_WORD, OSCILLATING
+from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.courses import SPANNED, Beside, at_any_time, extreme, whole_way
 from rotsolve.inquiry.finds.differences import DIFFERENCE, difference
 from rotsolve.inquiry.finds.spans import span, spanned
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
 from rotsolve.scene.model import ANY_TIME, Path, Term
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.courses import Beside
 
 SUMMED = {  # what the mean of a quantity is the mean of, over time
     "power": "work",
@@ -50,6 +54,8 @@ def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning
         return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.at == ANY_TIME:
+        from rotsolve.inquiry.courses import at_any_time
+
         return at_any_time(term, history)
     if term.during is not None:
         interval = timeline.interval(term.during)
@@ -57,8 +63,12 @@ def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning
             raise Unclear(f"there is no phase or event `{term.during}`")
         start, end = interval.start, interval.end
     if term.modifier == "total" or term.path.quantity == "distance":
+        from rotsolve.inquiry.courses import whole_way
+
         return whole_way(term, *span(term, start, end, history), history, beside)
     if term.modifier in ("largest", "smallest"):
+        from rotsolve.inquiry.courses import extreme
+
         return extreme(term, *span(term, start, end, history), history, beside)
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, history)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, total
@@ -12,7 +13,6 @@ from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
@@ -21,6 +21,9 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.heights import height
 from rotsolve.principles.energy import kinetic
 from rotsolve.scene.model import Path, PointRef, Term
+
+if TYPE_CHECKING:
+    from rotsolve.inquiry.questions.inertias import OfInertias
 
 HALF = Number(Fraction(1, 2))
 
@@ -50,9 +53,9 @@ class OfBodies(Moment, frozen=True):
             case "radius":
                 return self._radius(name)
             case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
-                return OfInertias(instant, self.facts).meaning(path, term)
+                return self._inertias().meaning(path, term)
             case "angular_momentum" if component is not None:
-                return OfInertias(instant, self.facts).angular_momentum(path, term)
+                return self._inertias().angular_momentum(path, term)
             case "angular_momentum":
                 return self._share(path) if path.point else self._angular_momentum(name, term)
             case "momentum":
@@ -66,6 +69,11 @@ class OfBodies(Moment, frozen=True):
             case "period" | "instantaneous_centre":
                 return instant.ask("period", host) if path.quantity == "period" else self._instantaneous_centre(path)
         raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+
+    def _inertias(self) -> OfInertias:
+        from rotsolve.inquiry.questions.inertias import OfInertias
+
+        return OfInertias(self.instant, self.facts)
 
     def _instantaneous_centre(self, path: Path) -> Meaning:
         """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""

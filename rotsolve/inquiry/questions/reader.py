@@ -14,7 +14,6 @@ from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.elements import OfElements
-from rotsolve.inquiry.questions.inertias import OfInertias
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.points import OfPoints
@@ -52,6 +51,8 @@ class Reader(Moment, frozen=True):
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether all parts of a body lie at the height of the point about which is asked."""
+        from rotsolve.inquiry.questions.inertias import OfInertias
+
         return OfInertias(self.instant, self.facts).is_flat(name, term)
 
     def _words(self, path: Path) -> tuple[str, str]:

@@ -14,7 +14,6 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.roots.expected import Expected
 from rotsolve.inquiry.roots.numbers import Numbers
 from rotsolve.inquiry.roots.reached import FirstReached
-from rotsolve.inquiry.swings.steady import OUTWARDS, STABLE, on_shaft, stable_roots
 from rotsolve.motion.positive import is_angle
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
@@ -33,8 +32,8 @@ class RootChoice(Struct, frozen=True):
     def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
         """The root that is meant, with the reason; a `period` later the equation holds again."""
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
-        if outwards and len(roots) > 1 and on_shaft(name, self.history):
-            return Choice(outwards[0], OUTWARDS)
+        if outwards and len(roots) > 1 and self._on_shaft(name):
+            return Choice(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))
         real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
@@ -47,10 +46,11 @@ class RootChoice(Struct, frozen=True):
             real, dropped = moved, ("the root 0 is the start itself",)
         if len(real) == 1:
             return Choice(real[0][0], dropped)
-        stable = stable_roots(name, [roots[index] for index, _ in real], self.history, self.numbers.values)
+        stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
             real = [real[place] for place in stable]
-            return Choice(min(real, key=lambda entry: (round(abs(entry[1]), 9), entry[1] < 0))[0], STABLE)
+            nearest = min(real, key=lambda entry: (round(abs(entry[1]), 9), entry[1] < 0))
+            return Choice(nearest[0], ("the stable one: a body displaced from it comes back",))
         reached = FirstReached(self.history, self.numbers, self.definition).choose(name, real)
         if reached is not None:
             return reached
@@ -62,6 +62,22 @@ class RootChoice(Struct, frozen=True):
         if self._is_angle(name):
             return Choice(min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",))
         return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
+
+    def _on_shaft(self, name: str) -> bool:
+        """Whether a letter tells the angle at which a body stands steadily on a turning shaft."""
+        if not any(state.steady for state in self.history.arrangement.timeline.states):
+            return False
+        from rotsolve.inquiry.swings.steady import on_shaft
+
+        return bool(on_shaft(name, self.history))
+
+    def _stable(self, name: str, roots: Sequence[Formula]) -> list[int]:
+        """Places of the roots at which a body that stands somewhere comes back when it is displaced."""
+        if not any(state.balance or state.steady for state in self.history.arrangement.timeline.states):
+            return []
+        from rotsolve.inquiry.swings.steady import stable_roots
+
+        return stable_roots(name, roots, self.history, self.numbers.values)
 
     def _first_moment(self, name: str, roots: Sequence[tuple[int, float]], period: Formula | None) -> Choice | None:
         """Of times that come again the first one after the state before."""

@@ -11,10 +11,6 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.principles import power
 
-OUTWARDS = ("out from the axis, where the shaft turns fast enough for it",)
-STABLE = ("the stable one: a body displaced from it comes back",)
-
-
 Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts at its state
 
 

@@ -21,18 +21,10 @@ from rotsolve.inquiry.where.places import Course, best_place
 from rotsolve.scene.model import Condition, Find, points_of
 from rotsolve.solver import Found
 
-EXTREMES = ("largest", "smallest")
-
 
 def over_a_letter(find: Find, inquiry: Inquiry) -> bool:
     """Whether a question is for the largest or smallest value of a quantity at a place that has no value."""
-    return bool(extreme_word(find)) and bool(free_letters(find, inquiry))
-
-
-def extreme_word(find: Find) -> str:
-    """`largest` or `smallest` in front of a question without a condition, of the whole or of its only quantity."""
-    words = [find.modifier, *(term.modifier for term in find.terms if len(find.terms) == 1)]
-    return next((word for word in words if word in EXTREMES), "") if find.where is None else ""
+    return bool(find.extreme) and bool(free_letters(find, inquiry))
 
 
 def free_letters(find: Find, inquiry: Inquiry) -> list[str]:
@@ -48,7 +40,7 @@ def free_letters(find: Find, inquiry: Inquiry) -> list[str]:
 
 def extreme_value(inquiry: Inquiry, find: Find) -> None:
     """`largest Q` over the one free letter of Q: its value at the place of the extremum."""
-    letters, word = free_letters(find, inquiry), extreme_word(find)
+    letters, word = free_letters(find, inquiry), find.extreme
     if len(letters) != 1:
         raise NotYet(f"`{find.text.strip()}` is open over several letters: {', '.join(letters)}")
     terms = tuple(replace(term, modifier="") for term in find.terms)

@@ -18,7 +18,7 @@ from rotsolve.scene.words import quoted
 
 BYTES = 1_000_000
 DEPTH = 40
-NODES = 20_000
+NODES = 100_000
 LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 

@@ -115,6 +115,8 @@ class Rims(Rubbing, frozen=True):
 
     word = "contact"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power", "impulse", "angular_impulse")
+    pointed = ("wheels",)
+
     wheels: tuple[PointRef, ...] = ()
     press: Formula = ZERO
     friction: Friction = field(default_factory=Friction)

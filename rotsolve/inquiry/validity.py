@@ -1,0 +1,40 @@
+"""Validity: for which numbers the closed forms of a solved scene hold: what must not be negative, and what its own numbers have decided."""
+
+from __future__ import annotations
+
+from msgspec import Struct
+
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.writing import spoken
+from rotsolve.inquiry.checks.requirements import concerns, gap_of, needed
+from rotsolve.inquiry.friction import rubs
+from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.inquiry.planning import families_for
+
+
+class Validity(Struct, frozen=True):
+    """The closed forms hold where none of `bounds` is negative, and while what was `decided` by numbers would be decided alike."""
+
+    bounds: tuple[Formula, ...]
+    decided: tuple[str, ...]
+
+
+def validity(inquiry: Inquiry) -> Validity:
+    """What strings, contacts and friction have to obey, as formulas of the givens; what else the numbers of the scene decided."""
+    aside = Inquiry(inquiry.history, families_for(None))
+    bounds: dict[Formula, None] = {}
+    decided: dict[str, None] = {}
+    for _, needs in needed(inquiry):
+        for need in needs:
+            if concerns(need, inquiry):
+                gap = gap_of(need, aside, inquiry)[1]
+                if gap is None:
+                    decided[f"whether {spoken(need.owner)} holds"] = None
+                elif not is_zero(gap, inquiry.solver.positive):
+                    bounds[gap] = None
+    if rubs(inquiry.history.arrangement):
+        decided["what slips and which way"] = None
+    if any(step.reason for step in inquiry.solver.steps):
+        decided["which root of an equation is meant"] = None
+    return Validity(tuple(bounds), tuple(decided))

@@ -1,0 +1,114 @@
+"""Delivery: pages go to standard output as they come, or as one document to a file; messages to standard error, in the same order."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterable, Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rotsolve.render import format_named
+from rotsolve.run.request import BAD, SOLVED, Outcome, Request
+
+if TYPE_CHECKING:
+    from rotsolve.render.layout import Line
+
+NAMED = 10  # files that were not solved, at the end of a long run
+
+
+def deliver(outcomes: Iterable[Outcome], request: Request) -> int:
+    """Write what the files gave; the worst exit code among them."""
+    code, pages = SOLVED, 0
+    kept, failed = list[Outcome](), list[str]()
+    for outcome in outcomes:
+        code = max(code, outcome.code)
+        if not request.streams:
+            kept.append(outcome)
+        elif outcome.page is not None:
+            write_page(outcome.page, follows=pages > 0)
+            pages += 1
+        if outcome.message:
+            say(outcome.message, follows=bool(failed))
+            failed.append(outcome.file)
+    if kept:
+        code = max(code, write_document(kept, request))
+    if failed and len(request.files) > 1:
+        say(summary(failed, len(request.files)), follows=True)
+    return code
+
+
+def write_page(page: str | tuple[Line, ...], *, follows: bool) -> None:
+    """One page of text, with a rule before it where it follows another."""
+    from rotsolve.render.text import SEPARATOR
+
+    if isinstance(page, str):
+        sys.stdout.write(f"\n{SEPARATOR}\n\n{page}" if follows else page)
+    else:
+        from rotsolve.render.layout import Line
+        from rotsolve.render.terminal import show
+
+        rule = (Line(""), Line(SEPARATOR, "rule"), Line(""))
+        show((*rule, *page) if follows else page, sys.stdout)
+    sys.stdout.flush()
+
+
+def say(message: str, *, follows: bool) -> None:
+    """A message on standard error, with a blank line before it where it follows another."""
+    sys.stdout.flush()
+    print(f"\n{message}" if follows else message, file=sys.stderr, flush=True)
+
+
+def summary(failed: Sequence[str], total: int) -> str:
+    """Which files were not solved: in a long run their messages stand far above."""
+    more = f" and {len(failed) - NAMED} more" if len(failed) > NAMED else ""
+    return f"{len(failed)} of {total} files not solved: {', '.join(failed[:NAMED])}{more}"
+
+
+def write_document(outcomes: Sequence[Outcome], request: Request) -> int:
+    """All that was solved as one document, to the file or to standard output; nothing where nothing was solved."""
+    if not any(outcome.page for outcome in outcomes) and (request.format != "json" or len(outcomes) == 1):
+        return SOLVED
+    text = document(outcomes, request)
+    if request.output:
+        return write_file(request.output, text)
+    sys.stdout.write(text)
+    return SOLVED
+
+
+def document(outcomes: Sequence[Outcome], request: Request) -> str:
+    """All that was solved as one document; among several in JSON, also what was not."""
+    bodies = []
+    for outcome in outcomes:
+        if isinstance(outcome.page, str):
+            bodies.append(outcome.page)
+        elif request.format == "json":
+            from rotsolve.render.json import failure
+
+            bodies.append(failure(outcome.file, outcome.kind, outcome.message))
+    return format_named(request.format).document(bodies)
+
+
+def write_file(name: str, text: str) -> int:
+    """Write the whole text or nothing: into a new file beside the old one, which it then replaces."""
+    path = Path(os.path.realpath(name))
+    try:
+        if path.exists() and not path.is_file():  # /dev/stdout, a named pipe
+            path.write_text(text, encoding="utf-8")
+            return SOLVED
+        mode = path.stat().st_mode & 0o777 if path.exists() else None
+        fresh = path.with_name(f".{path.name}.{os.getpid()}.new")
+        try:
+            fresh.write_text(text, encoding="utf-8")
+            if mode is not None:
+                fresh.chmod(mode)
+            fresh.replace(path)
+        except BaseException:
+            with suppress(OSError):
+                fresh.unlink()
+            raise
+    except OSError as error:
+        print(f"error: cannot write {name}: {error.strerror or error}", file=sys.stderr)
+        return BAD
+    return SOLVED

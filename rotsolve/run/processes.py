@@ -1,0 +1,74 @@
+"""Processes: several files at once, each with its time limit; what ends the process of one file is that file's error."""
+
+from __future__ import annotations
+
+import multiprocessing
+import signal
+from collections import deque
+from collections.abc import Iterator
+from concurrent.futures import TimeoutError
+from itertools import islice
+from typing import Any
+
+from pebble import ProcessExpired, ProcessFuture, ProcessPool
+
+from rotsolve.run.attempt import attempt, name_of, piped
+from rotsolve.run.request import UNSOLVED, Outcome, Request
+
+AHEAD = 32  # files a process that are worked on, or wait to be written, at a time: what bounds the memory
+FILES = 500  # that a process solves before a fresh one takes its place
+
+
+def attempts_in_processes(request: Request) -> Iterator[Outcome]:
+    """What each file gave, in order; a file is handed out once there is room for its page among those that wait."""
+    text = piped(request.files)
+    pool = ProcessPool(min(request.jobs, len(request.files)), FILES, prepare, context=processes())
+    try:
+        rest = iter(request.files)
+        waiting: deque[tuple[str, ProcessFuture[Outcome]]] = deque()
+        while True:
+            for file in islice(rest, AHEAD * request.jobs - len(waiting)):
+                waiting.append((file, pool.schedule(attempt, (file, request, text), timeout=request.time_limit)))
+            if not waiting:
+                break
+            yield outcome(*waiting.popleft(), request.time_limit)
+    finally:  # at the end, and where the user or the reader of the pages has had enough
+        pool.stop()  # type: ignore[no-untyped-call]
+        pool.join()
+
+
+def processes() -> Any:
+    """Processes that are copies of one which has imported the engine, where the system has such; else fresh ones."""
+    if "forkserver" not in multiprocessing.get_all_start_methods():
+        return multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("forkserver")
+    context.set_forkserver_preload(["rotsolve.pipeline", __name__])
+    return context
+
+
+def prepare() -> None:
+    """Leave an interrupt to the process that reads the outcomes, and import the engine before the time of a file runs."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    import rotsolve.pipeline  # noqa: F401
+
+
+def outcome(file: str, future: ProcessFuture[Outcome], limit: float | None) -> Outcome:
+    """What a process has found out about a file; a message where it did not come to that."""
+    try:
+        return future.result()
+    except TimeoutError:
+        message = f"error: {name_of(file)} takes longer than {limit:g} s, the time limit"
+        return Outcome(file, UNSOLVED, None, message, "time limit")
+    except ProcessExpired as error:
+        message = f"error: the process that solved {name_of(file)} {ending(error.exitcode)}"
+        return Outcome(file, UNSOLVED, None, message, "crash")
+
+
+def ending(code: int | None) -> str:
+    """How a process ended, in words."""
+    if code is None or code >= 0:
+        return f"ended with code {code}"
+    try:
+        return f"was ended by the signal {signal.Signals(-code).name}"
+    except ValueError:
+        return f"was ended by signal {-code}"
