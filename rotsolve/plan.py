@@ -43,21 +43,24 @@ class Planner:
     """
 
     def __init__(self, pool: Sequence[Equation], constants: Collection[str] = ()) -> None:
-        self.pool = list(pool)
         self.constants = frozenset(constants)
-        self.symbols = [equation.symbols() for equation in self.pool]
-        self.summed = [equation.summed() for equation in self.pool]
-        self.plain = {index for index, equation in enumerate(self.pool) if is_plain(equation)}
+        self.pool: list[Equation] = []
+        self.symbols: list[frozenset[str]] = []
+        self.summed: list[frozenset[str]] = []
+        self.alone: list[frozenset[str]] = []  # letters that are a whole side
+        self.plain: set[int] = set()
         self.dear: set[int] = set()  # definitions of what has been answered: the last way to what they are made of
-        self.found: dict[
-            object, Plan | None
-        ] = {}  # plans by all that they depend on: many searches come to the same equations
+        self.found: dict[object, Plan | None] = {}  # by all that a plan depends on: many searches come to the same
+        for equation in pool:
+            self.extend(equation)
 
     def extend(self, equation: Equation) -> int:
         """Add an equation found on the way; its index."""
         self.pool.append(equation)
         self.symbols.append(equation.symbols())
         self.summed.append(equation.summed())
+        sides = (equation.left, equation.right)
+        self.alone.append(frozenset(side.name for side in sides if isinstance(side, Symbol)))
         index = len(self.pool) - 1
         if is_plain(equation):
             self.plain.add(index)
@@ -113,10 +116,9 @@ class Planner:
     def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
         """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another; then
         laws in which an unknown stands alone, as in N = m g."""
-        law = self.pool[index]
-        alone = any(isinstance(side, Symbol) and side.name in names for side in (law.left, law.right))
+        alone = self.pool[index].cost == 0 or not self.alone[index].isdisjoint(names)
         plain = len(names) > 1 or index in self.plain
-        return self._cost(index), len(names), int(not plain), int(not alone and law.cost > 0), index
+        return self._cost(index), len(names), not plain, not alone, index
 
     def _cost(self, index: int) -> int:
         return self.pool[index].cost + (BACKWARDS if index in self.dear else 0)
