@@ -89,8 +89,7 @@ class History(Struct, dict=True):
     @cached_property
     def swings(self) -> dict[str, Swing]:
         """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
-        values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
-        placing = Placing(self.arrangement, self.registry, self.modes, values)
+        placing = Placing(self.arrangement, self.registry, self.modes, self.arrangement.problem.values)
         found: dict[str, Swing] = {}
         for term, span in (*self._swings_asked(), *self._swings_observed()):
             if question_of(term) not in found:
