@@ -7,7 +7,7 @@ for omission, since a dearer one elsewhere may make several cheap ones needless.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from msgspec import Struct
 
@@ -43,37 +43,58 @@ class Planner:
     """
 
     def __init__(self, pool: Sequence[Equation], constants: Collection[str] = ()) -> None:
-        self.pool = list(pool)
         self.constants = frozenset(constants)
-        self.symbols = [equation.symbols() for equation in self.pool]
-        self.summed = [equation.summed() for equation in self.pool]
-        self.plain = {index for index, equation in enumerate(self.pool) if is_plain(equation)}
+        self.pool: list[Equation] = []
+        self.symbols: list[frozenset[str]] = []
+        self.summed: list[frozenset[str]] = []
+        self.alone: list[frozenset[str]] = []  # letters that are a whole side
+        self.plain: set[int] = set()
         self.dear: set[int] = set()  # definitions of what has been answered: the last way to what they are made of
+        self.found: dict[object, Plan | None] = {}  # by all that a plan depends on: many searches come to the same
+        for equation in pool:
+            self.extend(equation)
 
     def extend(self, equation: Equation) -> int:
         """Add an equation found on the way; its index."""
         self.pool.append(equation)
         self.symbols.append(equation.symbols())
         self.summed.append(equation.summed())
+        sides = (equation.left, equation.right)
+        self.alone.append(frozenset(side.name for side in sides if isinstance(side, Symbol)))
         index = len(self.pool) - 1
         if is_plain(equation):
             self.plain.add(index)
         return index
 
     def plan(self, asked: str, known: Collection[str], allowed: Collection[int] | None = None) -> Plan | Shortage:
-        """The cheapest plan for `asked`, with the equations `allowed`."""
+        """The cheapest plan for `asked`, with the equations `allowed`; why there is none where there is none."""
+        unknowns = self.unknowns(known, range(len(self.pool)) if allowed is None else allowed)
+        return self.cheapest(asked, unknowns) or self._shortage(asked, self._relevant(asked, unknowns))
+
+    def unknowns(self, known: Collection[str], indices: Iterable[int]) -> dict[int, tuple[str, ...]]:
+        """What equations hold that is not known."""
         given = frozenset(known)
-        unknowns = {
-            index: tuple(sorted(self.symbols[index] - given))
-            for index in (range(len(self.pool)) if allowed is None else allowed)
-        }
-        relevant = self._usable(self._connected(asked, unknowns))
-        best = self._block(asked, relevant)
-        if isinstance(best, Shortage):
-            return best
+        return {index: tuple(sorted(self.symbols[index] - given)) for index in indices}
+
+    def cheapest(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
+        """The cheapest plan for `asked` with some equations, of which the unknowns are told; None where there is none."""
+        relevant = self._relevant(asked, unknowns)
+        key = (asked, tuple(relevant.items()), len(self.dear))
+        if key not in self.found:
+            self.found[key] = self._cheapest(asked, relevant)
+        return self.found[key]
+
+    def _cheapest(self, asked: str, relevant: Mapping[int, tuple[str, ...]]) -> Plan | None:
+        best = self._block(asked, relevant, self._told(relevant))
+        if best is None:
+            return None
         chained = self._chain(asked, relevant)
         plans = [self._improved(best, relevant), *([chained] if chained is not None else [])]
         return min(plans, key=lambda plan: plan.cost)
+
+    def _relevant(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+        """The equations that bear on the asked unknown, the best ones first."""
+        return self._usable(self._connected(asked, unknowns))
 
     def _connected(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Only the equations that share unknowns with the asked one, directly or through others."""
@@ -95,51 +116,48 @@ class Planner:
     def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
         """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another; then
         laws in which an unknown stands alone, as in N = m g."""
-        law = self.pool[index]
-        alone = any(isinstance(side, Symbol) and side.name in names for side in (law.left, law.right))
+        alone = self.pool[index].cost == 0 or not self.alone[index].isdisjoint(names)
         plain = len(names) > 1 or index in self.plain
-        return self._cost(index), len(names), int(not plain), int(not alone and law.cost > 0), index
+        return self._cost(index), len(names), not plain, not alone, index
 
     def _cost(self, index: int) -> int:
         return self.pool[index].cost + (BACKWARDS if index in self.dear else 0)
 
     def _usable(self, unknowns: dict[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
         """Without the equations that sum over something which none of the others tells."""
-        while True:
+        while any(self.summed[index] for index in unknowns):
             told = {name for index, names in unknowns.items() for name in names if name not in self.summed[index]}
             kept = {index: names for index, names in unknowns.items() if self.summed[index] & set(names) <= told}
             if len(kept) == len(unknowns):
                 return kept
             unknowns = kept
+        return unknowns
 
     def _block(
-        self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None
-    ) -> Plan | Shortage:
-        """Match greedily, then collect what the asked unknown's equation needs."""
-        owner: dict[str, int] = {}
-        told = self._told(unknowns)
-        for index in unknowns:
-            if index != skipped:
-                _augment(index, told, owner, set())
-        needed: dict[int, str] = {}
+        self,
+        asked: str,
+        unknowns: Mapping[int, tuple[str, ...]],
+        told: Mapping[int, tuple[str, ...]],
+        skipped: int = -1,
+    ) -> Plan | None:
+        """Match greedily, then collect what the asked unknown's equation needs; None where one of that has no equation."""
+        owner = matched(told, skipped)
+        needed: list[int] = []
         pending, seen = [asked], {asked}
-        open_: list[str] = []
         while pending:
-            name = pending.pop()
-            if name not in owner:
-                open_.append(name)
-                continue
-            index = owner[name]
-            needed[index] = name
+            index = owner.get(pending.pop())
+            if index is None:
+                return None
+            needed.append(index)
             fresh = [other for other in unknowns[index] if other not in seen]
             seen.update(fresh)
             pending.extend(fresh)
-        if open_:
-            return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(map(self._cost, needed)))
 
-    def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
+    def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> Mapping[int, tuple[str, ...]]:
         """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
+        if not any(self.summed[index] for index in unknowns):
+            return unknowns
         told = dict(unknowns)
         for index in told:
             if summed := self.summed[index]:
@@ -169,11 +187,11 @@ class Planner:
         for _ in range(ROUNDS):
             changed = False
             for index, names in unknowns.items():
-                for name in (one for one in names if one not in self.summed[index]):
-                    others = [ways[other] for other in names if other != name and other in ways]
-                    if len(others) < len(names) - 1:
-                        continue
-                    used = frozenset((index,)).union(*(equations for _, equations in others))
+                missing = [name for name in names if name not in ways]
+                if len(missing) > 1:
+                    continue
+                for name in (one for one in missing or names if one not in self.summed[index]):
+                    used = frozenset((index,)).union(*(ways[other][1] for other in names if other != name))
                     cost = sum(map(self._cost, used))
                     if name not in ways or cost < ways[name][0]:
                         ways[name] = (cost, used)
@@ -182,31 +200,46 @@ class Planner:
                 break
         if asked not in ways:
             return None
-        plan = self._block(asked, {index: unknowns[index] for index in sorted(ways[asked][1])})
-        return plan if isinstance(plan, Plan) else None
+        own = {index: unknowns[index] for index in sorted(ways[asked][1])}
+        return self._block(asked, own, self._told(own))
 
-    def _shortage(
-        self, asked: str, open_: list[str], unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]
-    ) -> Shortage:
+    def _shortage(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Shortage:
         """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
-        matched = {index: name for name, index in owner.items()}
-        names, equations, pending = set(open_) | {asked}, set[int](), list(open_)
+        owner = matched(self._told(unknowns))
+        own = {index: name for name, index in owner.items()}
+        pending = self._open(asked, unknowns, owner)
+        names, equations = {asked, *pending}, set[int]()
         while pending:
             name = pending.pop()
             for index, held in unknowns.items():
-                if name in held and index in matched and index not in equations:
+                if name in held and index in own and index not in equations:
                     equations.add(index)
-                    if matched[index] not in names:
-                        names.add(matched[index])
-                        pending.append(matched[index])
+                    if own[index] not in names:
+                        names.add(own[index])
+                        pending.append(own[index])
         return Shortage(asked, tuple(sorted(equations)), tuple(sorted(names)))
+
+    def _open(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> list[str]:
+        """The unknowns without an equation of their own among all that the asked one needs."""
+        pending, seen = [asked], {asked}
+        open_: list[str] = []
+        while pending:
+            name = pending.pop()
+            if name not in owner:
+                open_.append(name)
+                continue
+            fresh = [other for other in unknowns[owner[name]] if other not in seen]
+            seen.update(fresh)
+            pending.extend(fresh)
+        return open_
 
     def _improved(self, best: Plan, unknowns: Mapping[int, tuple[str, ...]]) -> Plan:
         """Leave out one equation at a time while that makes the plan cheaper."""
         pool = dict(unknowns)
         for _ in range(ROUNDS):
-            trials = [(self._block(best.asked, pool, index), index) for index in best.equations]
-            better = [(trial, index) for trial, index in trials if isinstance(trial, Plan) and trial.cost < best.cost]
+            told = self._told(pool)
+            trials = [(self._block(best.asked, pool, told, index), index) for index in best.equations]
+            better = [(trial, index) for trial, index in trials if trial is not None and trial.cost < best.cost]
             if not better:
                 return best
             best, dropped = min(better, key=lambda item: item[0].cost)
@@ -217,6 +250,15 @@ class Planner:
 def is_plain(equation: Equation) -> bool:
     """Whether one term equals another: a = R α."""
     return not (equation.left.holds(Sum) or equation.right.holds(Sum))
+
+
+def matched(told: Mapping[int, tuple[str, ...]], skipped: int = -1) -> dict[str, int]:
+    """As many unknowns as can be, each with an equation of its own, the first equations first, without the one skipped."""
+    owner: dict[str, int] = {}
+    for index in told:
+        if index != skipped:
+            _augment(index, told, owner, set())
+    return owner
 
 
 def _augment(index: int, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], visited: set[str]) -> bool:

@@ -39,6 +39,8 @@ class Equation(Struct, frozen=True):
 
     def summed(self) -> frozenset[str]:
         """Letters within its integrals, which it can not be solved for."""
+        if not (self.left.holds(Integral) or self.right.holds(Integral)):
+            return frozenset()
         integrals = [
             node for side in (self.left, self.right) for node in side.walk(Integral) if isinstance(node, Integral)
         ]

@@ -97,8 +97,7 @@ class History(Struct, dict=True):
             return {}
         from rotsolve.inquiry.swings.placing import Placing
 
-        values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
-        placing = Placing(self.arrangement, self.registry, self.modes, values)
+        placing = Placing(self.arrangement, self.registry, self.modes, self.arrangement.problem.values)
         found: dict[str, Swing] = {}
         for term, span in spoken_of:
             if question_of(term) not in found:

@@ -54,9 +54,7 @@ class Inquiry(Struct, dict=True):
     def __post_init__(self) -> None:
         problem = self.history.arrangement.problem
         self.givens = {given.name: given for given in problem.givens}
-        self.values: dict[str, Formula] = {
-            given.name: given.value for given in problem.givens if given.value is not None
-        }
+        self.values = problem.values
         self.planner = Planner(self.history.equations, [given.name for given in problem.givens if given.asked])
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)

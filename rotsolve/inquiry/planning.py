@@ -50,15 +50,14 @@ class Search(Struct, frozen=True, dict=True):
         if self.momentary and NEWTON in self.families and not self.spare:
             laws = self._of_families(self._first_choice(self._allowed), ("", NEWTON))
             plan = self._from(laws)
-            if isinstance(plan, Plan):
+            if plan is not None:
                 return plan if self.forces_asked else self._leaner(plan, laws)
         first = self._allowed if self.spare else self._first_choice(self._allowed)
-        plans = [self._from(pool) for pool in (*self._starts(first), *self._differentiated(first))]
-        settled = [plan for plan in plans if isinstance(plan, Plan)]
+        settled = self._settled((*self._starts(first), *self._differentiated(first)))
         if settled:
             sound = [plan for plan in settled if not self._crowded(plan)] or self._with_few_times(first)
             return min(sound or settled, key=lambda plan: plan.cost)
-        return plans[0] if self.spare else self._from(self._allowed)
+        return self.planner.plan(self.letter, self.known, self._allowed)
 
     @cached_property
     def _allowed(self) -> list[int]:
@@ -66,9 +65,17 @@ class Search(Struct, frozen=True, dict=True):
         indices = [index for index in range(len(self.planner.pool)) if index not in self.barred]
         return self._of_families(indices, ("", *self.families))
 
-    def _from(self, indices: Collection[int]) -> Plan | Shortage:
+    @cached_property
+    def _unknowns(self) -> dict[int, tuple[str, ...]]:
+        return self.planner.unknowns(self.known, self._allowed)
+
+    def _from(self, indices: Iterable[int]) -> Plan | None:
         """The cheapest plan with some equations."""
-        return self.planner.plan(self.letter, self.known, indices)
+        return self.planner.cheapest(self.letter, {index: self._unknowns[index] for index in indices})
+
+    def _settled(self, pools: Iterable[Iterable[int]]) -> list[Plan]:
+        """The plans with each of several pools of equations, of those that have one."""
+        return [plan for pool in pools if (plan := self._from(pool)) is not None]
 
     def _of_families(self, indices: Iterable[int], families: Collection[str]) -> list[int]:
         return [index for index in indices if self.planner.pool[index].family in families]
@@ -98,8 +105,7 @@ class Search(Struct, frozen=True, dict=True):
 
     def _leaner(self, plan: Plan, laws: list[int]) -> Plan:
         """A plan by Newton's laws, or one by the derivative of the energy where that leaves out two forces or more."""
-        others = [other for pool in self._differentiated(laws) if isinstance(other := self._from(pool), Plan)]
-        best = min(others, key=lambda other: other.cost, default=plan)
+        best = min(self._settled(self._differentiated(laws)), key=lambda other: other.cost, default=plan)
         return best if forces_in(plan) - forces_in(best) >= 2 else plan
 
     # equations of constant acceleration
@@ -128,8 +134,7 @@ class Search(Struct, frozen=True, dict=True):
         coordinates = [own for phase in phases.values() for own in phase.values()]
         rest = [index for index in allowed if not any(index in own for own in coordinates)]
         chosen = [pair for own in coordinates for pair in (*combinations(own, 1), *combinations(own, 2))]
-        plans = [self._from([*rest, *pair]) for pair in ((), *chosen)]
-        found = [plan for plan in plans if isinstance(plan, Plan)]
+        found = self._settled([*rest, *pair] for pair in ((), *chosen))
         if len(phases) < 2 or self.spare:  # a confirmation is not worth so long a search
             return found
         return found + self._thinned(allowed)
@@ -144,7 +149,7 @@ class Search(Struct, frozen=True, dict=True):
                 continue
             seen.add(dropped)
             plan = self._from([index for index in allowed if index not in dropped])
-            crowded = self._crowded(plan, strict=True) if isinstance(plan, Plan) else []
-            found += [plan] if isinstance(plan, Plan) and not crowded else []
+            crowded = self._crowded(plan, strict=True) if plan is not None else []
+            found += [plan] if plan is not None and not crowded else []
             pending += [dropped | {index} for index in crowded]
         return found

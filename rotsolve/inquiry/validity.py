@@ -7,7 +7,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.checks.requirements import concerns, gap_of, needed
+from rotsolve.inquiry.checks.requirements import concerns, judged, needed
 from rotsolve.inquiry.friction import rubs
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
@@ -28,7 +28,7 @@ def validity(inquiry: Inquiry) -> Validity:
     for _, needs in needed(inquiry):
         for need in needs:
             if concerns(need, inquiry):
-                gap = gap_of(need, aside, inquiry)[1]
+                gap = judged(need, inquiry, aside)[1]
                 if gap is None:
                     decided[f"whether {spoken(need.owner)} holds"] = None
                 elif not is_zero(gap, inquiry.solver.positive):

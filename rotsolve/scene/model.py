@@ -263,6 +263,11 @@ class Problem(Struct, frozen=True):
     marking: object | None = None
     vary: object | None = None
 
+    @property
+    def values(self) -> dict[str, Formula]:
+        """The givens that have a value."""
+        return {given.name: given.value for given in self.givens if given.value is not None}
+
 
 def points_of(item: object) -> Iterator[PointRef | Path]:
     """All points and paths that a part of a scene speaks of."""

@@ -156,8 +156,10 @@ def clashes(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -
     left, right = (size(side.substitute(numbers), inquiry) for side in (equation.left, equation.right))
     if left is None or right is None:
         return False
-    scale = max(abs(left), abs(right), *(abs(term) for term in terms(equation, inquiry, numbers)), 1e-300)
-    return abs(left - right) > TOLERANCE * scale
+    gap = abs(left - right)
+    if gap <= TOLERANCE * max(abs(left), abs(right)):
+        return False
+    return gap > TOLERANCE * max((abs(term) for term in terms(equation, inquiry, numbers)), default=1e-300)
 
 
 def terms(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -> list[float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
@@ -17,6 +17,8 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.freebody import free_bodies
 
+Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
+
 
 def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
@@ -28,12 +30,12 @@ def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
             key = f"{need.owner}{need.otherwise}{inquiry.history.section(place)}"
             if key in told or not concerns(need, inquiry):
                 continue
-            judge, gap = gap_of(need, aside, inquiry)
+            settled, gap = judged(need, inquiry, aside)
             sign = sign_of(gap, inquiry) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
-            words = said(need, inquiry, letters, judge) if sign > 0 else ()
+            words = said(need, inquiry, letters, settled) if sign > 0 else ()
             if words and words[-1] not in spoken_of and len(spoken_of) < 3:
                 spoken_of.append(words[-1])
                 yield Check(words)
@@ -41,13 +43,17 @@ def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
                 yield Check(objection(need, place, inquiry, letters), False)
 
 
-def gap_of(need: Requirement, aside: Inquiry, inquiry: Inquiry) -> tuple[Inquiry, Formula | None]:
-    """What must be positive, as a formula of the givens: by the laws `aside`, else with all answers; and who told it."""
-    gap = aside.settled(need.left - need.right)
-    if gap is not None:
-        return aside, gap
-    judge = inquiry.apart()
-    return judge, judge.settled(need.left - need.right)
+def judged(need: Requirement, inquiry: Inquiry, aside: Inquiry) -> tuple[Settling, Formula | None]:
+    """What tells the letters of a requirement, and by how much it is met: what was found on the way, else Newton's laws, else all."""
+    gap = need.left - need.right
+    found = inquiry.solver.with_found(gap)
+    if not any(SEPARATOR in name for name in found.symbols()):
+        return inquiry.solver.with_found, found
+    settled = aside.settled(gap)
+    if settled is not None:
+        return aside.settled, settled
+    other = inquiry.apart()
+    return other.settled, other.settled(gap)
 
 
 def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
@@ -92,10 +98,10 @@ def lettered(need: Requirement, inquiry: Inquiry, letters: Letters) -> dict[str,
     return {**plain, **letters.symbols}
 
 
-def said(need: Requirement, inquiry: Inquiry, letters: Letters, aside: Inquiry) -> Words:
+def said(need: Requirement, inquiry: Inquiry, letters: Letters, settled: Settling) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
     if isinstance(need.right, Call):
-        size, limit_ = (decimal(aside.settled(side), inquiry) for side in (need.right, need.left))
+        size, limit_ = (decimal(settled(side), inquiry) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
     told = str(need.words[-1]).partition(": ")[2]
     what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told

@@ -7,7 +7,7 @@ the other, with the senses that strings and joints allow; it moves the way in wh
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import product
 
 from msgspec import Struct
@@ -24,6 +24,7 @@ from rotsolve.inquiry.friction.sticking import BACK, FORWARD, STICKS, shown, tri
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
+from rotsolve.inquiry.roots import rough
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.principles.power import one_motion
@@ -136,7 +137,7 @@ def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) ->
     if speed is None:
         return 0
     if is_known(speed):
-        return sign_of(speed, Inquiry(history, (NEWTON,)))
+        return sign_of(speed, arrangement)
     first = rub.state == arrangement.timeline.states[0].name
     return 0 if rub.contact is not None and first else sense_left(arrangement, rub, modes)
 
@@ -147,7 +148,7 @@ def sense_left(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int
         history = History(arrangement, {**modes, rub.key: rub.mode(sense)})
         inquiry = Inquiry(history, families_for(None))
         speed = inquiry.settled(rub.rate(history.instant(rub.state)) or ZERO)
-        if speed is not None and is_known(speed) and sign_of(speed, inquiry) == sense:
+        if speed is not None and is_known(speed) and sign_of(speed, arrangement) == sense:
             return sense
     return 0
 
@@ -157,9 +158,9 @@ def is_known(speed: Formula) -> bool:
     return not any(SEPARATOR in name for name in speed.symbols())
 
 
-def sign_of(speed: Formula, inquiry: Inquiry) -> int:
+def sign_of(speed: Formula, arrangement: Arrangement) -> int:
     """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-    number = inquiry.number(speed)
+    number = rough(speed, arrangement.problem.values)
     if number is not None:
         return 0 if abs(number) < 1e-12 else 1 if number > 0 else -1
     signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
@@ -211,7 +212,7 @@ def holds(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int)
 def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
     """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
     history = History(arrangement, {**modes, **{rub.key: rub.mode(1) for rub in group}})
-    facts, inquiry = history.facts(group[0].state, virtual=True), Inquiry(history, (NEWTON,))
+    facts, values = history.facts(group[0].state, virtual=True), arrangement.problem.values
     instant = history.instant(group[0].state, virtual=True)
     speeds = {rub.key: moving_rate(rub, instant) for rub in group}
     sides = [side for rule in facts.rules for side in rule.velocity] + [
@@ -222,20 +223,20 @@ def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str],
     senses = {}
     for rub in group:
         slip, speed = rub.rate(instant), speeds[rub.key]
-        if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, inquiry):
+        if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, values):
             senses[rub.key] = 0  # the rules keep it at rest whichever way the rest moves: how much it grips stays open
             continue
         value = speed.substitute(allowed) if speed is not None else ONE
-        number = inquiry.number(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}))
+        number = rough(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}), values)
         senses[rub.key] = 1 if number is None or number >= 0 else -1
     first = next((sense for sense in senses.values() if sense), 1)
     return {key: sense * first * way for key, sense in senses.items()}
 
 
-def smooth(rub: Rub, inquiry: Inquiry) -> bool:
+def smooth(rub: Rub, values: Mapping[str, Formula]) -> bool:
     """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
     static = rub.contact.grip().static if rub.contact is not None else None
-    return static is not None and inquiry.number(static) == 0
+    return static is not None and rough(static, values) == 0
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:

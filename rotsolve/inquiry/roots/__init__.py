@@ -1,6 +1,6 @@
 """Roots: which of several roots of an equation is meant, each choice with a stated reason."""
 
 from rotsolve.inquiry.roots.choosing import RootChoice
-from rotsolve.inquiry.roots.numbers import Numbers
+from rotsolve.inquiry.roots.numbers import Numbers, rough
 
-__all__ = ["Numbers", "RootChoice"]
+__all__ = ["Numbers", "RootChoice", "rough"]

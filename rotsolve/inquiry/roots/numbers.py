@@ -12,6 +12,14 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR
 
 
+def rough(value: Formula, values: Mapping[str, Formula]) -> float | None:
+    """A rough value; None where it is not real or a given has no number."""
+    try:
+        return evaluate(value, values, digits=8).float
+    except (Undefined, ValueError, ZeroDivisionError):
+        return None
+
+
 class Numbers(Struct, frozen=True):
     """Rough numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
 
@@ -21,10 +29,7 @@ class Numbers(Struct, frozen=True):
 
     def of(self, value: Formula) -> float | None:
         """A rough value; None where it is not real or a given has no number."""
-        try:
-            return evaluate(value, self.values, digits=8).float
-        except (Undefined, ValueError, ZeroDivisionError):
-            return None
+        return rough(value, self.values)
 
     def found(self, value: Formula) -> float | None:
         """A rough value with the answers put in."""
