@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from functools import cached_property
 
 from msgspec import Struct
@@ -236,20 +235,24 @@ class Arrangement(Struct, frozen=True, dict=True):
     @remembered
     def component(self, name: str, state: str) -> frozenset[str]:
         """All bodies connected to a body, over any number of connections, at a state."""
-        found, pending = set(), [self.host(name, state)]
+        host, neighbours = self.host(name, state), self._neighbours(state)
+        found, pending = set(), [host]
         while pending:
             current = pending.pop()
-            if current in found:
-                continue
-            found.add(current)
-            pending.extend(self._neighbours(current, state))
+            if current not in found:
+                found.add(current)
+                pending.extend(neighbours.get(current, ()))
         return frozenset(found)
 
-    def _neighbours(self, name: str, state: str) -> Iterator[str]:
+    @remembered
+    def _neighbours(self, state: str) -> dict[str, set[str]]:
+        """By body: those to which a connection ties it."""
+        found: dict[str, set[str]] = {}
         for item in self.connections(state):
-            owners = [self.host(ref.owner, state) for ref in item.touches() if ref.owner in self.bodies]
-            if name in owners and not item.independent:
-                yield from owners
+            owners = {self.host(ref.owner, state) for ref in item.touches() if ref.owner in self.bodies}
+            for owner in owners if not item.independent else ():
+                found.setdefault(owner, set()).update(owners)
+        return found
 
     @remembered
     def pace(self, name: str, state: str) -> str:

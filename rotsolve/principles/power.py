@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_system
+from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DERIVATIVE, ENERGY, Equation
@@ -134,7 +134,7 @@ def by_one(names: list[str], ties: list[Formula]) -> dict[str, Formula] | None:
     free = next((name for name in names if name.startswith("angular")), names[0])
     others = [name for name in names if name != free]
     try:
-        solved = {name: solve_system(equations, others, name) for name in others}
+        solved = solve_all(equations, others)
     except (Singular, NotLinear):
         return None
     if any(set(value.symbols()) & set(others) for value in solved.values()):

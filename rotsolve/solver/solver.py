@@ -5,6 +5,7 @@ Trivial equations (I = ½ M R², a = R α) are put into the others without a lin
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping, Sequence
 
 from msgspec import field
@@ -104,11 +105,12 @@ class Solver(Isolation, kw_only=True):
         """What to eliminate next, the most trivial first; None where that is a square, or none can be told from the others."""
         ranked: list[tuple[tuple[int, ...], Item, str]] = []
         held = [item.unknowns(unknowns) for item in items]
+        holders = Counter(name for names in held for name in names)
         for item, names in zip(items, held, strict=True):
             self._check_alive(item, names)
             for name in sorted(names - {asked}):
                 explicit = isolated(item, name)
-                others = sum(name in other for other in held) - 1
+                others = holders[name] - 1
                 kind = kind_of(item, name, names, items)
                 if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
                     kind = 4  # v = a t tells a speed by the acceleration, not the other way round

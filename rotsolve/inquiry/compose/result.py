@@ -261,10 +261,11 @@ def heading_words(parts: tuple[Answer, ...]) -> str:
 
 
 def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
-    """A chain of equalities without a last one that no page would hold."""
-    if len(chain) > 1 and length(chain[-1].right) > LONG >= length(chain[-2].right):
-        return chain[:-1]
-    return chain
+    """A chain of equalities without a last one that no page would hold, where the one before tells the same letter."""
+    if len(chain) < 2 or not length(chain[-1].right) > LONG >= length(chain[-2].right):
+        return chain
+    told = chain[-2].left == chain[-1].left and not chain[-2].left.symbols() & chain[-2].right.symbols()
+    return chain[:-1] if told else chain
 
 
 def unit_of(dimension: Dimension | None, quantity: str) -> Unit | None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 
-from rotsolve.algebra.exact.field import Field, Poly
+from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.normal import REMEMBERED, Problem, expanded
 from rotsolve.algebra.formula import Formula, Symbol
 
@@ -55,38 +55,93 @@ def solve_system(
 ) -> Formula:
     """The asked unknown from equations (each a formula that is zero) that are linear in the unknowns."""
     problem = Problem(equations, order, positive, extra=unknowns)
+    columns = _columns(problem, unknowns)
+    rows = _rows(problem, columns)
+    target = problem.field.index[Symbol(asked)]
+    pivots = _eliminate(problem.field, rows, set(columns) - {target})
+    return _read_off(problem, rows, set(pivots.values()), target, asked)
+
+
+def solve_all(
+    equations: Sequence[Formula], unknowns: Sequence[str], order: Sequence[str] = (), positive: Collection[str] = ()
+) -> dict[str, Formula]:
+    """All unknowns from equations (each a formula that is zero) that are linear in them, by one elimination."""
+    problem = Problem(equations, order, positive, extra=unknowns)
+    ratios = eliminated(problem, unknowns)
+    return {name: problem.shortest(ratios[name]) for name in unknowns}
+
+
+def eliminated(problem: Problem, unknowns: Sequence[str]) -> dict[str, Ratio]:
+    """All unknowns of a linear problem as fractions in lowest terms, not yet written as a textbook would."""
+    ring, columns = problem.field, _columns(problem, unknowns)
+    rows = _rows(problem, columns)
+    pivots = _eliminate(ring, rows, set(columns))
+    used = set(pivots.values())
+    for k, row in rows.items():
+        if k not in used and row:
+            raise Singular(f"equation {k + 1} contradicts the others", contradiction=k)
+    missing = next((name for i, name in columns.items() if i not in pivots), None)
+    if missing is not None:
+        raise Singular(f"{missing} is not settled: too few equations")
+    found: dict[int, Ratio] = {}
+    for i, k in reversed(pivots.items()):  # a pivot's row holds no unknown that was cleared before it
+        found[i] = _solved(ring, rows[k], i, found)
+    return {name: found[i] for i, name in columns.items()}
+
+
+def _solved(ring: Field, row: Row, column: int, found: Mapping[int, Ratio]) -> Ratio:
+    """The unknown of a column from its row, the others being found."""
+    below = ring.one
+    for i in row.keys() - {column, CONSTANT}:
+        below = below * (found[i][1] / below.gcd(found[i][1]))
+    above = row.get(CONSTANT, ring.zero) * below
+    for i in row.keys() - {column, CONSTANT}:
+        above = above + row[i] * found[i][0] * (below / found[i][1])
+    return ring.cancel((ring.reduce(-above), ring.reduce(below * row[column])))
+
+
+def _columns(problem: Problem, unknowns: Sequence[str]) -> dict[int, str]:
+    """The generators of the unknowns."""
+    return {problem.field.index[Symbol(name)]: name for name in unknowns}
+
+
+def _rows(problem: Problem, columns: dict[int, str]) -> dict[int, Row]:
+    """The equations as coefficients of the unknowns and the rest."""
     ring = problem.field
-    columns = {ring.index[Symbol(name)]: name for name in unknowns}
-    target = ring.index[Symbol(asked)]
-    rows = {k: _row(problem, k, columns) for k in range(len(equations))}
-    used = _eliminate(ring, rows, set(columns) - {target})
-    return _read_off(problem, rows, used, target, asked)
+    bound = {  # the roots, sines and the like that hold an unknown
+        j: name
+        for j in range(len(ring.atoms))
+        if j not in columns
+        for name in columns.values()
+        if ring.mentions(j, name)
+    }
+    return {k: _row(problem, k, columns, bound) for k in range(len(problem.formulas))}
 
 
-def _row(problem: Problem, k: int, columns: dict[int, str]) -> Row:
-    """Equation k as coefficients of the unknowns and the rest."""
+def _row(problem: Problem, k: int, columns: dict[int, str], bound: Mapping[int, str]) -> Row:
+    """Equation k as coefficients of the unknowns and the rest; refused where an unknown is `bound` in a root or a sine."""
     ring = problem.field
     poly = problem.numerator(k)
     degrees = poly.degrees()
+    for j, name in bound.items():
+        if degrees[j]:
+            raise NotLinear(k, name)
     row: Row = {}
-    for i, name in columns.items():
-        if any(degrees[j] and ring.mentions(j, name) for j in range(len(ring.atoms))):
-            raise NotLinear(k, name)
-        if degrees[i] > 1:
-            raise NotLinear(k, name)
-        if degrees[i] == 1:
-            slope = poly.derivative(i)
-            if any(slope.degrees()[j] for j in columns):
-                raise NotLinear(k, name)
-            row[i] = slope
-            poly = poly - slope * ring.gens[i]
+    for i in (i for i in columns if degrees[i]):
+        slope = poly.derivative(i)
+        held = slope.degrees()
+        if degrees[i] > 1 or any(held[j] for j in columns):
+            raise NotLinear(k, columns[i])
+        row[i] = slope
+        poly = poly - slope * ring.gens[i]
     if len(poly):
         row[CONSTANT] = poly
     return row
 
 
-def _eliminate(ring: Field, rows: dict[int, Row], columns: set[int]) -> set[int]:
-    """Clear all the columns; returns the rows used as pivots."""
+def _eliminate(ring: Field, rows: dict[int, Row], columns: set[int]) -> dict[int, int]:
+    """Clear all the columns that can be; returns them in order, each with the row used as its pivot."""
+    pivots: dict[int, int] = {}
     used: set[int] = set()
     while columns:
         holders: dict[int, list[int]] = {}
@@ -96,14 +151,15 @@ def _eliminate(ring: Field, rows: dict[int, Row], columns: set[int]) -> set[int]
                     if i in columns:
                         holders.setdefault(i, []).append(k)
         if not holders:
-            return used
+            return pivots
         column, pivot = _best(rows, holders)
         for k in holders[column]:
             if k != pivot:
                 rows[k] = _combine(ring, rows[k], rows[pivot], column)
         used.add(pivot)
+        pivots[column] = pivot
         columns.discard(column)
-    return used
+    return pivots
 
 
 def _best(rows: dict[int, Row], holders: dict[int, list[int]]) -> tuple[int, int]:

@@ -33,7 +33,7 @@ class String(Connection, frozen=True):
     quantities = ("tension", "force", "work", "power", "impulse", "length")
     words = ("slack", "taut")
     string: tuple[PointRef, ...] = key(
-        "points", "what it touches, in order", count=(2, 50), required=True, example="[left, pulley, right]"
+        "points", "what it touches, in order", count=(2, 200), required=True, example="[left, pulley, right]"
     )
     pulls: tuple[tuple[str, str], ...] = key(
         "map of directions",

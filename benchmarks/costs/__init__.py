@@ -1,0 +1,1 @@
+"""What rotsolve costs: the parts of `benchmarks/cost.py`, one question a file."""

@@ -1,0 +1,278 @@
+"""Symbolic solving: the equations that the laws write for a scene, all unknowns, by rotsolve and by what else there is.
+
+Every solver is given the very same linear equations; Kane's and Lagrange's methods, which make their own, the same machine. Each runs in
+a process of its own with SymPy's memory cleared before every run; the best of a few runs counts. What takes too long is given up.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Mapping
+from concurrent.futures import TimeoutError
+from typing import Any, NamedTuple
+
+from pebble import ProcessPool
+
+from costs.clock import best
+from costs.machines import MACHINES, Machine
+from costs.tables import Part, Target, above, table
+
+OURS, WRITTEN, STEPS = "rotsolve", "rotsolve, in textbook form", "rotsolve, every step kept"
+FEW, MANY = 12, 30  # unknowns up to which, and from which on, a target holds
+
+
+class System(NamedTuple):
+    """The equations of a scene, each a formula that is zero, its unknowns, and the letters that are positive."""
+
+    equations: list[Any]
+    unknowns: list[str]
+    positive: frozenset[str]
+    inquiry: Any
+
+
+def system(machine: Machine) -> System:
+    """The equations that the answers take; all unknowns in them are settled."""
+    from rotsolve.inquiry.answering import answer_all
+
+    inquiry = fresh(machine)
+    answer_all(inquiry, inquiry.history.arrangement.problem.finds)
+    laws = len(inquiry.history.equations)
+    used = sorted({index for item in inquiry.answered for index in item.used if index < laws})
+    equations = [inquiry.planner.pool[index] for index in used]
+    unknowns = sorted({name for law in equations for name in law.symbols()} - inquiry.givens.keys())
+    return System([law.left - law.right for law in equations], unknowns, inquiry.solver.positive, inquiry)
+
+
+def fresh(machine: Machine) -> Any:
+    """An inquiry into a machine that has been asked nothing yet."""
+    from rotsolve.inquiry.history import History
+    from rotsolve.inquiry.inquiry import Inquiry
+    from rotsolve.inquiry.planning import families_for
+    from rotsolve.pipeline import arranged
+    from rotsolve.scene.read import read_text
+
+    return Inquiry(History(arranged(read_text(machine.scene))), families_for(None))
+
+
+def eliminated(machine: Machine, runs: int) -> tuple[float, float]:
+    """All unknowns as fractions in lowest terms."""
+    from rotsolve.algebra.exact.normal import Problem
+    from rotsolve.algebra.exact.solving.linear import eliminated as solve
+
+    equations, unknowns, positive, _ = system(machine)
+    return best(lambda: solve(Problem(equations, (), positive, extra=unknowns), unknowns), runs), ours(machine)
+
+
+def written(machine: Machine, runs: int) -> tuple[float, float]:
+    """All unknowns, factored as a textbook would write them."""
+    from rotsolve.algebra.exact.solving.linear import solve_all
+
+    equations, unknowns, positive, _ = system(machine)
+    return best(lambda: solve_all(equations, unknowns, (), positive), runs), ours(machine)
+
+
+def stepwise(machine: Machine, runs: int) -> tuple[float, float]:
+    """All that is asked, planned and solved one unknown after the other with a derivation, as the command does it."""
+    from rotsolve.inquiry.answering import answer_all
+
+    def prepared() -> Callable[[], None]:
+        inquiry = fresh(machine)
+        return lambda: answer_all(inquiry, inquiry.history.arrangement.problem.finds)
+
+    return best(prepared, min(runs, 3), prepare=True), ours(machine)
+
+
+def ours(machine: Machine) -> float:
+    """The first acceleration, as a number: all must agree on it."""
+    from rotsolve import solve
+
+    value = next(iter(solve(machine.scene, digits=15).answers.values())).float
+    assert value is not None
+    return value
+
+
+def in_sympy(machine: Machine) -> tuple[list[Any], list[Any], dict[Any, float]]:
+    """The equations and unknowns as SymPy has them, and the numbers of the givens."""
+    import sympy
+
+    from rotsolve.algebra.certified.ball import evaluate
+    from rotsolve.algebra.formula import Symbol
+    from rotsolve.algebra.sympy_bridge import to_sympy
+
+    made = system(machine)
+    short = {name: Symbol(f"x{number}") for number, name in enumerate(made.unknowns)}
+    equations = [to_sympy(equation.substitute(short)) for equation in made.equations]
+    unknowns = [to_sympy(short[name]) for name in made.unknowns]
+    numbers = {
+        to_sympy(Symbol(name)): evaluate(value, made.inquiry.values).float
+        for name, value in made.inquiry.values.items()
+    }
+    assert all(isinstance(symbol, sympy.Symbol) for symbol in unknowns)
+    return equations, unknowns, numbers
+
+
+def sympy_solve(machine: Machine, runs: int) -> tuple[float, float]:
+    """`sympy.solve`."""
+    import sympy
+
+    equations, unknowns, numbers = in_sympy(machine)
+    found: list[Any] = []
+    spent = best(
+        lambda: found.append(sympy.solve(equations, unknowns, dict=True)), runs, before=sympy.core.cache.clear_cache
+    )
+    return spent, float(found[-1][0][unknowns[0]].subs(numbers))
+
+
+def domain_matrix(machine: Machine, runs: int) -> tuple[float, float]:
+    """`DomainMatrix.solve_den`, from the equations on."""
+    import sympy
+    from sympy.polys.matrices import DomainMatrix
+
+    equations, unknowns, numbers = in_sympy(machine)
+    found: list[Any] = []
+
+    def solve() -> None:
+        left, right = sympy.linear_eq_to_matrix(equations, unknowns)
+        matrix, column = DomainMatrix.from_Matrix(left).unify(DomainMatrix.from_Matrix(right))
+        above_, below = matrix.solve_den(column)
+        found.append((above_.to_Matrix()[0], matrix.domain.to_sympy(below)))
+
+    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    return spent, float((found[-1][0] / found[-1][1]).subs(numbers))
+
+
+def lagrange(machine: Machine, runs: int) -> tuple[float, float]:
+    """`LagrangesMethod`: accelerations alone, no tensions."""
+    import sympy
+    from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
+
+    letters, q = moving(machine)
+    found: list[Any] = []
+
+    def solve() -> None:
+        time = dynamicsymbols._t
+        heights, angles = machine.heights(q, letters), machine.angles(q, letters)
+        ways = machine.along(q, letters) if machine.along else heights
+        pairs = [*zip(machine.masses, ways, strict=True), *zip(machine.wheels, angles, strict=True)]
+        kinetic = sum(letters[name] * sympy.diff(way, time) ** 2 / 2 for name, way in pairs)
+        stored = sum(letters[name] * letters["g"] * y for name, y in zip(machine.masses, heights, strict=True))
+        method = LagrangesMethod(kinetic - stored, q)
+        method.form_lagranges_equations()
+        found.append(method.mass_matrix.LUsolve(method.forcing)[0])
+
+    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    return spent, in_numbers(found[-1], machine)
+
+
+def kane(machine: Machine, runs: int) -> tuple[float, float]:
+    """`KanesMethod`: accelerations alone, no tensions."""
+    import sympy
+    from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
+
+    letters, q = moving(machine)
+    u = dynamicsymbols(f"u:{machine.coordinates}")
+    found: list[Any] = []
+
+    def solve() -> None:
+        time, frame, origin = dynamicsymbols._t, ReferenceFrame("N"), Point("O")
+        origin.set_vel(frame, 0)
+        rates = dict(zip((sympy.diff(one, time) for one in q), u, strict=True))
+        bodies: list[Any] = []
+        loads: list[Any] = []
+        heights, angles = machine.heights(q, letters), machine.angles(q, letters)
+        ways = machine.along(q, letters) if machine.along else heights
+        for name, way, y in zip(machine.masses, ways, heights, strict=True):
+            point = Point("P")
+            point.set_vel(frame, sympy.diff(way, time).subs(rates) * frame.y)
+            bodies.append(Particle("particle", point, letters[name]))
+            pull = sympy.diff(y, time).subs(rates) / sympy.diff(way, time).subs(rates) if machine.along else 1
+            loads.append((point, -letters[name] * letters["g"] * sympy.simplify(pull) * frame.y))
+        for name, angle in zip(machine.wheels, angles, strict=True):
+            turned = frame.orientnew("B", "Axis", (angle, frame.z))
+            turned.set_ang_vel(frame, sympy.diff(angle, time).subs(rates) * frame.z)
+            bodies.append(RigidBody("wheel", origin, turned, 1, (inertia(turned, 0, 0, letters[name]), origin)))
+        method = KanesMethod(frame, q_ind=q, u_ind=u, kd_eqs=[one - two for one, two in zip(u, rates, strict=True)])
+        method.kanes_equations(bodies, loads)
+        found.append(method.mass_matrix.LUsolve(method.forcing)[0])
+
+    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    return spent, in_numbers(found[-1], machine)
+
+
+def moving(machine: Machine) -> tuple[dict[str, Any], Any]:
+    """The letters of a machine by name, its coordinates, and the functions that its places take."""
+    import sympy
+    from sympy.physics.mechanics import dynamicsymbols
+
+    names = ("g", "R", "beta", *machine.masses, *machine.wheels)
+    return {"sin": sympy.sin, **{name: sympy.Symbol(name) for name in names}}, dynamicsymbols(
+        f"q:{machine.coordinates}"
+    )
+
+
+def in_numbers(value: Any, machine: Machine) -> float:
+    numbers = {str(symbol): number for symbol, number in in_sympy(machine)[2].items()}
+    return float(value.subs({symbol: numbers[symbol.name] for symbol in value.free_symbols if symbol.name in numbers}))
+
+
+SOLVERS: dict[str, Callable[[Machine, int], tuple[float, float]]] = {
+    OURS: eliminated,
+    WRITTEN: written,
+    STEPS: stepwise,
+    "sympy.solve": sympy_solve,
+    "DomainMatrix.solve_den": domain_matrix,
+    "LagrangesMethod": lagrange,
+    "KanesMethod": kane,
+}
+
+
+def timed(solver: str, number: int, runs: int, path: list[str]) -> tuple[float, float]:
+    """In a process of its own: seconds and the first acceleration."""
+    sys.path[:] = path
+    return SOLVERS[solver](MACHINES[number], runs)
+
+
+def part(limit: float, runs: int) -> Part:
+    """The table of all solvers, and the targets."""
+    times: dict[str, list[float | None]] = {}
+    with ProcessPool(1, 1) as pool:
+        for solver in SOLVERS:
+            times[solver] = []
+            for number, machine in enumerate(MACHINES):
+                future = pool.schedule(timed, (solver, number, runs, sys.path), timeout=limit)
+                try:
+                    spent, value = future.result()
+                except TimeoutError:
+                    times[solver].append(None)
+                    continue
+                if abs(value - ours(machine)) > 1e-9 * abs(value):
+                    sys.exit(f"{solver} gives another acceleration for {machine.name}: {value}")
+                times[solver].append(spent)
+    sizes = [len(system(machine).unknowns) for machine in MACHINES]
+    rows = [[solver, *(shown(spent, limit) for spent in found)] for solver, found in times.items()]
+    head = ("ms", *(f"{machine.name}, {size}" for machine, size in zip(MACHINES, sizes, strict=True)))
+    text = (
+        f"All unknowns of a scene from the same linear equations, processor time in ms, best of {runs} runs (fewer where they are long); "
+        f"given up after {limit:g} s. Lagrange and Kane give the accelerations alone.\n\n{table(head, rows)}"
+    )
+    return Part("Symbolic solving", text, tuple(targets(times, sizes, limit)))
+
+
+def shown(spent: float | None, limit: float) -> str:
+    return f"> {1000 * limit:.0f}" if spent is None else f"{1000 * spent:.{1 if spent < 0.1 else 0}f}"
+
+
+def targets(times: Mapping[str, list[float | None]], sizes: list[int], limit: float) -> list[Target]:
+    """How many times faster than SymPy; where that was given up, at least so many."""
+
+    def faster(mine: str, other: str, chosen: Callable[[int], bool]) -> float:
+        pairs = zip(times[mine], times[other], sizes, strict=True)
+        return min((b or limit) / (a or limit) for a, b, size in pairs if chosen(size))
+
+    few, many = (lambda size: size <= FEW), (lambda size: size >= MANY)
+    return [
+        above(f"faster than sympy.solve, up to {FEW} unknowns, ×", faster(OURS, "sympy.solve", few), 50),
+        above(f"faster than sympy.solve, from {MANY} unknowns on, ×", faster(OURS, "sympy.solve", many), 400),
+        above("faster than DomainMatrix, ×", faster(OURS, "DomainMatrix.solve_den", lambda size: True), 15),
+        above("in textbook form, faster than sympy.solve, ×", faster(WRITTEN, "sympy.solve", lambda size: True), 25),
+    ]

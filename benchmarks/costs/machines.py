@@ -1,0 +1,170 @@
+"""Machines: the scenes that all solvers are given, as a page of text and, for Kane's and Lagrange's methods, as what moves how."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+Places = Callable[[Any, Any], list[Any]]  # from coordinates q and letters s, as s["R"]
+
+
+class Machine(NamedTuple):
+    """A scene; the heights of its masses and the angles of its wheels, each by its letter, as functions of so many coordinates.
+
+    The first coordinate is the way of the body that is called left or block. `along` are the ways of masses that do not move upright.
+    """
+
+    name: str
+    scene: str
+    coordinates: int
+    masses: tuple[str, ...]
+    heights: Places
+    wheels: tuple[str, ...]
+    angles: Places
+    along: Places | None = None
+
+
+ATWOOD = """\
+given: {m1: 2 kg, m2: 3 kg, I1: 1 kg m^2, R: 10 cm}
+bodies: {left: {mass: m1, moves: up}, wheel: {inertia: I1, radius: R}, right: {mass: m2, moves: down}}
+connections: {axle: {axle: wheel}, rope: {string: [left, wheel, right]}}
+find: {a: left.acceleration, b: right.acceleration, alpha: wheel.angular_acceleration, S: rope.left.tension, T: rope.right.tension}
+"""
+INCLINE = """\
+given: {m1: 2 kg, m2: 3 kg, I1: 1 kg m^2, R: 10 cm, beta: 30 deg}
+surfaces: {ramp: {slope: beta}}
+bodies: {block: {mass: m1, moves: up}, wheel: {inertia: I1, radius: R}, load: {mass: m2, moves: down}}
+connections: {lies: {contact: [block, ramp], friction: none}, axle: {axle: wheel}, rope: {string: [block, wheel, load]}}
+find:
+  a: block.acceleration
+  b: load.acceleration
+  alpha: wheel.angular_acceleration
+  S: rope.block.tension
+  T: rope.load.tension
+  N: lies.normal_force
+"""
+DOUBLE = """\
+given: {m1: 2 kg, m2: 3 kg, m3: 1 kg, M: 2 kg, I1: 1 kg m^2, I2: 1/2 kg m^2, R: 10 cm}
+bodies:
+  left: {mass: m1, moves: up}
+  wheel: {inertia: I1, radius: R}
+  hanging: {mass: M, inertia: I2, radius: R, moves: down}
+  one: {mass: m2, moves: down}
+  two: {mass: m3, moves: down}
+connections: {axle: {axle: wheel}, rope: {string: [left, wheel, hanging.center]}, cord: {string: [one, hanging, two]}}
+find:
+  a: left.acceleration
+  b: one.acceleration
+  c: two.acceleration
+  d: hanging.acceleration
+  alpha: wheel.angular_acceleration
+  gamma: hanging.angular_acceleration
+  S: rope.left.tension
+  T: rope.hanging.tension
+  U: cord.one.tension
+  V: cord.two.tension
+"""
+NESTED = """\
+given: {m1: 2 kg, m2: 3 kg, m3: 1 kg, m4: 4 kg, M: 2 kg, I1: 1 kg m^2, I2: 1/2 kg m^2, R: 10 cm}
+bodies:
+  left: {mass: m1, moves: up}
+  wheel: {inertia: I1, radius: R}
+  second: {mass: M, inertia: I2, radius: R, moves: down}
+  third: {mass: M, inertia: I2, radius: R, moves: down}
+  one: {mass: m2, moves: down}
+  two: {mass: m3, moves: down}
+  three: {mass: m4, moves: down}
+connections:
+  axle: {axle: wheel}
+  rope: {string: [left, wheel, second.center]}
+  cord: {string: [one, second, third.center]}
+  line: {string: [two, third, three]}
+find:
+  a: left.acceleration
+  b: one.acceleration
+  c: two.acceleration
+  d: three.acceleration
+  alpha: wheel.angular_acceleration
+  gamma: second.angular_acceleration
+  delta: third.angular_acceleration
+  S: rope.left.tension
+  T: rope.second.tension
+  U: cord.one.tension
+  V: cord.third.tension
+  W: line.two.tension
+  X: line.three.tension
+"""
+
+
+def chain(wheels: int, *, all_asked: bool = False) -> str:
+    """Two blocks on a string over a row of wheels."""
+    names = [f"w{number}" for number in range(1, wheels + 1)]
+    bodies = "".join(f"  {name}: {{inertia: I1, radius: R}}\n" for name in names)
+    axles = "".join(f"  axle{name}: {{axle: {name}}}\n" for name in names)
+    asked = [("a", "left.acceleration"), *([("b", "right.acceleration")] if all_asked else [])]
+    if all_asked:
+        asked += [(f"alpha_{name}", f"{name}.angular_acceleration") for name in names]
+        asked += [(f"T_{name}", f"rope.{name}.tension") for name in ("left", *names)]
+    finds = "".join(f"  {name}: {path}\n" for name, path in asked)
+    return (
+        "given: {m1: 2 kg, m2: 3 kg, I1: 1 kg m^2, R: 10 cm}\n"
+        f"bodies:\n  left: {{mass: m1, moves: up}}\n{bodies}  right: {{mass: m2, moves: down}}\n"
+        f"connections:\n{axles}  rope: {{string: [left, {', '.join(names)}, right]}}\nfind:\n{finds}"
+    )
+
+
+def page(scenes: int) -> str:
+    """Independent scenes of a block on a wheel, of which the first is asked."""
+    rows = range(1, scenes + 1)
+    bodies = "".join(
+        f"  block{row}: {{mass: m, moves: down}}\n  disc{row}: {{shape: disc, mass: M, radius: R}}\n" for row in rows
+    )
+    joints = "".join(
+        f"  axle{row}: {{axle: disc{row}}}\n  string{row}: {{string: [disc{row}, block{row}]}}\n" for row in rows
+    )
+    given = "given: {m: 2 kg, M: 5 kg, R: 20 cm}\n"
+    return f"{given}bodies:\n{bodies}connections:\n{joints}find: {{a: block1.acceleration}}\n"
+
+
+CHAIN = 29  # wheels of the chain among the machines
+
+MACHINES = (
+    Machine("Atwood", ATWOOD, 1, ("m1", "m2"), lambda q, s: [q[0], -q[0]], ("I1",), lambda q, s: [q[0] / s["R"]]),
+    Machine(
+        "incline",
+        INCLINE,
+        1,
+        ("m1", "m2"),
+        lambda q, s: [q[0] * s["sin"](s["beta"]), -q[0]],
+        ("I1",),
+        lambda q, s: [q[0] / s["R"]],
+        lambda q, s: [q[0], q[0]],
+    ),
+    Machine(
+        "double Atwood",
+        DOUBLE,
+        2,
+        ("m1", "M", "m2", "m3"),
+        lambda q, s: [q[0], -q[0], -q[0] - q[1], -q[0] + q[1]],
+        ("I1", "I2"),
+        lambda q, s: [q[0] / s["R"], q[1] / s["R"]],
+    ),
+    Machine(
+        "nested pulleys",
+        NESTED,
+        3,
+        ("m1", "M", "M", "m2", "m3", "m4"),
+        lambda q, s: [q[0], -q[0], -q[0] + q[1], -q[0] - q[1], -q[0] + q[1] - q[2], -q[0] + q[1] + q[2]],
+        ("I1", "I2", "I2"),
+        lambda q, s: [q[0] / s["R"], q[1] / s["R"], q[2] / s["R"]],
+    ),
+    Machine(
+        "chain",
+        chain(CHAIN, all_asked=True),
+        1,
+        ("m1", "m2"),
+        lambda q, s: [q[0], -q[0]],
+        ("I1",) * CHAIN,
+        lambda q, s: [q[0] / s["R"]] * CHAIN,
+    ),
+)

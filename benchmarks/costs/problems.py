@@ -1,0 +1,65 @@
+"""Marginal time a problem, in one process that has imported everything: each problem once, by stage."""
+
+from __future__ import annotations
+
+import json
+import pkgutil
+import sys
+from collections.abc import Sequence
+from importlib import import_module
+from pathlib import Path
+from statistics import mean, median
+
+from costs.processes import run
+from costs.tables import Part, below, share, table
+
+STAGES = {  # the stages of the profile that make up a column
+    "read": ("read",),
+    "solve": ("arrange", "friction", "laws", "plan", "solve"),
+    "verify": ("verify",),
+    "render": ("compose", "render"),
+}
+
+
+def measure(files: Sequence[Path]) -> list[dict[str, float]]:
+    """Milliseconds of each problem by column, in this process, which must be fresh: what is solved twice is remembered."""
+    import rotsolve
+    from rotsolve.profile import recording, stage
+
+    for module in pkgutil.walk_packages(rotsolve.__path__, "rotsolve."):
+        if not module.name.endswith("__main__") and ".arrays" not in module.name:
+            import_module(module.name)
+    found = []
+    for file in files:
+        with recording() as profile:
+            solution = rotsolve.solve(file)
+            with stage("render", whole=True):
+                solution.to("text")
+        found.append(
+            {name: 1000 * sum(profile.spent.get(part, 0.0) for part in parts) for name, parts in STAGES.items()}
+        )
+    return found
+
+
+def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
+    """The table of columns, the slowest problems, and the target."""
+    command = [sys.executable, sys.argv[0], "--measure", "problems", *map(str, files)]
+    runs = [json.loads(run(command).stdout) for _ in range(rounds)]
+    found = [{name: median(one[index][name] for one in runs) for name in STAGES} for index in range(len(files))]
+    whole = [sum(columns.values()) for columns in found]
+    columns = {**{name: [one[name] for one in found] for name in STAGES}, "everything": whole}
+    rows = [
+        [name, *(f"{value:.2f}" for value in (median(values), mean(values), share(values, 0.9), max(values)))]
+        for name, values in columns.items()
+    ]
+    slowest = sorted(zip(whole, files, strict=True), reverse=True)[:5]
+    text = "\n\n".join(
+        [
+            f"Milliseconds of processor time a problem, {len(files)} problems in one process, each solved once; medians of {rounds} processes.",
+            table(("", "median", "mean", "90 %", "slowest"), rows),
+            "Slowest: " + ", ".join(f"{file.relative_to(folder)} {spent:.0f} ms" for spent, file in slowest) + ".",
+        ]
+    )
+    return Part(
+        "A problem more in one process", text, (below("marginal time a problem, median, ms", median(whole), 5),)
+    )

@@ -1,0 +1,119 @@
+"""Whole processes, cold: as multiples of the bare interpreter and of `import sympy`, with where their time goes.
+
+Processor time of the process and all that it starts; the commands take turns in short batches, each with its own bare interpreter
+and its own `import sympy`, so that a machine that slows down slows all of them.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import resource
+import subprocess
+import sys
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from statistics import mean, median
+
+from costs.tables import Part, below, share, table
+
+BATCH = 8  # commands between two measurements of the bare interpreter
+# An installed package has its bytecode; a checkout run with this variable set would be compiled anew in every process.
+KEEPING_BYTECODE = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+BARE, SYMPY, HELP = "python -c pass", 'python -c "import sympy"', "rotsolve --help"
+ROTSOLVE = [sys.executable, "-m", "rotsolve"]
+STAGE = re.compile(r"^  (\w+) +(-?[\d.]+) ms +-?\d+%", re.MULTILINE)
+IMPORTED = re.compile(r"^import time: +(\d+) \| +\d+ \| +(\S+)$", re.MULTILINE)
+OF_RUN = ("start", "import", "read", "laws", "plan", "solve", "verify", "compose", "render")
+
+
+def seconds(command: Sequence[str]) -> float:
+    """Processor time of one whole process, which must succeed."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    run(command)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
+    """The process, with what it printed; it must succeed, or say why it does not solve a scene."""
+    done = subprocess.run(
+        command, stdin=subprocess.DEVNULL, capture_output=True, encoding="utf-8", check=False, env=KEEPING_BYTECODE
+    )
+    if done.returncode:
+        sys.exit(f"{' '.join(command)} failed:\n{done.stderr}")
+    return done
+
+
+def ratios(commands: Mapping[str, Sequence[str]], rounds: int) -> dict[str, tuple[float, float, float]]:
+    """By name: seconds, multiple of the bare interpreter and of `import sympy`, medians over the rounds; the first fills the caches."""
+    found: dict[str, list[tuple[float, float, float]]] = {name: [] for name in commands}
+    names = list(commands)
+    for number in range(rounds + 1):
+        for start in range(0, len(names), BATCH):
+            bare = seconds([sys.executable, "-c", "pass"])
+            sympy = seconds([sys.executable, "-c", "import sympy"])
+            for name in names[start : start + BATCH]:
+                took = seconds(commands[name])
+                if number:
+                    found[name].append((took, took / bare, took / sympy))
+    return {name: tuple(map(median, zip(*rows, strict=True))) for name, rows in found.items()}  # type: ignore[misc]
+
+
+def stages(file: Path) -> dict[str, float]:
+    """Milliseconds by stage, as `--profile` tells them."""
+    told = run([*ROTSOLVE, "solve", str(file), "--profile"]).stderr
+    return {name: float(spent) for name, spent in STAGE.findall(told)}
+
+
+def imports(file: Path) -> Counter[str]:
+    """Milliseconds of imports by package, as `-X importtime` tells them; that itself makes them slower."""
+    told = run([sys.executable, "-X", "importtime", "-m", "rotsolve", "solve", str(file)]).stderr
+    found: Counter[str] = Counter()
+    for spent, module in IMPORTED.findall(told):
+        package = module.partition(".")[0]
+        found["standard library" if package in sys.stdlib_module_names else package] += int(spent) / 1000  # type: ignore[assignment]
+    return found
+
+
+def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
+    """The tables of all files, and the targets."""
+    commands = {str(file.relative_to(folder)): [*ROTSOLVE, "solve", str(file)] for file in files}
+    found = ratios({BARE: [sys.executable, "-c", "pass"], HELP: [*ROTSOLVE, "--help"], **commands}, rounds)
+    solved = [found[name] for name in commands]
+    spent = {name: stages(folder / name) for name in commands}
+    packages = [imports(folder / name) for name in commands]
+    text = "\n\n".join(
+        [
+            f"Processor time, medians of {rounds} rounds. {len(files)} problem files: "
+            f"median {median(row[1] for row in solved):.1f} × the bare interpreter ({1000 * found[BARE][0]:.0f} ms) and "
+            f"{median(row[2] for row in solved):.2f} × `import sympy`, 90 % below {share([row[1] for row in solved], 0.9):.1f} × and "
+            f"{share([row[2] for row in solved], 0.9):.2f} ×; `--help` {found[HELP][1]:.1f} × and {found[HELP][2]:.2f} ×.",
+            "Imports by package, mean over the files, in ms with the cost of `-X importtime` itself:",
+            table(("package", "ms"), list(by_package(packages))),
+            "Stages by `--profile` in ms, `start` being the interpreter and the command line:",
+            table(("file", "× bare", "× sympy", *OF_RUN), [row(name, found[name], spent[name]) for name in commands]),
+        ]
+    )
+    return Part(
+        "Whole processes, cold",
+        text,
+        (
+            below("cold solve, × `import sympy` (median file)", median(row[2] for row in solved), 0.4),
+            below("cold solve, × bare interpreter (median file)", median(row[1] for row in solved), 13, "{:.1f}"),
+            below("`--help`, × bare interpreter", found[HELP][1], 8, "{:.1f}"),
+        ),
+    )
+
+
+def by_package(packages: Sequence[Counter[str]]) -> Iterator[tuple[str, str]]:
+    names = {name for found in packages for name in found}
+    means = {name: mean(found[name] for found in packages) for name in names}
+    yield from (
+        (name, f"{spent:.1f}") for name, spent in sorted(means.items(), key=lambda item: -item[1]) if spent >= 0.1
+    )
+
+
+def row(name: str, ratio: tuple[float, float, float], spent: Mapping[str, float]) -> list[str]:
+    return [name, f"{ratio[1]:.1f}", f"{ratio[2]:.2f}", *(f"{spent.get(stage, 0):.1f}" for stage in OF_RUN)]

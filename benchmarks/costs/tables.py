@@ -1,0 +1,62 @@
+"""Tables, targets and growth: what the parts of the benchmark have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from math import log
+from typing import NamedTuple
+
+
+class Target(NamedTuple):
+    """What was to be reached, what was, and whether that is enough."""
+
+    what: str
+    wanted: str
+    reached: str
+    met: bool
+
+
+class Part(NamedTuple):
+    """One part of the benchmark: its heading, its text with tables, and its targets."""
+
+    title: str
+    text: str
+    targets: tuple[Target, ...]
+
+
+def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """A Markdown table, its first column left and the others right, in even columns."""
+    widths = [max(len(row[index]) for row in (head, *rows)) for index in range(len(head))]
+    rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
+    lines = [head, rule, *rows]
+    return "\n".join(
+        f"| {' | '.join(fitted(cell, widths[at], at) for at, cell in enumerate(line))} |" for line in lines
+    )
+
+
+def fitted(cell: str, width: int, column: int) -> str:
+    return cell.rjust(width) if column else cell.ljust(width)
+
+
+def below(what: str, value: float, limit: float, form: str = "{:.2f}") -> Target:
+    """A target that is met at or below a limit."""
+    return Target(what, f"≤ {form.format(limit)}", form.format(value), value <= limit)
+
+
+def above(what: str, value: float, limit: float, form: str = "{:.0f}") -> Target:
+    """A target that is met at or above a limit."""
+    return Target(what, f"≥ {form.format(limit)}", form.format(value), value >= limit)
+
+
+def share(values: Sequence[float], part: float) -> float:
+    """The value below which a part of all lies: 0.5 the median, 0.9 all but the slowest tenth."""
+    ordered = sorted(values)
+    return ordered[min(len(ordered) - 1, int(part * len(ordered)))]
+
+
+def exponent(sizes: Sequence[float], values: Sequence[float]) -> float:
+    """The power of the size with which values grow: the slope of the straight line through their logarithms."""
+    points = [(log(size), log(value)) for size, value in zip(sizes, values, strict=True)]
+    middle = [sum(column) / len(points) for column in zip(*points, strict=True)]
+    above_ = sum((x - middle[0]) * (y - middle[1]) for x, y in points)
+    return above_ / sum((x - middle[0]) ** 2 for x, _ in points)
