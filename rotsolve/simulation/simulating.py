@@ -1,0 +1,141 @@
+"""Simulate: a scene from its first state on, as it moves in time."""
+
+from __future__ import annotations
+
+import os
+from bisect import bisect_right
+from collections.abc import Mapping
+from pathlib import Path
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.certified.ball import Precision, evaluate
+from rotsolve.core.faults import Unsolvable
+from rotsolve.inquiry.explain import unsolvable
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.pipeline import arranged
+from rotsolve.scene.model import Problem
+from rotsolve.scene.moment import read_moment
+from rotsolve.scene.read import read_file, read_text
+from rotsolve.simulation.bounded import FINEST, FLOAT_BITS, Reading, Stretch, Tolerances, start_of, stretch
+from rotsolve.simulation.course import compiled
+from rotsolve.simulation.taylor import Unbounded
+
+READING_BITS = 160
+AIM = 1e-3  # tolerance of a step, of the accuracy asked for
+LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
+
+
+class Event(Struct, frozen=True):
+    """Something that happens: when, how sure that is, and what it is in words."""
+
+    time: float
+    bound: float
+    what: str
+
+
+class Run(Struct):
+    """A motion in time. `names` are what can be told at any moment; every number comes with a bound that holds the true one."""
+
+    problem: Problem
+    until: float
+    accuracy: float
+    stretches: list[Stretch]
+    events: tuple[Event, ...] = ()
+    _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What can be told at any moment: `rod.angle`, `block.velocity`, `string.tension`, …"""
+        return tuple(self.stretches[0].course.outputs)
+
+    def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, object]:
+        """Quantities at a time as balls that hold the true values."""
+        number = max(0, bisect_right([item.start for item in self.stretches], time) - 1)
+        found = self.stretches[number]
+        wanted = tuple(name for name in (names or found.course.outputs) if name in found.course.outputs)
+        if (number, wanted) not in self._readings:
+            self._readings[number, wanted] = Reading(found.course, wanted)
+        with Precision(max(READING_BITS, 2 * found.bits)):
+            return self._readings[number, wanted].read(time, found.state(time))
+
+    def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
+        """Values at a time, each with its bound, in SI units and radians."""
+        found = {}
+        for name, ball in self.balls(time, names).items():
+            value = float(ball.mid())  # type: ignore[attr-defined]
+            found[name] = (value, float(abs(ball - value).upper()))  # type: ignore[operator]
+        return found
+
+
+def simulate(
+    source: str | os.PathLike[str],
+    until: str | float = "10 s",
+    accuracy: float = 1e-9,
+    settings: Mapping[str, str] | None = None,
+) -> Run:
+    """Follow a scene in time from its first state: a path, or YAML text (text with a line break).
+
+    Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated.
+    """
+    if isinstance(source, str) and "\n" in source:
+        problem = read_text(source, settings=settings or {})
+    else:
+        problem = read_file(Path(source), settings=settings or {})
+    seconds = float(until) if isinstance(until, (int, float)) else seconds_of(until)
+    return simulate_problem(problem, seconds, accuracy)
+
+
+def seconds_of(text: str) -> float:
+    return evaluate(read_moment(text).value, {}, digits=17).float
+
+
+def simulate_problem(problem: Problem, until: float, accuracy: float) -> Run:
+    """Follow a problem that has been read."""
+    arrangement = arranged(problem)
+    try:
+        return followed(arrangement, until, accuracy)
+    except NotYet as error:
+        raise unsolvable(problem, str(error), error.span, error.help) from None
+    except Unbounded as error:
+        raise unsolvable(problem, str(error)) from None
+
+
+def followed(arrangement: Arrangement, until: float, accuracy: float) -> Run:
+    """Follow an arrangement; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked."""
+    course = compiled(arrangement, {})
+    tolerances = Tolerances(max(FINEST, AIM * accuracy))
+    while True:
+        if tolerances.bits == FLOAT_BITS:
+            states = start_of(course)
+        else:
+            with Precision(tolerances.bits):
+                state = [+item.start for item in course.variables]
+            states = (state, state)
+        found = stretch(course, 0.0, states, until, tolerances)
+        excess = worst(found) / accuracy
+        if excess <= 1:
+            return Run(arrangement.problem, until, accuracy, [found])
+        tolerances = finer(tolerances, excess)
+
+
+def worst(found: Stretch) -> float:
+    """The widest bound of a number of the state, as a part of its largest size."""
+    sizes = [0.0] * len(found.course.variables)
+    for piece in found.runs[0].pieces:
+        sizes = [max(size, abs(float(polynomial[0]))) for size, polynomial in zip(sizes, piece.polynomials, strict=True)]
+    return max((bound / size for bound, size in zip(found.bounds[-1], sizes, strict=True) if size), default=0.0)
+
+
+def finer(tolerances: Tolerances, excess: float) -> Tolerances:
+    """A finer tolerance; beyond what floats can carry, balls of as many bits as it takes."""
+    main = tolerances.main / (10 * excess)
+    if main >= FINEST and tolerances.bits == FLOAT_BITS:
+        return Tolerances(main)
+    import math
+
+    return Tolerances(main, max(96, 32 + math.ceil(-math.log2(main))))
+
+
+__all__ = ["Event", "Run", "Unsolvable", "simulate"]
