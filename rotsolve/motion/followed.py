@@ -22,7 +22,9 @@ def followed(name: str, instant: Instant) -> bool:
     """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
     that turns where a motion is followed in time."""
     if instant.mark == COURSE:
-        return instant.arrangement.pivot(name, instant.state) is not None or instant.can_turn(name, slides(name, instant))
+        return instant.arrangement.pivot(name, instant.state) is not None or instant.can_turn(
+            name, slides(name, instant)
+        )
     rod = shape_of(instant.body(name)).word == "rod"
     if swings(name, instant):
         return True

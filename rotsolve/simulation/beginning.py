@@ -70,7 +70,9 @@ def beginning(arrangement: Arrangement, modes: Mapping[str, str]) -> Beginning:
 
 def speed_letters(value: Formula) -> set[str]:
     """The letters of speeds in a formula."""
-    return {name for name in value.symbols() if name.startswith(("velocity" + SEPARATOR, "angular_velocity" + SEPARATOR))}
+    return {
+        name for name in value.symbols() if name.startswith(("velocity" + SEPARATOR, "angular_velocity" + SEPARATOR))
+    }
 
 
 __all__ = ["ZERO", "Beginning", "Symbol", "beginning", "speed_letters"]

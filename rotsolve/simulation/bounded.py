@@ -58,11 +58,15 @@ class Tolerances(Struct, frozen=True):
 
 def start_of(course: Course) -> tuple[list[float], list[float]]:
     """The first state of both runs in floats."""
-    first, second = ([arithmetic.number(item.start) for item in course.variables] for arithmetic in (FLOATS, OTHER_FLOATS))
+    first, second = (
+        [arithmetic.number(item.start) for item in course.variables] for arithmetic in (FLOATS, OTHER_FLOATS)
+    )
     return first, second
 
 
-def stretch(course: Course, time: float, states: Sequence[Sequence[Scalar]], until: float, tolerances: Tolerances) -> Stretch:
+def stretch(
+    course: Course, time: float, states: Sequence[Sequence[Scalar]], until: float, tolerances: Tolerances
+) -> Stretch:
     """Follow a course from a time on by both runs, as long as nothing happens."""
     found = Stretch(course, tolerances.bits, time, until)
     order = order_for(tolerances.main)
@@ -98,7 +102,9 @@ class Reading:
         self.expansion = Expansion(course.tape, list(self.places.values()), BALLS)
 
     def read(self, time: float, state: Sequence[Scalar]) -> dict[str, Scalar]:
-        letters = {self.course.letters[item.letter]: number for item, number in zip(self.course.variables, state, strict=True)}
+        letters = {
+            self.course.letters[item.letter]: number for item, number in zip(self.course.variables, state, strict=True)
+        }
         self.expansion.begin({**letters, self.course.letters["time"]: arb(time)})
         lists = self.expansion.lists
         return {name: lists[place][0] if lists[place] else letters[place] for name, place in self.places.items()}

@@ -32,7 +32,17 @@ from rotsolve.simulation.series import rough_value
 from rotsolve.simulation.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 
 RIGHT_ANGLE = PI / 2
-PLACES = ("angle", "rotation", "displacement", "position", "elongation", "length", "height", "velocity", "angular_velocity")
+PLACES = (
+    "angle",
+    "rotation",
+    "displacement",
+    "position",
+    "elongation",
+    "length",
+    "height",
+    "velocity",
+    "angular_velocity",
+)
 
 
 class Variable(Struct, frozen=True):
@@ -69,9 +79,7 @@ class Compiler(Struct, dict=True):
     modes: Mapping[str, str]
 
     def __post_init__(self) -> None:
-        self.values = {
-            given.name: given.value for given in self.arrangement.problem.givens if given.value is not None
-        }
+        self.values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
         self.start: Beginning = beginning(self.arrangement, self.modes)
         self.registry, self.tape = Registry(), Tape()
         self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
@@ -166,7 +174,11 @@ class Compiler(Struct, dict=True):
                 yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
         for stored in facts.potentials:
             letter = next(iter(stored.elongation.symbols()), "")
-            if stored.elongation == Symbol(letter) and letter not in self.letters and letter in self.registry.quantities:
+            if (
+                stored.elongation == Symbol(letter)
+                and letter not in self.letters
+                and letter in self.registry.quantities
+            ):
                 word = self.registry.quantities[letter].kind
                 self._enter(letter, self.start.place(word, stored.owner))
                 yield f"{stored.owner}.{word}", letter, stored.rate

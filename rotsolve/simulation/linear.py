@@ -7,6 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Negative, Product, Quotient, Sum, Symbol
+from rotsolve.simulation.harmonics import reduced
 from rotsolve.simulation.tape import ONE, ZERO, Block, Tape, Unwritable, vanishes
 
 REST = ""  # stands for the part without unknowns
@@ -83,7 +84,9 @@ class Linear(Struct):
             raise Undetermined(missing[0])
         return known
 
-    def in_terms_of_free(self, rows: Sequence[Row], late: Collection[str], free: Callable[[str], int]) -> dict[str, int]:
+    def in_terms_of_free(
+        self, rows: Sequence[Row], late: Collection[str], free: Callable[[str], int]
+    ) -> dict[str, int]:
         """All unknowns by those that the equations leave free, whose values `free` tells; the late ones rather stay free."""
         told, left = self.eliminated(rows, late)
         while left:
@@ -164,14 +167,14 @@ class Linear(Struct):
             names = sorted({name for row in rows for name in row if name != REST})
             if len(names) != len(rows):
                 continue
-            zero = self.tape.number(ZERO)
+            zero, size = self.tape.number(ZERO), len(rows) + 1
+            entries = reduced(self.tape, [row.get(name, zero) for row in rows for name in (*names, REST)])
+            table = [entries[k : k + size] for k in range(0, len(entries), size)]
+            right = tuple(self.tape.scaled(row[-1], -ONE) for row in table)
             if len(names) == 1:
-                known[names[0]] = self._for(rows[0], names[0]).get(REST, zero)
+                known[names[0]] = self.tape.over(right[0], table[0][0])
                 continue
-            block = Block(
-                tuple(tuple(row.get(name, zero) for name in names) for row in rows),
-                tuple(self.tape.scaled(row.get(REST, zero), -ONE) for row in rows),
-            )
+            block = Block(tuple(tuple(row[:-1]) for row in table), right)
             known.update(zip(names, self.tape.unknowns(block), strict=True))
         return known
 

@@ -14,7 +14,7 @@ from typing import Any
 from msgspec import Struct
 
 from rotsolve.algebra.flints import arb
-from rotsolve.simulation.tape import Block, Exact, Operation, Tape
+from rotsolve.simulation.tape import Exact, Operation, Tape
 
 Scalar = Any  # float or arb
 Series = list[Scalar]
@@ -81,9 +81,10 @@ class Expansion:
                 continue
             self._enter(OPERATIONS[operation.kind](operation, place, self.lists, arithmetic))
 
-    def _enter(self, pair: tuple[Callable[[], None], Step]) -> None:
-        self.starts.append(pair[0])
-        self.steps.append(pair[1])
+    def _enter(self, made: Made) -> None:
+        self.starts.append(made[0])
+        if made[1] is not None:
+            self.steps.append(made[1])
 
     def begin(self, letters: Mapping[int, Scalar]) -> None:
         """The values at a moment, from those of the letters."""
@@ -113,7 +114,11 @@ def needed(tape: Tape, wanted: Sequence[int]) -> list[int]:
             if operation.kind in ("sin", "cos"):
                 pending.append(partner(tape, place))
             if operation.kind == "unknown":
-                held = [other for other, item in enumerate(tape.operations) if (item.kind, item.name) == ("unknown", operation.name)]
+                held = [
+                    other
+                    for other, item in enumerate(tape.operations)
+                    if (item.kind, item.name) == ("unknown", operation.name)
+                ]
                 pending += held
     return sorted(found)
 
@@ -123,14 +128,14 @@ def partner(tape: Tape, place: int) -> int:
     return place + 1 if tape.operations[place].kind == "sin" else place - 1
 
 
-Made = tuple[Callable[[], None], Step]
+Made = tuple[Callable[[], None], Step | None]  # what begins a series, and what appends to it; nothing to a constant's
 Lists = Mapping[int, Series]
 
 
 def number_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     value = arithmetic.number(operation.numbers[0])
-    own, zero = lists[place], value * 0
-    return (lambda: own.append(value)), (lambda order: own.append(zero))
+    own = lists[place]
+    return (lambda: own.append(value)), None
 
 
 def sum_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
@@ -184,7 +189,8 @@ def quotient_of(operation: Operation, place: int, lists: Lists, arithmetic: Arit
         own.append(above[0] / below[0])
 
     def step(order: int) -> None:
-        own.append((above[order] - sum(map(mul, own, below[order:0:-1]))) / below[0])
+        top = above[order] if order < len(above) else 0  # nothing of a constant
+        own.append((top - sum(map(mul, own, below[order:0:-1]))) / below[0])
 
     return start, step
 
@@ -197,9 +203,7 @@ def power_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithme
         own.append(base[0] ** exponent)
 
     def step(order: int) -> None:
-        terms = [
-            (exponent * (order - j) - j) * base[order - j] * own[j] for j in range(order)
-        ]
+        terms = [(exponent * (order - j) - j) * base[order - j] * own[j] for j in range(order)]
         own.append(sum(terms) / (order * base[0]))
 
     return start, step
@@ -253,14 +257,17 @@ def size_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmet
 
 
 def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
-    """Linear equations A x = b: A₀ xₖ = bₖ − Σ Aⱼ xₖ₋ⱼ, j from 1, with A₀ factored once."""
+    """Linear equations A x = b: A₀ xₖ = bₖ − Σ Aⱼ xₖ₋ⱼ, j from 1, with A₀ factored once; what is constant in A drops out of the sum."""
     block = tape.blocks[int(name)]
-    owns = [
-        lists[place]
-        for place in unknowns_of(tape, name)
-    ]
+    owns = [lists[place] for place in unknowns_of(tape, name)]
     rows = [[lists[value] for value in row] for row in block.rows]
     right = [lists[value] for value in block.right]
+    moving = [tape.constant(value) is None for value in block.right]
+    changing = [
+        [(own, lists[value]) for own, value in zip(owns, row, strict=True) if tape.constant(value) is None]
+        for row in block.rows
+    ]
+    lines = list(zip(right, moving, changing, strict=True))
     held: list[Callable[[list[Scalar]], list[Scalar]]] = []
 
     def start() -> None:
@@ -269,11 +276,12 @@ def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
             own.append(value)
 
     def step(order: int) -> None:
-        rest = [
-            series[order]
-            - sum([sum(map(mul, own, coefficient[order:0:-1])) for own, coefficient in zip(owns, row, strict=True)])
-            for series, row in zip(right, rows, strict=True)
-        ]
+        rest = []
+        for series, moves, pairs in lines:
+            total = series[order] if moves else 0
+            for own, coefficient in pairs:
+                total = total - sum(map(mul, own, coefficient[order:0:-1]))
+            rest.append(total)
         for own, value in zip(owns, held[0](rest), strict=True):
             own.append(value)
 
@@ -303,6 +311,9 @@ def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]
             for j in range(k + 1, size):
                 table[i][j] = table[i][j] - table[i][k] * table[k][j]
 
+    if size == 2:
+        return solver_of_two(table, order[0] == 1)
+
     def solve(right: list[Scalar]) -> list[Scalar]:
         found = [right[i] for i in order]
         for i in range(size):
@@ -313,6 +324,18 @@ def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]
                 found[i] = found[i] - table[i][j] * found[j]
             found[i] = found[i] / table[i][i]
         return found
+
+    return solve
+
+
+def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Scalar]], list[Scalar]]:
+    """The same for two unknowns, the commonest case, written out; `turned` where the rows have been exchanged."""
+    (a, b), (factor, d) = table
+
+    def solve(right: list[Scalar]) -> list[Scalar]:
+        first, second = (right[1], right[0]) if turned else right
+        y = (second - factor * first) / d
+        return [(first - b * y) / a, y]
 
     return solve
 
@@ -337,6 +360,8 @@ def rough_value(tape: Tape, place: int, letters: Mapping[str, Exact]) -> float:
         for where in expansion.places
         if tape.operations[where].kind == "letter" and tape.operations[where].name in letters
     }
-    missing = {where: 0.0 for where in expansion.places if tape.operations[where].kind == "letter" and where not in given}
+    missing = {
+        where: 0.0 for where in expansion.places if tape.operations[where].kind == "letter" and where not in given
+    }
     expansion.begin({**given, **missing})
     return float(expansion.lists[place][0])

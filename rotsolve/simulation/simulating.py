@@ -11,10 +11,9 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.core.faults import Unsolvable
-from rotsolve.inquiry.explain import unsolvable
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.pipeline import arranged
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
@@ -97,9 +96,10 @@ def simulate_problem(problem: Problem, until: float, accuracy: float) -> Run:
     try:
         return followed(arrangement, until, accuracy)
     except NotYet as error:
-        raise unsolvable(problem, str(error), error.span, error.help) from None
+        span, help = error.span, error.help
+        raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
     except Unbounded as error:
-        raise unsolvable(problem, str(error)) from None
+        raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
 def followed(arrangement: Arrangement, until: float, accuracy: float) -> Run:
@@ -124,7 +124,9 @@ def worst(found: Stretch) -> float:
     """The widest bound of a number of the state, as a part of its largest size."""
     sizes = [0.0] * len(found.course.variables)
     for piece in found.runs[0].pieces:
-        sizes = [max(size, abs(float(polynomial[0]))) for size, polynomial in zip(sizes, piece.polynomials, strict=True)]
+        sizes = [
+            max(size, abs(float(polynomial[0]))) for size, polynomial in zip(sizes, piece.polynomials, strict=True)
+        ]
     return max((bound / size for bound, size in zip(found.bounds[-1], sizes, strict=True) if size), default=0.0)
 
 

@@ -52,7 +52,7 @@ def value(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
 
 def order_for(tolerance: float) -> int:
     """The order at which a tolerance costs least, by measurement."""
-    return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.5 * math.log(tolerance)) + 2))
+    return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.5 * math.log(tolerance)) + 6))
 
 
 class Stepper:
