@@ -7,6 +7,7 @@ laws, linear in forces and accelerations, how these few change.
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
 from fractions import Fraction
 
 from msgspec import Struct
@@ -27,8 +28,8 @@ from rotsolve.motion.instant import Instant
 from rotsolve.principles import constraints, driven, newton
 from rotsolve.principles import rotation as turning
 from rotsolve.simulation.beginning import Beginning, beginning
-from rotsolve.simulation.linear import Contradictory, Linear, Row, Undetermined
-from rotsolve.simulation.series import rough_value
+from rotsolve.simulation.linear import Contradictory, Linear, Row
+from rotsolve.simulation.series import needed, rough_value
 from rotsolve.simulation.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 
 RIGHT_ANGLE = PI / 2
@@ -73,10 +74,14 @@ class Course(Struct, frozen=True):
 
 
 class Compiler(Struct, dict=True):
-    """Writes the equations of motion of an arrangement in one choice of modes of its contacts."""
+    """Writes the equations of motion of an arrangement in one choice of modes of its contacts.
+
+    `before` is the course that this one goes on from, whose angles keep their origins.
+    """
 
     arrangement: Arrangement
     modes: Mapping[str, str]
+    before: Course | None = None
 
     def __post_init__(self) -> None:
         self.values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
@@ -85,14 +90,20 @@ class Compiler(Struct, dict=True):
         self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
         self.first: dict[str, Exact] = {TIME: ZERO}  # letters of the state -> their first values
         self.origins: dict[str, int] = {}
+        self.unnumbered = ""  # a letter without a number that some law speaks of
         self.linear = Linear(self.tape, self.letters, lambda place: rough_value(self.tape, place, self.first))
 
     def compiled(self) -> Course:
         """The course of the scene from its first state."""
+        try:
+            return self._compiled()
+        except Unwritable as error:
+            raise refusal(error, self.registry) from None
+
+    def _compiled(self) -> Course:
         with Precision(BITS):
             bodies = [body.name for body in self.arrangement.present(self.start.instant.state)]
-            for given in self.values:
-                self.letters[given] = self.tape.number(self._exact(Symbol(given)))
+            self._enter_givens()
             self._set_angles(bodies)
             fixed = Fixed(self.arrangement, self.registry, self.modes)
             for by_motion in (False, True):
@@ -101,16 +112,54 @@ class Compiler(Struct, dict=True):
             facts = free_bodies(moment)
             refuse_changing(facts)
             places = list(self._places(bodies, moment, facts))
-            pairs = [pair for name in bodies for pair in self._pairs(moment, name)]
             free = self._speeds(bodies, moment, facts)
-            self._forces(moment, facts, [pair[1] for pair in pairs if pair[0].symbols() & set(free)])
-            variables = [
-                Variable(name, letter, self.first[letter], self._value(rate), self.origins.get(letter, 0))
-                for name, letter, rate in places
-            ]
-            rising = {letter.name: rate for letter, rate in pairs if isinstance(letter, Symbol)}
-            variables += [Variable(path(name), name, self.first[name], self._value(rising[name])) for name in free]
-            return Course(self.tape, tuple(variables), self._outputs(variables), self.letters, facts, moment)
+            self._forces(moment, facts)
+            rising = {
+                speed.name: rate
+                for name in bodies
+                for speed, rate in self._pairs(moment, name)
+                if isinstance(speed, Symbol)
+            }
+            lines = [*places, *((path(name), name, rising[name]) for name in free)]
+            variables = tuple(self._variables(lines))
+            moving = {item.letter for item in variables}
+            return Course(self.tape, variables, self._outputs([line for line in lines if line[1] in moving]), self.letters, facts, moment)
+
+    def _enter_givens(self) -> None:
+        """The givens that have numbers."""
+        for name in self.values:
+            with suppress(NotYet):
+                self.letters[name] = self.tape.number(self._exact(Symbol(name)))
+
+    def _variables(self, lines: list[tuple[str, str, Formula]]) -> Iterator[Variable]:
+        """The numbers of the state; those whose rates no law tells are left out, if nothing else depends on them."""
+        idle: dict[str, Formula] = {}
+        while True:
+            told = [line for line in lines if line[1] not in idle]
+            found = {letter: rate for _, letter, rate in told if self._untold(rate, idle)}
+            if not found:
+                break
+            idle.update(found)
+        moving = [
+            Variable(name, letter, self.first[letter], self._value(rate), self.origins.get(letter, 0))
+            for name, letter, rate in told
+        ]
+        ever = letters_in(self.tape, *(item.rate for item in moving))
+        for letter, rate in idle.items():
+            if letter in ever or not moving:
+                if self.unnumbered:
+                    raise NotYet(
+                        f"`{self.unnumbered}` has no number", help=f"give it one, or say --set {self.unnumbered}=…"
+                    )
+                raise NotYet(f"the laws do not tell the {said(next(iter(rate.symbols()), letter), self.registry)}")
+        yield from moving
+
+    def _untold(self, rate: Formula, idle: Collection[str]) -> bool:
+        """Whether a rate is made of what no law tells."""
+        names = rate.symbols()
+        if any(name not in self.letters for name in names):
+            return True
+        return bool(letters_in(self.tape, *(self.letters[name] for name in names)) & set(idle))
 
     def _moment(self) -> Instant:
         """The moment at which all places and speeds are letters."""
@@ -122,15 +171,15 @@ class Compiler(Struct, dict=True):
         formula = resolve(value, self.values)
         for name in sorted(formula.symbols()):
             raise NotYet(f"`{name}` has no number", help=f"give it one, or say --set {name}=…")
-        number = self.tape.constant(self.tape.formula(formula, {}))
+        try:
+            number = self.tape.constant(self.tape.formula(formula, {}))
+        except Unwritable as error:
+            raise refusal(error, self.registry) from None
         return ZERO if vanishes(number) else number
 
     def _value(self, formula: Formula) -> int:
         """A formula of letters that are known by now, on the tape."""
-        try:
-            return self.tape.formula(formula, self.letters)
-        except Unwritable as error:
-            raise refusal(error, self.registry) from None
+        return self.tape.formula(formula, self.letters)
 
     def _enter(self, letter: str, start: Formula) -> None:
         """A letter of the state, with its first value."""
@@ -141,9 +190,9 @@ class Compiler(Struct, dict=True):
         """Every angle as a number of right angles and a letter for what it is beyond."""
         moment = self._moment()
         for name in bodies:
-            if not any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state)):
-                if moment.angle(name) is not None:
-                    self._set_angle(name, self.start.angle(name))
+            driven_ = any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state))
+            if not driven_ and moment.angle(name) is not None:
+                self._set_angle(name, self.start.angle(name))
             orbit = moment.orbit(name)
             if orbit is not None and orbit.radius is not None:
                 self._set_angle(orbit.owner, self.start.place("angle", orbit.owner))
@@ -151,10 +200,16 @@ class Compiler(Struct, dict=True):
     def _set_angle(self, owner: str, value: Formula) -> None:
         letter = self._moment().ask("angle", owner)
         if isinstance(letter, Symbol):
-            turns = round(float(arb(self._exact(value / RIGHT_ANGLE)).mid()))
+            turns = self._turns(letter.name, value)
             self.origins[letter.name] = turns
             self.registry.known[letter.name] = add(letter, Number(Fraction(turns)) * RIGHT_ANGLE)
             self._enter(letter.name, value - Number(Fraction(turns)) * RIGHT_ANGLE)
+
+    def _turns(self, letter: str, value: Formula) -> int:
+        """The number of right angles from which an angle is counted."""
+        if self.before is not None:
+            return next((item.origin for item in self.before.variables if item.letter == letter), 0)
+        return round(float(arb(self._exact(value / RIGHT_ANGLE)).mid()))
 
     def _places(self, bodies: list[str], moment: Instant, facts: Facts) -> Iterator[tuple[str, str, Formula]]:
         """The coordinates: their names, letters and rates."""
@@ -216,8 +271,8 @@ class Compiler(Struct, dict=True):
             self.letters[name] = left_free(name)
         told = self.linear.in_terms_of_free(rows, {name for name in names if component_of(name) == ""}, left_free)
         self.letters.update(told)
-        first = self._first_speeds(bodies, moment)
-        self.first.update({name: first[name] for name in free})
+        first = self._first_speeds(bodies, moment) if self.before is None else {}
+        self.first.update({name: first.get(name, ZERO) for name in free})
         return sorted(free)
 
     def _first_speeds(self, bodies: list[str], moment: Instant) -> dict[str, Exact]:
@@ -243,8 +298,8 @@ class Compiler(Struct, dict=True):
                 rows.append(self.linear.row(formula, unknown))
         return rows
 
-    def _forces(self, moment: Instant, facts: Facts, wanted: list[Formula]) -> None:
-        """Enters all forces and accelerations that the laws tell, those wanted among them."""
+    def _forces(self, moment: Instant, facts: Facts) -> None:
+        """Enters all forces and accelerations that the laws tell; a law that speaks of a letter without a number tells nothing."""
         inertias = {
             name: body.inertia.formula
             for body in facts.bodies
@@ -252,44 +307,56 @@ class Compiler(Struct, dict=True):
             for name in body.inertia.letter.symbols()
             if name not in self.letters
         }
-        laws = [
+        written = [
             *newton.second_law(facts, ""),
             *turning.law_of_rotation(facts, ""),
             *constraints.for_accelerations(facts, ""),
             *driven.rates(facts, ""),
         ]
-        formulas = [(law.left - law.right).substitute(inertias) for law in laws]
-        unknown = {name for formula in formulas for name in formula.symbols()} - set(self.letters)
-        unknown |= {name for formula in wanted for name in formula.symbols()} - set(self.letters)
-        for name in sorted(unknown):
-            if name not in self.registry.quantities or self.registry.quantities[name].kind in PLACES:
-                raise refusal(Unwritable(name), self.registry)
+        laws = []
+        for law in written:
+            formula = (law.left - law.right).substitute(inertias)
+            open_ = formula.symbols() - set(self.letters)
+            self._check_places(open_)
+            missing = [name for name in open_ if SEPARATOR not in name]
+            self.unnumbered = self.unnumbered or next(iter(missing), "")
+            if not missing and open_:
+                laws.append((law, formula, open_))
+        unknown = {name for _, _, names in laws for name in names}
+        speeds = (rate for body in facts.bodies for _, rate in self._pairs(moment, body.name))
+        late = {name for rate in speeds for name in rate.symbols() if name in unknown}
         try:
-            rows = [self.linear.row(formula, unknown) for formula in formulas]
-            asked = [name for formula in wanted for name in sorted(formula.symbols() & unknown)]
-            self.letters.update(self.linear.solve(rows, asked))
-        except Undetermined as error:
-            raise NotYet(f"the laws do not tell the {said(str(error), self.registry)}") from None
+            rows = [self.linear.row(formula, unknown) for _, formula, _ in laws]
+            self.letters.update(self.linear.solve(rows, late))
         except Contradictory as error:
-            raise NotYet(f"the data contradict each other: “{laws[error.equation].label}” can not hold") from None
-        except Unwritable as error:
-            raise refusal(error, self.registry) from None
+            raise NotYet(f"the data contradict each other: “{laws[error.equation][0].label}” can not hold") from None
 
-    def _outputs(self, variables: list[Variable]) -> dict[str, int]:
+    def _check_places(self, letters: Collection[str]) -> None:
+        """A place that the laws speak of is one that is followed."""
+        for name in sorted(letters):
+            if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
+                raise refusal(Unwritable(name), self.registry)
+
+    def _outputs(self, lines: list[tuple[str, str, Formula]]) -> dict[str, int]:
         """All that can be told: coordinates with their origins, speeds, accelerations, forces."""
-        quarter = self._exact(RIGHT_ANGLE)
-        found = {
-            item.name: self.tape.sum([(self.letters[item.letter], ONE), (self.tape.number(quarter), fmpq(item.origin))])
-            for item in variables
-        }
+        quarter, found = self.tape.number(self._exact(RIGHT_ANGLE)), {}
+        for name, letter, _ in lines:
+            found[name] = self.tape.sum([(self.letters[letter], ONE), (quarter, fmpq(self.origins.get(letter, 0)))])
         for letter, place in self.letters.items():
             if letter in self.registry.quantities:
                 found.setdefault(path(letter), place)
-        return found
+        followed = {letter for _, letter, _ in lines} | {TIME}
+        return {name: place for name, place in found.items() if letters_in(self.tape, place) <= followed}
 
 
 def key(word: str, owner: str, when: str, component: str = "") -> str:
     return SEPARATOR.join((word, owner, component, when))
+
+
+def letters_in(tape: Tape, *places: int) -> set[str]:
+    """The letters on which values rest."""
+    found = (tape.operations[place] for place in needed(tape, places))
+    return {operation.name for operation in found if operation.kind == "letter"}
 
 
 def component_of(letter: str) -> str:
@@ -329,6 +396,6 @@ def refuse_changing(facts: Facts) -> None:
             raise NotYet(f"`{rule.owner}` changes its sizes on the way: not simulated yet")
 
 
-def compiled(arrangement: Arrangement, modes: Mapping[str, str]) -> Course:
-    """The equations of motion of an arrangement, from its first state."""
-    return Compiler(arrangement, modes).compiled()
+def compiled(arrangement: Arrangement, modes: Mapping[str, str], before: Course | None = None) -> Course:
+    """The equations of motion of an arrangement, from its first state, or as they go on from a course before."""
+    return Compiler(arrangement, modes, before).compiled()

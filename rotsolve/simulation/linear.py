@@ -14,10 +14,6 @@ REST = ""  # stands for the part without unknowns
 Row = dict[str, int]  # unknown -> place of its coefficient; REST -> place of the rest; they add up to zero
 
 
-class Undetermined(ValueError):
-    """The equations do not tell an unknown; names it."""
-
-
 class Contradictory(ValueError):
     """The equations contradict each other; tells which of them."""
 
@@ -72,17 +68,10 @@ class Linear(Struct):
 
         return {name: place for name, place in row.items() if not zero(place)}
 
-    def solve(self, rows: Sequence[Row], wanted: Sequence[str]) -> dict[str, int]:
-        """All unknowns that the equations tell; the wanted ones among them, which are left to the end.
-
-        An unknown that the equations do not tell, and on which no wanted one depends, does not matter.
-        """
-        told, left = self.eliminated(rows, set(wanted))
-        known = self.put_in(told, self._together(left))
-        missing = [name for name in wanted if name not in known]
-        if missing:
-            raise Undetermined(missing[0])
-        return known
+    def solve(self, rows: Sequence[Row], late: Collection[str]) -> dict[str, int]:
+        """All unknowns that the equations tell; the late ones are left to the end."""
+        told, left = self.eliminated(rows, late)
+        return self.put_in(told, self._together(left))
 
     def in_terms_of_free(
         self, rows: Sequence[Row], late: Collection[str], free: Callable[[str], int]

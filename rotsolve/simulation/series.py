@@ -29,6 +29,7 @@ OF_FLOAT = {
     "acos": math.acos,
     "abs": abs,
 }
+COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
 OF_BALL = {name: getattr(arb, name, abs) for name in OF_FLOAT}
 
 
@@ -44,17 +45,17 @@ def nearest(number: Exact) -> float:
     return float(arb(number).mid())
 
 
-def beyond(number: Exact) -> float:
-    """The float on the other side of a constant that is none itself, so that two runs hold it between them."""
+def coarse(number: Exact) -> float:
+    """A float some roundings beyond a constant that is none itself."""
     middle = arb(number).mid()
     close = float(middle)
     if middle == close:
         return close
-    return math.nextafter(close, math.inf if middle > close else -math.inf)
+    return close * (1 + COARSE if (middle > close) == (close > 0) else 1 - COARSE)
 
 
 FLOATS = Arithmetic(nearest, OF_FLOAT)
-OTHER_FLOATS = Arithmetic(beyond, OF_FLOAT)
+COARSE_FLOATS = Arithmetic(coarse, OF_FLOAT)
 BALLS = Arithmetic(arb, OF_BALL)
 
 

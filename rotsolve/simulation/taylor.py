@@ -15,9 +15,11 @@ from msgspec import Struct, field
 from rotsolve.core.registry import TIME
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import Arithmetic, Expansion, Scalar
+from rotsolve.simulation.tape import ONE, ZERO
 
 LEAST_ORDER, MOST_ORDER = 4, 150
 SHORTEST = 1e-13  # of the time gone by: steps that short lead nowhere
+SPLIT = 2.0**2 + 1  # the factor that rounds a float to two bits less (Veltkamp)
 MOST = 1e100  # what a number of the state may grow to
 
 
@@ -68,7 +70,7 @@ class Stepper:
         self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
         self.rates = [lists[item.rate] for item in self.variables]
         self.clock = lists.get(course.letters[TIME])
-        self.one = arithmetic.number(1)
+        self.one, self.zero = arithmetic.number(ONE), arithmetic.number(ZERO)
 
     def moment(self, time: float) -> Scalar:
         return self.one * time
@@ -82,11 +84,11 @@ class Stepper:
                 own.append(start)
         for order in range(1, self.order + 1):
             for own, rate in polynomials:
-                own.append(rate[order - 1] / order)
+                own.append(rate[order - 1] / order if order <= len(rate) else self.zero)
             if order == self.order:
                 break
             if self.clock is not None:
-                self.clock.append(self.one if order == 1 else self.one * 0)
+                self.clock.append(self.one if order == 1 else self.zero)
             self.expansion.extend(order)
         found = [own[:] for own in self.own]
         for place, own in zip(self.letters, self.own, strict=True):
@@ -134,11 +136,12 @@ class Motion(Struct):
 class Walker:
     """Walks along a motion; what rounding leaves out of a state of floats is kept and added to the next step.
 
-    A state of balls is taken at its middle after each step: the balls only carry the precision, the bounds come from a second run.
+    A state of balls is taken at its middle after each step: the balls only carry the precision, the bounds come from a second run,
+    which is `coarse`: it rounds its state of floats to fewer bits, and keeps nothing.
     """
 
-    def __init__(self, stepper: Stepper, time: float, state: Sequence[Scalar]) -> None:
-        self.stepper, self.time, self.state = stepper, time, list(state)
+    def __init__(self, stepper: Stepper, time: float, state: Sequence[Scalar], coarse: bool = False) -> None:
+        self.stepper, self.time, self.state, self.coarse = stepper, time, list(state), coarse
         self.left: list[Scalar] = [0.0] * len(self.state)
         self.before = 0.0
 
@@ -162,7 +165,9 @@ class Walker:
             before = self.state[number]
             after = before + added
             if isinstance(after, float):
-                self.left[number] = added - (after - before)
+                split = SPLIT * after
+                self.left[number] = 0.0 if self.coarse else added - (after - before)
+                after = split - (split - after) if self.coarse else after
             else:
                 after = after.mid()
             self.state[number] = after
