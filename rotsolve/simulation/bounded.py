@@ -20,7 +20,7 @@ from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic,
 from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for
 from rotsolve.simulation.watches import Watch
 
-SAFETY = 2.0  # what the difference of the two runs is multiplied by
+SAFETY = 3.0  # what the difference of the two runs is multiplied by
 COARSER = 10.0  # how much larger the tolerance of the second run is
 ROUNDING = 2.0**-51  # of a number: what dense output may add
 LOOKS = 64  # moments at which quantities that are no numbers of the state are compared
@@ -107,8 +107,9 @@ def stretch(
     runs, ends, last, hits = [], [], [], []
     with Precision(tolerances.bits):
         for kind, time, state, coarser in zip(tolerances.arithmetics, times, states, (1.0, COARSER), strict=True):
-            walker = Walker(Stepper(course, kind, coarser * tolerances.main, order), time, state, coarser > 1)
-            motion, hit = followed_until(walker, until, Lookout(watched, course, kind))
+            stepper = Stepper(course, kind, coarser * tolerances.main, order, [watch.place for watch in watched])
+            walker = Walker(stepper, time, state, coarser > 1)
+            motion, hit = followed_until(walker, until, Lookout(watched))
             runs.append(motion)
             ends.append(walker.time)
             last.append(walker.state)

@@ -6,7 +6,7 @@ laws, linear in forces and accelerations, how these few change.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
 
@@ -123,7 +123,14 @@ class Compiler(Struct, dict=True):
             lines = [*places, *((path(name), name, rising[name]) for name in free)]
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
-            return Course(self.tape, variables, self._outputs([line for line in lines if line[1] in moving]), self.letters, facts, moment)
+            return Course(
+                self.tape,
+                variables,
+                self._outputs([line for line in lines if line[1] in moving]),
+                self.letters,
+                facts,
+                moment,
+            )
 
     def _enter_givens(self) -> None:
         """The givens that have numbers."""
@@ -186,16 +193,20 @@ class Compiler(Struct, dict=True):
         self.letters[letter] = self.tape.letter(letter)
         self.first[letter] = self._exact(start)
 
+    def _at_first(self, told: Callable[[], Formula]) -> Formula:
+        """The value of a place at first; nothing where this course goes on from another, which knows it."""
+        return told() if self.before is None else NOTHING
+
     def _set_angles(self, bodies: list[str]) -> None:
         """Every angle as a number of right angles and a letter for what it is beyond."""
         moment = self._moment()
         for name in bodies:
             driven_ = any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state))
             if not driven_ and moment.angle(name) is not None:
-                self._set_angle(name, self.start.angle(name))
+                self._set_angle(name, self._at_first(lambda name=name: self.start.angle(name)))
             orbit = moment.orbit(name)
             if orbit is not None and orbit.radius is not None:
-                self._set_angle(orbit.owner, self.start.place("angle", orbit.owner))
+                self._set_angle(orbit.owner, self._at_first(lambda owner=orbit.owner: self.start.place("angle", owner)))
 
     def _set_angle(self, owner: str, value: Formula) -> None:
         letter = self._moment().ask("angle", owner)
@@ -235,7 +246,7 @@ class Compiler(Struct, dict=True):
                 and letter in self.registry.quantities
             ):
                 word = self.registry.quantities[letter].kind
-                self._enter(letter, self.start.place(word, stored.owner))
+                self._enter(letter, self._at_first(lambda word=word, owner=stored.owner: self.start.place(word, owner)))
                 yield f"{stored.owner}.{word}", letter, stored.rate
 
     def _ways(self, name: str, moment: Instant) -> Iterator[tuple[str, str, Formula]]:

@@ -6,14 +6,11 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.series import Arithmetic, Expansion, Scalar
-from rotsolve.simulation.tape import ONE
-from rotsolve.simulation.taylor import Piece
+from rotsolve.simulation.series import Scalar
+from rotsolve.simulation.taylor import Piece, value
 from rotsolve.simulation.watches import Watch
 
-SAMPLES = 4  # moments of a step at which the watched values are looked at
+SAMPLES = 8  # moments of a step at which the watched values are looked at
 HALVINGS = 200
 CLEAR = 1e-9  # a value smaller than this part of what it comes to in the step has no sign of its own at the start
 
@@ -22,66 +19,59 @@ class Hit(Struct, frozen=True):
     """A watched value passes zero."""
 
     watch: Watch
-    number: int
     time: float
 
 
 class Lookout:
-    """Looks at the watched values of a course along the pieces of its motion."""
+    """Looks at the watched values along the pieces of a motion; a piece is so short that they hardly bend in it."""
 
-    def __init__(self, watched: Sequence[Watch], course: Course, arithmetic: Arithmetic) -> None:
-        self.watched, self.course = watched, course
-        self.expansion = Expansion(course.tape, [watch.place for watch in watched], arithmetic)
-        self.letters = [course.letters[item.letter] for item in course.variables]
-        self.clock, self.one = course.letters[TIME], arithmetic.number(ONE)
+    def __init__(self, watched: Sequence[Watch]) -> None:
+        self.watched = watched
         self.sides = [0] * len(watched)  # the last sign that each had
-
-    def values(self, piece: Piece, time: float) -> list[Scalar]:
-        """The watched values at a time."""
-        state = dict(zip(self.letters, piece.at(time), strict=True))
-        self.expansion.begin({**state, self.clock: self.one * time})
-        lists = self.expansion.lists
-        return [lists[watch.place][0] for watch in self.watched]
 
     def first(self, piece: Piece) -> Hit | None:
         """The first moment in a piece at which one of the values passes zero."""
         if not self.watched:
             return None
-        times = [piece.start + piece.length * k / SAMPLES for k in range(SAMPLES + 1)]
-        rows = list(zip(*(self.values(piece, time) for time in times), strict=True))
-        hits = [hit for number, row in enumerate(rows) if (hit := self._in_row(number, row, times, piece)) is not None]
+        times = [piece.length * k / SAMPLES for k in range(SAMPLES + 1)]
+        found = (self._passage(number, times, polynomial) for number, polynomial in enumerate(piece.watched))
+        hits = [
+            Hit(watch, piece.start + time) for watch, time in zip(self.watched, found, strict=True) if time is not None
+        ]
         return min(hits, key=lambda hit: hit.time, default=None)
 
-    def _in_row(self, number: int, row: Sequence[Scalar], times: Sequence[float], piece: Piece) -> Hit | None:
-        """The first passage of one value, seen by its signs at some moments."""
+    def _passage(self, number: int, times: Sequence[float], polynomial: Sequence[Scalar]) -> float | None:
+        """When one value passes zero, seen by its signs at some times since the start of the piece."""
+        row = [value(polynomial, time) for time in times]
         side, low = self.sides[number], times[0]
-        if not side and abs(row[0]) > CLEAR * max(abs(value) for value in row):
+        if not side and abs(row[0]) > CLEAR * max(abs(item) for item in row):
             side = sign(row[0])
-        for time, value in zip(times[1:], row[1:], strict=True):
-            if side and sign(value) == -side:
-                return Hit(self.watched[number], number, self._passage(number, piece, low, time, side))
-            side, low = sign(value) or side, time
+        for time, now in zip(times[1:], row[1:], strict=True):
+            if side and sign(now) == -side:
+                return passage(polynomial, low, time, side)
+            side, low = sign(now) or side, time
         self.sides[number] = side
         return None
 
-    def _passage(self, number: int, piece: Piece, low: float, high: float, side: int) -> float:
-        """Where the value passes zero between two moments: by chords, halving the weight of an end that stays (Illinois)."""
-        below, above = self.values(piece, low)[number], self.values(piece, high)[number]
-        if sign(below) != side:
-            return low
-        for _ in range(HALVINGS):
-            middle = high - float(above * (high - low) / (above - below))
-            if not low < middle < high:
-                break
-            found = self.values(piece, middle)[number]
-            if sign(found) == side:
-                low, below, above = middle, found, above / 2
-            else:
-                high, above, below = middle, found, below / 2
-            if not found:
-                break
-        return high
+
+def passage(polynomial: Sequence[Scalar], low: float, high: float, side: int) -> float:
+    """Where a polynomial passes zero between two times: by chords, halving the weight of an end that stays (Illinois)."""
+    below, above = value(polynomial, low), value(polynomial, high)
+    if sign(below) != side:
+        return low
+    for _ in range(HALVINGS):
+        middle = high - float(above * (high - low) / (above - below))
+        if not low < middle < high:
+            break
+        found = value(polynomial, middle)
+        if sign(found) == side:
+            low, below, above = middle, found, above / 2
+        else:
+            high, above, below = middle, found, below / 2
+        if not found:
+            break
+    return high
 
 
-def sign(value: Scalar) -> int:
-    return 1 if value > 0 else -1 if value < 0 else 0
+def sign(number: Scalar) -> int:
+    return 1 if number > 0 else -1 if number < 0 else 0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from msgspec import Struct, field
 
@@ -11,6 +11,7 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
 from rotsolve.simulation.bounded import (
+    FLOAT_BITS,
     SAFETY,
     Reading,
     States,
@@ -24,8 +25,9 @@ from rotsolve.simulation.bounded import (
 )
 from rotsolve.simulation.course import Course, compiled
 from rotsolve.simulation.opening import opening, standing
+from rotsolve.simulation.series import Scalar
 from rotsolve.simulation.tape import Exact
-from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, STOPS, TURNS, Watch, watches
+from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
 
 READING_BITS = 192
 CROWD = 2000  # events before a motion is given up
@@ -56,7 +58,7 @@ class Follower(Struct, dict=True):
     tolerances: Tolerances
 
     def __post_init__(self) -> None:
-        self.scene = opening(self.arrangement)
+        self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
         self.found = Followed()
         self.modes = self.decided(self.scene)
         self.ahead = list(self.arrangement.timeline.states[1:])
@@ -75,7 +77,7 @@ class Follower(Struct, dict=True):
             states, times = part.last, part.ends
             if part.hit.kind == REACHED:
                 since = {
-                    item.name: self._exact(number) for item, number in zip(course.variables, states[0], strict=True)
+                    item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)
                 }
             course, states = self._after(part.hit, course, states, times)
         if not self.found.ended:
@@ -106,37 +108,44 @@ class Follower(Struct, dict=True):
 
     def _after(self, hit: Watch, course: Course, states: States, times: Times) -> tuple[Course, States]:
         """The course that follows an event, and the states of both runs in its numbers."""
-        if hit.kind == REACHED:
-            self._reached(self.ahead.pop(0))
         if hit.kind == BREAKS:
             self.found.ended = f"{hit.what}: what comes after that is not followed"
-        if hit.kind in (REACHED, BREAKS, TURNS):
+        if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._rearranged(self.ahead.pop(0))):
             return course, states
         if hit.kind == SLIPS and hit.rub is not None:
             self.modes = {**self.modes, hit.rub.key: hit.mode}
-        if hit.kind == STOPS:
+        else:
             numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
             self.modes = self.decided(standing(self.scene, times[0], numbers))
         following = compiled(self.scene, self.modes, course)
-        pairs = (self._carried(course, following, state, time) for state, time in zip(states, times, strict=True))
-        first, second = pairs
+        first, second = (
+            self._carried(course, following, state, time) for state, time in zip(states, times, strict=True)
+        )
         return following, (first, second)
 
-    def _reached(self, state: State) -> None:
-        """A state of the scene is reached; an event that it starts is not followed."""
+    def _rearranged(self, state: State) -> bool:
+        """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
         after = self.arrangement.timeline.after(state.name)
         if after is not None and after.event is not None:
             self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
+            return False
+        scene = opening(self.arrangement, state.name)
+        changed = (scene.problem.connections, scene.problem.actions) != (
+            self.scene.problem.connections,
+            self.scene.problem.actions,
+        )
+        self.scene = scene if changed else self.scene
+        return changed
 
-    def _read(self, course: Course, state: list[object], time: float) -> Mapping[str, object]:
+    def _read(self, course: Course, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
             return Reading(course, tuple(course.outputs)).read(time, state)
 
-    def _carried(self, course: Course, following: Course, state: list[object], time: float) -> list[object]:
+    def _carried(self, course: Course, following: Course, state: Sequence[Scalar], time: float) -> list[Scalar]:
         """The state at an event in the numbers of the course that follows."""
         own = {item.letter: number for item, number in zip(course.variables, state, strict=True)}
         read = self._read(course, state, time)
-        floats = self.tolerances.bits == 53
+        floats = self.tolerances.bits == FLOAT_BITS
         found = []
         for item in following.variables:
             number = own.get(item.letter)
@@ -145,8 +154,3 @@ class Follower(Struct, dict=True):
                 number = float(ball.mid()) if floats else ball.mid()
             found.append(number)
         return found
-
-    def _exact(self, number: object) -> Exact:
-        from rotsolve.algebra.flints import arb
-
-        return arb(number).mid()

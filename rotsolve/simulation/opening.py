@@ -1,4 +1,4 @@
-"""Opening: the scene as it stands at one moment, without what comes later: its first state, or any moment of its motion."""
+"""Opening: the scene as it stands at one moment, without what comes later: at one of its states, or at any moment of its motion."""
 
 from __future__ import annotations
 
@@ -13,27 +13,27 @@ from rotsolve.core.registry import TIME
 from rotsolve.core.varying import paths_in
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.keys import keys_of
-from rotsolve.scene.model import Condition, Path, Problem, State
+from rotsolve.scene.model import Condition, Path, State
 
 STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # what a state may say of a moment
 SINCE = ("rotation", "displacement")  # what counts from the first state
 
 
-def opening(arrangement: Arrangement) -> Arrangement:
-    """The scene at its first state alone."""
+def opening(arrangement: Arrangement, state: str) -> Arrangement:
+    """The scene as it is arranged from a state on, under the name of its first one: what acts there, what is there."""
     problem, first = arrangement.problem, arrangement.timeline.states[0]
     there = {
         name
-        for body in arrangement.present(first.name)
-        for name in (body.name, *(member.name for member in arrangement.cluster(body.name, first.name)))
+        for body in arrangement.present(state)
+        for name in (body.name, *(member.name for member in arrangement.cluster(body.name, state)))
     }
     return Arrangement(
         replace(
             problem,
             bodies=tuple(body for body in problem.bodies if body.name in there),
-            connections=arrangement.connections(first.name),
-            actions=tuple(replace(item, from_=None, to=None) for item in arrangement.actions(first.name)),
-            states=(first,),
+            connections=arrangement.connections(state),
+            actions=tuple(replace(item, from_=None, to=None) for item in arrangement.actions(state)),
+            states=(first if state == first.name else State(first.name),),
             phases=(),
             events=(),
             finds=(),
@@ -83,6 +83,3 @@ def going_on(item: Any, time: float, numbers: Mapping[str, float]) -> Any:
             shifted = {name: Symbol(name) + Number(Fraction(number)) for name, number in since.items()}
             changed[word] = value.substitute(shifted)
     return replace(item, **changed) if changed else item
-
-
-__all__ = ["Problem", "opening", "standing"]

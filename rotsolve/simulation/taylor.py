@@ -1,6 +1,6 @@
 """Taylor: a motion step by step, each step a polynomial in time whose order and length follow from the accuracy that is wanted.
 
-Coefficients come from the tape: xₖ₊₁ = (rate of x)ₖ/(k + 1). The last two tell how long a step may be (à la Jorba and Zou). What a step
+Coefficients come from the tape: xₖ₊₁ = (rate of x)ₖ/(k + 1). The last ones tell how long a step may be (à la Jorba and Zou). What a step
 adds is summed up with what rounding left out before, so that long runs do not lose it.
 """
 
@@ -17,7 +17,8 @@ from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import Arithmetic, Expansion, Scalar
 from rotsolve.simulation.tape import ONE, ZERO
 
-LEAST_ORDER, MOST_ORDER = 4, 150
+LEAST_ORDER, MOST_ORDER = 10, 150
+WINDOW = 6  # last coefficients that tell how fast all of them fall; of a symmetric motion most vanish
 SHORTEST = 1e-13  # of the time gone by: steps that short lead nowhere
 SPLIT = 2.0**2 + 1  # the factor that rounds a float to two bits less (Veltkamp)
 MOST = 1e100  # what a number of the state may grow to
@@ -34,9 +35,10 @@ class Unbounded(ValueError):
 class Piece(Struct, frozen=True):
     """One step: from a time on, for a while, each number of the state as a polynomial of the time since then."""
 
-    start: Scalar
-    length: Scalar
+    start: float
+    length: float
     polynomials: tuple[list[Scalar], ...]
+    watched: tuple[list[Scalar], ...] = ()  # of the values that are watched
 
     def at(self, time: Scalar) -> list[Scalar]:
         """The state at a time."""
@@ -58,43 +60,41 @@ def order_for(tolerance: float) -> int:
 
 
 class Stepper:
-    """Takes steps of a course from a time and state on, in floats or balls, to a tolerance per step."""
+    """Expands the motion of a course, and the values that are `watched`, from a moment on, in floats or balls."""
 
-    def __init__(self, course: Course, arithmetic: Arithmetic, tolerance: float, order: int) -> None:
-        self.course, self.tolerance, self.order = course, tolerance, order
-        tape = course.tape
-        self.variables = course.variables
-        self.expansion = Expansion(tape, [item.rate for item in self.variables], arithmetic)
+    def __init__(
+        self, course: Course, arithmetic: Arithmetic, tolerance: float, order: int, watched: Sequence[int] = ()
+    ) -> None:
+        self.tolerance, self.order = tolerance, order
+        self.expansion = Expansion(course.tape, [*(item.rate for item in course.variables), *watched], arithmetic)
         lists = self.expansion.lists
-        self.letters = [course.letters[item.letter] for item in self.variables]
+        self.letters = [course.letters[item.letter] for item in course.variables]
         self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
-        self.rates = [lists[item.rate] for item in self.variables]
-        self.clock = lists.get(course.letters[TIME])
+        self.apart = [own for place, own in zip(self.letters, self.own, strict=True) if place not in lists]
+        self.rates = [lists[item.rate] for item in course.variables]
+        self.watched = [lists[place] for place in watched]
+        self.time = course.letters[TIME]
+        self.clock = lists.get(self.time)
         self.one, self.zero = arithmetic.number(ONE), arithmetic.number(ZERO)
 
-    def moment(self, time: float) -> Scalar:
-        return self.one * time
-
-    def expand(self, time: Scalar, state: Sequence[Scalar]) -> list[list[Scalar]]:
-        """The polynomials of the state from a moment on."""
-        polynomials = list(zip(self.own, self.rates, strict=True))
-        self.expansion.begin({**dict(zip(self.letters, state, strict=True)), self.course.letters[TIME]: time})
+    def expand(self, time: float, state: Sequence[Scalar]) -> Piece:
+        """The polynomials of the state and of what is watched from a moment on, as yet without an end."""
+        for own in self.apart:  # letters on which no rate depends
+            own.clear()
+        self.expansion.begin({**dict(zip(self.letters, state, strict=True)), self.time: self.one * time})
+        pairs = list(zip(self.own, self.rates, strict=True))
         for own, start in zip(self.own, state, strict=True):
             if not own:
                 own.append(start)
         for order in range(1, self.order + 1):
-            for own, rate in polynomials:
+            for own, rate in pairs:
                 own.append(rate[order - 1] / order if order <= len(rate) else self.zero)
-            if order == self.order:
-                break
-            if self.clock is not None:
-                self.clock.append(self.one if order == 1 else self.zero)
-            self.expansion.extend(order)
-        found = [own[:] for own in self.own]
-        for place, own in zip(self.letters, self.own, strict=True):
-            if place not in self.expansion.lists:
-                own.clear()
-        return found
+            if order < self.order:
+                if self.clock is not None:
+                    self.clock.append(self.one if order == 1 else self.zero)
+                self.expansion.extend(order)
+        found = tuple(own[:] for own in self.own)
+        return Piece(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
 
     def length(self, polynomials: Sequence[Sequence[Scalar]], before: float) -> float:
         """How long a step these polynomials carry: what they leave out stays below the tolerance, as a part of each number's size.
@@ -103,16 +103,13 @@ class Stepper:
         """
         longest = math.inf
         for polynomial in polynomials:
-            last = len(polynomial) - 1
-            ends = [(k, abs(float(polynomial[k]))) for k in (last, last - 1)]
+            ends = [(k, abs(float(polynomial[k]))) for k in range(len(polynomial) - WINDOW, len(polynomial))]
             if not any(end for _, end in ends):
                 continue
             sizes = (abs(float(polynomial[k])) * before**k for k in range(3))
             size = max(sizes) or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
-            for k, end in ends:
-                if end:
-                    longest = min(longest, (self.tolerance * size / end) ** (1 / k))
-        return longest
+            longest = min(longest, *((size / end) ** (1 / k) for k, end in ends if end))
+        return longest * self.tolerance ** (1 / self.order)
 
 
 def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:
@@ -146,17 +143,18 @@ class Walker:
         self.before = 0.0
 
     def piece(self, until: float) -> Piece:
-        """The polynomials from here on and how long they hold, not beyond `until`."""
-        polynomials = self.stepper.expand(self.stepper.moment(self.time), self.state)
-        length = self.stepper.length(polynomials, self.before or until - self.time)
+        """The polynomials from here on, for as long as they hold, not beyond `until`."""
+        piece = self.stepper.expand(self.time, self.state)
+        carried = (*piece.polynomials, *piece.watched)
+        length = self.stepper.length(carried, self.before or until - self.time)
         if not self.before:
             for _ in range(3):
-                length = self.stepper.length(polynomials, min(length, until - self.time))
-        if length < SHORTEST * max(self.time, 1e-3) or not finite(polynomials):
+                length = self.stepper.length(carried, min(length, until - self.time))
+        if length < SHORTEST * max(self.time, 1e-3) or not finite(carried):
             raise Unbounded(self.time)
         self.before = min(length, until - self.time)
         end = min(until, self.time + length)
-        return Piece(self.time, end - self.time, tuple(polynomials))
+        return Piece(self.time, end - self.time, piece.polynomials, piece.watched)
 
     def walk(self, piece: Piece, length: float) -> None:
         """Go on along a piece."""
