@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
