@@ -84,7 +84,8 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     fed = course.tape.constant(balance.rate) != 0
     pieces = part.runs[0].pieces
     pieces = pieces if fed else pieces[:: 1 + len(pieces) // LOOKS]
-    first, spent, worst, size = reading.at(part, part.times[0]), [0.0], 0.0, 0.0
+    first, spent = reading.at(part, part.times[0]), [0.0]
+    worst = size = strongest = 0.0
     with Precision(BALANCE_BITS):
         for piece in pieces:
             if fed:
@@ -97,9 +98,8 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
             now = reading.at(part, piece.start + piece.length)
             size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
             worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
-            if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * (
-                abs(float(now[1])) + abs(float(now[-1]))
-            ):
+            strongest = max(strongest, abs(float(now[1])))
+            if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * max(strongest, size):
                 return None
     return worst, size
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import Struct, field
 
@@ -57,6 +57,7 @@ class Follower(Struct, dict=True):
     arrangement: Arrangement
     until: float
     tolerances: Tolerances
+    tell: Callable[[float], None] = lambda part: None  # is told which part has been followed
 
     def __post_init__(self) -> None:
         self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
@@ -71,7 +72,7 @@ class Follower(Struct, dict=True):
         since: dict[str, Exact] = {item.name: item.start for item in course.variables}
         while not self.found.ended and len(self.found.events) < CROWD:
             watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
-            part = stretch(course, times, states, self.until, self.tolerances, watched)
+            part = stretch(course, times, states, self.until, self.tolerances, watched, self.tell)
             self._enter(part)
             if part.hit is None:
                 return self.found
