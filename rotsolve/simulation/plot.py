@@ -38,12 +38,18 @@ def plot(run: Run, path: str) -> None:
         for name in held:
             style = "--" if name.endswith(".y") else "-"
             values = [row[name][0] if name in row else float("nan") for row in found]
-            axis.plot(times, values, style, color=colours[name.partition(".")[0]], linewidth=1.6, label=name)
+            axis.plot(times, values, style, color=colours[name.partition(".")[0]], linewidth=1.6, label=label_of(name))
         dress(axis, unit, len(held))
     mark(axes, run)
     axes[-1].set_xlabel("t in s", color=INK)
     axes[-1].set_xlim(0, run.end or 1)
     figure.savefig(path, dpi=150)
+
+
+def label_of(name: str) -> str:
+    """Whose curve it is: `block`, `lower x`."""
+    owner, component = name.partition(".")[0], name.rpartition(".")[2]
+    return f"{owner} {component}" if component in ("x", "y") else owner
 
 
 def panels_of(names: tuple[str, ...]) -> dict[str, list[str]]:
