@@ -6,14 +6,15 @@ import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from time import monotonic
+from typing import Any
 
 from msgspec import Struct, field
 
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.render.layout import page
 from rotsolve.run import BAD, PATIENCE, SOLVED, UNSOLVED, coloured, internal_error, name_of, source
-from rotsolve.simulation.report import csv, lines, times_of
 from rotsolve.simulation.run import Run
+from rotsolve.simulation.showing.report import csv, lines, times_of
 from rotsolve.simulation.simulating import simulate
 
 
@@ -57,7 +58,7 @@ def refuse(message: str, code: int) -> int:
 def write(found: Run, request: Request) -> int:
     """The picture into its file, the numbers or the table to standard output."""
     if request.plot is not None:
-        from rotsolve.simulation.plot import NoPlots, plot
+        from rotsolve.simulation.showing.plot import NoPlots, plot
 
         try:
             plot(found, request.plot)
@@ -86,7 +87,8 @@ def advancing(name: str) -> Iterator[Callable[[float], None]]:
     if not sys.stderr.isatty():
         yield lambda part: None
         return
-    start, bars = monotonic(), []
+    start = monotonic()
+    bars: list[Any] = []
 
     def tell(part: float) -> None:
         if not bars and monotonic() - start > PATIENCE:

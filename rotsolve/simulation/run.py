@@ -11,10 +11,10 @@ from msgspec import Struct, field
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.scene.model import Problem
-from rotsolve.simulation.balance import Drift, drift
-from rotsolve.simulation.bounded import ROUNDING, Reading, Stretch
-from rotsolve.simulation.following import READING_BITS, Event
-from rotsolve.simulation.series import Scalar
+from rotsolve.simulation.steps.balance import Drift, drift
+from rotsolve.simulation.steps.bounded import ROUNDING, Reading, Stretch
+from rotsolve.simulation.steps.following import READING_BITS, Event
+from rotsolve.simulation.tape.tape import Scalar
 
 
 class Run(Struct, dict=True):

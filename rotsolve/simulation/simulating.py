@@ -16,10 +16,10 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
-from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
-from rotsolve.simulation.following import Event, Followed, Follower
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.taylor import Unbounded
+from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.steps.following import Event, Followed, Follower
+from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 AIM = 1e-3  # tolerance of a step, of the accuracy asked for

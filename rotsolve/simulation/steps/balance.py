@@ -18,10 +18,10 @@ from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.principles import energy
-from rotsolve.simulation.bounded import Stretch
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.series import BALLS, Expansion, Scalar
-from rotsolve.simulation.tape import BITS
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.steps.bounded import Stretch
+from rotsolve.simulation.tape.series import BALLS, Expansion
+from rotsolve.simulation.tape.tape import BITS, Scalar
 
 LOOKS = 200  # moments of a stretch, at most, at which the balance is drawn where there are no integrals
 BALANCE_BITS = 128
@@ -138,10 +138,10 @@ def of_energy(course: Course) -> Iterator[Balance]:
         for item in body.acting:
             if item.internal or item.role == "weight" or item.owner in holders:
                 continue
-            moving = isinstance(item, Force)
-            powers.append(
-                item.vector.dot(body.motion.velocity_of(item.arm)) if moving else item.torque * body.motion.spin
-            )
+            if isinstance(item, Force):
+                powers.append(item.vector.dot(body.motion.velocity_of(item.arm)))
+            else:
+                powers.append(item.torque * body.motion.spin)
     yield from told(course, [*kinetic, *heights, *stored], powers, kinetic)
 
 

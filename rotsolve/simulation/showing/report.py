@@ -11,7 +11,7 @@ from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.render.layout import Line, paragraph
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.series import Scalar
+from rotsolve.simulation.tape.tape import Scalar
 
 SHOWN = (
     "angle",

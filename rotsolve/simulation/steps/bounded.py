@@ -15,11 +15,12 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.crossing import Hit, Lookout
-from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion, Scalar
-from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for
-from rotsolve.simulation.watches import Watch
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.moving.watches import Watch
+from rotsolve.simulation.steps.crossing import Hit, Lookout
+from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for
+from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.tape.tape import Scalar
 
 SAFETY = 3.0  # what the difference of the two runs is multiplied by
 COARSER = 10.0  # how much larger the tolerance of the second run is

@@ -11,7 +11,11 @@ from rotsolve.algebra.flints import arb
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
-from rotsolve.simulation.bounded import (
+from rotsolve.simulation.moving.compiling import compiled
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.moving.opening import opening, standing
+from rotsolve.simulation.moving.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+from rotsolve.simulation.steps.bounded import (
     FLOAT_BITS,
     SAFETY,
     Reading,
@@ -24,11 +28,7 @@ from rotsolve.simulation.bounded import (
     start_of,
     stretch,
 )
-from rotsolve.simulation.course import Course, compiled
-from rotsolve.simulation.opening import opening, standing
-from rotsolve.simulation.series import Scalar
-from rotsolve.simulation.tape import Exact
-from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+from rotsolve.simulation.tape.tape import Exact, Scalar
 
 READING_BITS = 192
 CROWD = 2000  # events before a motion is given up

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from rotsolve.simulation.report import columns_of, unit_of, word_of
 from rotsolve.simulation.run import Run
+from rotsolve.simulation.showing.report import columns_of, unit_of, word_of
 
 POINTS = 1200  # moments of a curve
 RATES = ("velocity", "angular_velocity")
