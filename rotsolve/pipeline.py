@@ -8,21 +8,19 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rotsolve.core.equation import LAWS
-from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.inquiry.answering import answer_all
 from rotsolve.inquiry.checks import checks, contradiction, turned_back
 from rotsolve.inquiry.compose import Composer, with_missing_told
-from rotsolve.inquiry.explain import contradicted, negative_inertia, said_otherwise, turns_back, unsolvable
+from rotsolve.inquiry.explain import contradicted, said_otherwise, turns_back, unsolvable
 from rotsolve.inquiry.friction import Decision, decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
+from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.block import asked_block, left_out
-from rotsolve.motion.checks.varying import check_values
-from rotsolve.motion.complete import completed
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
@@ -58,7 +56,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     with stage("arrange", whole=True):
-        arrangement = arranged(problem)
+        arrangement = asked_part(problem)
     try:
         with stage("friction", whole=True):
             decision = decide(arrangement)
@@ -108,16 +106,9 @@ def validity_of(inquiry: Inquiry) -> Validity:
     return validity(inquiry)
 
 
-def arranged(problem: Problem) -> Arrangement:
-    """The part of the problem that is asked for, with letters for what it leaves out; refused where a value in any part can not be."""
-    try:
-        arrangement = Arrangement(completed(problem))
-        check_values(arrangement)
-    except Unsolvable as error:
-        raise unsolvable(problem, error.fault.message, error.fault.span, error.fault.help) from None
-    faults = list(negative_inertia(arrangement.problem))
-    if faults:
-        raise SceneError(faults, problem.lines, problem.file)
+def asked_part(problem: Problem) -> Arrangement:
+    """The part of the problem that is asked for, made ready for the laws, once all of it has been checked."""
+    arrangement = arranged(problem)
     block = asked_block(arrangement.problem)
     return arrangement if block is arrangement.problem else Arrangement(block)
 

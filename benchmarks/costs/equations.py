@@ -48,10 +48,10 @@ def fresh(machine: Machine) -> Any:
     from rotsolve.inquiry.history import History
     from rotsolve.inquiry.inquiry import Inquiry
     from rotsolve.inquiry.planning import families_for
-    from rotsolve.pipeline import arranged
+    from rotsolve.pipeline import asked_part
     from rotsolve.scene.read import read_text
 
-    return Inquiry(History(arranged(read_text(machine.scene))), families_for(None))
+    return Inquiry(History(asked_part(read_text(machine.scene))), families_for(None))
 
 
 def eliminated(machine: Machine, runs: int) -> tuple[float, float]:

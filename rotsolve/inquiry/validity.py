@@ -8,9 +8,9 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.checks.requirements import concerns, judged, needed
-from rotsolve.inquiry.friction import rubs
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
+from rotsolve.motion.rubs import rubs
 
 
 class Validity(Struct, frozen=True):

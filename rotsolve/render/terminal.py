@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from typing import TextIO
 
 from rich.console import Console
+from rich.markup import escape
 from rich.progress import Progress
 from rich.text import Text
 
@@ -44,4 +45,19 @@ class Bar:
         self.bar.start()
 
     def hide(self) -> None:
+        self.bar.stop()
+
+
+class Advance:
+    """A bar for one long calculation, told how much of it is done; it goes away at the end."""
+
+    def __init__(self, what: str, stream: TextIO) -> None:
+        self.bar = Progress(console=Console(file=stream), transient=True)
+        self.bar.start()
+        self.task = self.bar.add_task(escape(what), total=1.0)
+
+    def to(self, part: float) -> None:
+        self.bar.update(self.task, completed=part)
+
+    def done(self) -> None:
         self.bar.stop()

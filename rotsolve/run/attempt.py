@@ -19,30 +19,41 @@ if TYPE_CHECKING:
 
 def attempt(file: str, request: Request, text: bytes = b"") -> Outcome:
     """Solve one file, or the text that was piped in."""
-    from rotsolve.core.faults import SceneError, Unsolvable
     from rotsolve.pipeline import solve
 
     if Path(file).is_dir():
         return Outcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
-        source = (
-            text.decode("utf-8") + "\n" if file == PIPED else Path(file)
-        )  # a text has a line break, a path has none
-        solution = solve(source, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
+        scene = source(file, text)
+        solution = solve(scene, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
         objects = any(check.holds is False for check in solution.derivation.checks)
         with stage("render", whole=True):
             return Outcome(file, UNSOLVED if objects else SOLVED, page(solution, request))
-    except SceneError as error:
-        not_yet = bool(getattr(error, "not_yet", False))
-        return Outcome(file, UNSOLVED if not_yet else BAD, None, error.render(), "not yet" if not_yet else "scene")
-    except Unsolvable as error:
-        return Outcome(file, UNSOLVED, None, error.render(), "unsolvable")
-    except UnicodeDecodeError:
-        return Outcome(file, BAD, None, f"error: {name_of(file)} is not UTF-8 text", "file")
-    except OSError as error:
-        return Outcome(file, BAD, None, f"error: cannot read {name_of(file)}: {error.strerror or error}", "file")
     except Exception as error:
-        return Outcome(file, UNSOLVED, None, internal_error(name_of(file), error), "internal")
+        return failure(file, error)
+
+
+def source(file: str, text: bytes) -> Path | str:
+    """The path of a scene, or the text that was piped in: a text has a line break, a path has none."""
+    return text.decode("utf-8") + "\n" if file == PIPED else Path(file)
+
+
+def failure(file: str, error: Exception) -> Outcome:
+    """What is said of a file that something kept from its answer, with the exit code and the kind of fault."""
+    from rotsolve.core.faults import SceneError, Unsolvable
+
+    name = name_of(file)
+    match error:
+        case SceneError():
+            code, kind = (UNSOLVED, "not yet") if error.not_yet else (BAD, "scene")
+            return Outcome(file, code, None, error.render(), kind)
+        case Unsolvable():
+            return Outcome(file, UNSOLVED, None, error.render(), "unsolvable")
+        case UnicodeDecodeError():
+            return Outcome(file, BAD, None, f"error: {name} is not UTF-8 text", "file")
+        case OSError():
+            return Outcome(file, BAD, None, f"error: cannot read {name}: {error.strerror or error}", "file")
+    return Outcome(file, UNSOLVED, None, internal_error(name, error), "internal")
 
 
 def page(solution: Solution, request: Request) -> str | tuple[Line, ...]:

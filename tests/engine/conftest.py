@@ -29,12 +29,13 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.friction import decide, rubs
+from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
+from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 

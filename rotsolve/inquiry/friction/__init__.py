@@ -1,5 +1,5 @@
 """Friction: whether what touches sticks or slips, decided before the laws are written."""
 
-from rotsolve.inquiry.friction.deciding import Decision, decide, rubs
+from rotsolve.inquiry.friction.deciding import Decision, decide
 
-__all__ = ["Decision", "decide", "rubs"]
+__all__ = ["Decision", "decide"]
