@@ -61,7 +61,7 @@ class Problem:
                 if best is None or length(shown) < length(best):
                     best = shown
         assert best is not None
-        best.__dict__[WRITTEN] = self.order, self.positive
+        best.__dict__[WRITTEN] = concerning(best, self.order, self.positive)
         return best
 
     def _variants(self, ratio: Ratio) -> Iterable[Ratio]:
@@ -86,9 +86,17 @@ class Problem:
         return [*found, cleared] if cleared is not None else found
 
 
+def concerning(
+    f: Formula, order: Sequence[str], positive: Collection[str], *extra: str
+) -> tuple[tuple[str, ...], frozenset[str]]:
+    """What an order of letters and their signs say of a formula: the same for many scenes, so that its answer is known from another."""
+    names = f.symbols().union(extra) if extra else f.symbols()
+    return tuple([name for name in order if name in names]), names.intersection(positive)
+
+
 def is_zero(f: Formula, positive: Collection[str] = frozenset()) -> bool:
     """Whether the formula vanishes identically."""
-    return _is_zero(f, frozenset(positive))
+    return _is_zero(f, f.symbols().intersection(positive))
 
 
 @lru_cache(REMEMBERED)
@@ -105,10 +113,10 @@ def equal(a: Formula, b: Formula, positive: Collection[str] = frozenset()) -> bo
 
 def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
     """The formula in factored textbook form, symbols in the given order."""
-    order, positive = tuple(order), frozenset(positive)
-    if isinstance(f, (Symbol, Number)) or f.__dict__.get(WRITTEN) == (order, positive):
+    if isinstance(f, (Symbol, Number)):
         return f
-    return _simplify(f, order, positive)
+    order, positive = concerning(f, order, positive)
+    return f if f.__dict__.get(WRITTEN) == (order, positive) else _simplify(f, order, positive)
 
 
 @lru_cache(REMEMBERED)
@@ -121,7 +129,7 @@ def coefficients(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> tuple[Formula, ...] | None:
     """(c₀, c₁, …) of the numerator of f as a polynomial in the unknown; None when the unknown is inside an atom."""
-    return _coefficients(f, unknown, tuple(order), frozenset(positive))
+    return _coefficients(f, unknown, *concerning(f, order, positive, unknown))
 
 
 @lru_cache(REMEMBERED)
@@ -136,7 +144,7 @@ def _coefficients(
 
 def degree(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> int | None:
     """The highest power of the unknown in the numerator of f; None when the unknown is inside an atom."""
-    parts = expanded(f, unknown, tuple(order), frozenset(positive))[1]
+    parts = expanded(f, unknown, *concerning(f, order, positive, unknown))[1]
     return None if parts is None else len(parts) - 1
 
 

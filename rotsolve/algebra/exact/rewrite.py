@@ -37,7 +37,8 @@ from rotsolve.algebra.formula import (
     negate,
 )
 
-TRIG = ("sin", "cos", "tan")
+SIN_COS = ("sin", "cos")
+TRIG = (*SIN_COS, "tan")
 INVERSE = ("asin", "acos", "atan", "atan2")
 MULTIPLE_LIMIT = 24  # multiples of an angle beyond which sin(37 x) stays as it is
 CONSTANT_LIMIT = 12  # multiples of a base angle beyond which constants such as sin(37π/180) stay as they are
@@ -62,8 +63,9 @@ class Rewriter:
         self.shares: dict[Formula, int] = {}  # term -> denominator of its base angle, for terms to be expanded
         self.exp_shares: dict[Formula, int] = {}
         found = [node for f in formulas for node in f.walk(Call) if isinstance(node, Call)]
-        self.plain = not found
-        self._plan(dict.fromkeys(found))
+        self.plain = all(node.function in SIN_COS and isinstance(node.arguments[0], Symbol) for node in found)
+        if not self.plain:
+            self._plan(dict.fromkeys(found))
 
     # which angles to expand
 
@@ -98,7 +100,7 @@ class Rewriter:
 
     def __call__(self, node: Formula) -> Formula:
         """The formula with all its calls canonical."""
-        if self.plain and not node.holds(Power, Integral):
+        if self.plain and all(is_integer_power(power) for power in node.walk(Power) if isinstance(power, Power)):
             return node
         return self._rewrite(node)
 

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
+from functools import lru_cache
 
 from msgspec import Struct
 
@@ -28,6 +29,7 @@ from rotsolve.algebra.formula import (
     sqrt,
 )
 
+ANGLES = 360  # of which the cosines are remembered
 HALF = Number(Fraction(1, 2))
 _COSINE = {  # exact cosines of the first quadrant, degrees
     Fraction(0): ONE,
@@ -148,6 +150,7 @@ def _of_slope(terms: tuple[tuple[Formula, Fraction], ...], rest: Fraction, quart
     return negate(value) if quarter % 4 in (1, 2) else value
 
 
+@lru_cache(ANGLES)
 def _cosine_of_degrees(degrees: Fraction) -> Formula:
     folded = min(degrees % 360, 360 - degrees % 360)
     value = _COSINE.get(min(folded, 180 - folded))

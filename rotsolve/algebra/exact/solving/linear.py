@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.normal import REMEMBERED, Problem, expanded
+from rotsolve.algebra.exact.normal import REMEMBERED, Problem, concerning, expanded
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
@@ -35,7 +35,7 @@ def solve_linear(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> Formula | None:
     """The unknown from f = 0; None when f is not linear in it or does not hold it."""
-    return _solve_linear(f, unknown, tuple(order), frozenset(positive))
+    return _solve_linear(f, unknown, *concerning(f, order, positive, unknown))
 
 
 @lru_cache(REMEMBERED)

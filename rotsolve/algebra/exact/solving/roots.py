@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.field import Poly
-from rotsolve.algebra.exact.normal import Problem, expanded, simplify
+from rotsolve.algebra.exact.normal import Problem, concerning, expanded, simplify
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, add, call, divide, multiply, negate, sqrt
 
 
@@ -25,7 +25,7 @@ def solve_polynomial(
 ) -> list[Formula]:
     """The roots of f = 0 as a linear or quadratic equation in the unknown, or one with such factors only (of the fourth
     degree too, in the square of the unknown); else empty."""
-    problem, parts = expanded(f, unknown, tuple(order), frozenset(positive))
+    problem, parts = expanded(f, unknown, *concerning(f, order, positive, unknown))
     if parts is None or len(parts) < 2:
         return []
     if len(parts) <= 3:

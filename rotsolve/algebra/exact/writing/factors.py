@@ -11,17 +11,19 @@ from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import Call
 
+Exponent = int | Fraction  # a fraction where it is a root
+
 
 class Parts(Struct):
     """A product being gathered: number · √root · gens^powers · sums^powers (half powers are roots)."""
 
     number: Fraction = Fraction(1)
     root: int = 1
-    gens: dict[int, Fraction] = field(default_factory=dict)
+    gens: dict[int, Exponent] = field(default_factory=dict)
     unsure: int | None = None  # the root of unknown sign that has joined
-    sums: list[tuple[Poly, Fraction]] = field(default_factory=list)
+    sums: list[tuple[Poly, Exponent]] = field(default_factory=list)
 
-    def add_sum(self, poly: Poly, power: Fraction) -> None:
+    def add_sum(self, poly: Poly, power: Exponent) -> None:
         for k, (other, old) in enumerate(self.sums):
             if other == poly or other == -poly:
                 if other != poly and power % 2 == 1:
@@ -75,9 +77,9 @@ class Factors:
         for poly, e in self._squares_of_trig(factors, parts):
             i = self.field.generator_of(poly)
             if i is None:
-                parts.add_sum(poly, Fraction(e))
+                parts.add_sum(poly, e)
             else:
-                self.put(parts, i, Fraction(e))
+                self.put(parts, i, e)
         return parts
 
     def _squares_of_trig(self, factors: list[tuple[Poly, int]], parts: Parts) -> list[tuple[Poly, int]]:
@@ -101,27 +103,27 @@ class Factors:
         parts = Parts(Fraction(coefficient, below))
         for i, e in enumerate(exponents):
             if e:
-                self.put(parts, i, Fraction(e))
+                self.put(parts, i, e)
         return parts
 
-    def put(self, parts: Parts, i: int, power: Fraction) -> None:
+    def put(self, parts: Parts, i: int, power: Exponent) -> None:
         """Multiply by a generator; a root becomes a half power of what stands under it."""
         radicand = self.radicands.get(i)
         if i in self.unsure:  # of these only one may join the common root: √p √q is √(p q) only for p, q ≥ 0
             parts.unsure = i if parts.unsure is None else parts.unsure
         if radicand is None or power.denominator != 1 or (i in self.unsure and parts.unsure != i):  # √√x stays as it is
-            parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
+            parts.gens[i] = parts.gens.get(i, 0) + power
             return
         if radicand.is_constant():
             n = int(radicand.leading_coefficient())
             if n < 0:
-                parts.gens[i] = parts.gens.get(i, Fraction(0)) + power
+                parts.gens[i] = parts.gens.get(i, 0) + power
                 return
             parts.number *= Fraction(n) ** int(power // 2)
             parts.root *= n if power % 2 else 1
             return
         inner = self.field.generator_of(radicand)
         if inner is None:
-            parts.add_sum(radicand, power / 2)
+            parts.add_sum(radicand, Fraction(power) / 2)
         else:
-            self.put(parts, inner, power / 2)
+            self.put(parts, inner, Fraction(power) / 2)

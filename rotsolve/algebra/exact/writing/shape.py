@@ -12,7 +12,7 @@ from functools import partial
 from math import prod
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.writing.factors import Factors, Parts
+from rotsolve.algebra.exact.writing.factors import Exponent, Factors, Parts
 from rotsolve.algebra.exact.writing.grouping import FEWEST, groupings, shortest, singles, taken_apart
 from rotsolve.algebra.exact.writing.order import Order, late
 from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction
@@ -108,7 +108,7 @@ class Shaper:
             return None
         below = [(self.field.gens[i], -int(e)) for i, e in parts.gens.items()]
         below += [(poly, -int(e)) for poly, e in parts.sums if e < 0]
-        if any(e < 0 for _, e in below) or (above[0], Fraction(1)) not in parts.sums:
+        if any(e < 0 for _, e in below) or (above[0], 1) not in parts.sums:
             return None
         split = taken_apart(self.field, above[0], below, parts.number)
         if len(split) == 1 or abs(parts.number.numerator) != 1:
@@ -183,13 +183,13 @@ class Shaper:
                 inner.append((rank, base, 1 if e > 0 else -1))
         return assembled(parts.number * flip * shared, parts.root, one_exponential(outer), inner)
 
-    def _turned(self, parts: Parts) -> list[tuple[Poly, Fraction]]:
+    def _turned(self, parts: Parts) -> list[tuple[Poly, Exponent]]:
         """The brackets of a product, two that both lead with a minus turned round: (v − u) (y − x) is (u − v) (x − y)."""
         backward = [poly for poly, e in parts.sums if e.denominator == 1 and e % 2 and self.order.leads_negative(poly)]
         turned = backward[: len(backward) // 2 * 2] if parts.number > 0 else []
         return [(-poly if poly in turned else poly, e) for poly, e in parts.sums]
 
-    def _with_tan(self, parts: Parts, outer: list[Item]) -> dict[int, Fraction]:
+    def _with_tan(self, parts: Parts, outer: list[Item]) -> dict[int, Exponent]:
         """The powers of generators with sin/cos taken out as tan."""
         powers = parts.gens
         for s, c, _ in self.field.pairs:
@@ -201,7 +201,7 @@ class Shaper:
                 outer.append((self.order.ranks[s], Call("tan", atom.arguments), k))
         return powers
 
-    def _oriented(self, poly: Poly, power: Fraction, negative: bool, below: int = 1) -> tuple[Formula, int]:
+    def _oriented(self, poly: Poly, power: Exponent, negative: bool, below: int = 1) -> tuple[Formula, int]:
         """A bracket (over a number) with its sign: leading term positive, but turned to absorb a minus before the product."""
         if power.denominator != 1:
             return self._radicand(poly), 1
@@ -224,9 +224,9 @@ class Shaper:
         for factor, e in factors:
             i = self.field.generator_of(factor)
             if i is None:
-                parts.add_sum(factor, Fraction(e))
+                parts.add_sum(factor, e)
             else:
-                parts.gens[i] = parts.gens.get(i, Fraction(0)) + e
+                parts.gens[i] = parts.gens.get(i, 0) + e
         return self._build(parts)
 
 
