@@ -10,16 +10,15 @@ from typing import Any
 ENOUGH = 3.0  # seconds after which no further run is made
 
 
-def best(work: Callable[[], Any], runs: int, *, before: Callable[[], Any] | None = None, prepare: bool = False) -> float:
-    """The least seconds of so many runs; `before` each something is cleared, and with `prepare` the call itself makes the work."""
+def best(work: Callable[[], Any], runs: int, *, before: Callable[[], Any] | None = None) -> float:
+    """The least seconds of so many runs, `before` each of which something is cleared."""
     least, spent = float("inf"), 0.0
     for _ in range(runs):
         if before is not None:
             before()
-        task = work() if prepare else work
         gc.collect()
         start = process_time()
-        task()
+        work()
         took = process_time() - start
         least, spent = min(least, took), spent + took
         if spent > ENOUGH:

@@ -35,7 +35,9 @@ def measure(files: Sequence[Path]) -> list[dict[str, float]]:
             solution = rotsolve.solve(file)
             with stage("render", whole=True):
                 solution.to("text")
-        found.append({name: 1000 * sum(profile.spent.get(part, 0.0) for part in parts) for name, parts in STAGES.items()})
+        found.append(
+            {name: 1000 * sum(profile.spent.get(part, 0.0) for part in parts) for name, parts in STAGES.items()}
+        )
     return found
 
 
@@ -43,9 +45,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     """The table of columns, the slowest problems, and the target."""
     command = [sys.executable, sys.argv[0], "--measure", "problems", *map(str, files)]
     runs = [json.loads(run(command).stdout) for _ in range(rounds)]
-    found = [
-        {name: median(one[index][name] for one in runs) for name in STAGES} for index in range(len(files))
-    ]
+    found = [{name: median(one[index][name] for one in runs) for name in STAGES} for index in range(len(files))]
     whole = [sum(columns.values()) for columns in found]
     columns = {**{name: [one[name] for one in found] for name in STAGES}, "everything": whole}
     rows = [
@@ -55,9 +55,12 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     slowest = sorted(zip(whole, files, strict=True), reverse=True)[:5]
     text = "\n\n".join(
         [
-            f"Milliseconds of processor time a problem, {len(files)} problems in one process, each solved once; medians of {rounds} processes.",
+            f"Milliseconds of processor time a problem, {len(files)} problems in one process, each solved once; "
+            f"medians of {rounds} processes.",
             table(("", "median", "mean", "90 %", "slowest"), rows),
             "Slowest: " + ", ".join(f"{file.relative_to(folder)} {spent:.0f} ms" for spent, file in slowest) + ".",
         ]
     )
-    return Part("A problem more in one process", text, (below("marginal time a problem, median, ms", median(whole), 5),))
+    return Part(
+        "A problem more in one process", text, (below("marginal time a problem, median, ms", median(whole), 5),)
+    )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import log
+from statistics import linear_regression
 from typing import NamedTuple
 
 
@@ -29,7 +30,9 @@ def table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     widths = [max(len(row[index]) for row in (head, *rows)) for index in range(len(head))]
     rule = ["-" * widths[0], *("-" * (width - 1) + ":" for width in widths[1:])]
     lines = [head, rule, *rows]
-    return "\n".join(f"| {' | '.join(fitted(cell, widths[at], at) for at, cell in enumerate(line))} |" for line in lines)
+    return "\n".join(
+        f"| {' | '.join(fitted(cell, widths[at], at) for at, cell in enumerate(line))} |" for line in lines
+    )
 
 
 def fitted(cell: str, width: int, column: int) -> str:
@@ -54,7 +57,4 @@ def share(values: Sequence[float], part: float) -> float:
 
 def exponent(sizes: Sequence[float], values: Sequence[float]) -> float:
     """The power of the size with which values grow: the slope of the straight line through their logarithms."""
-    points = [(log(size), log(value)) for size, value in zip(sizes, values, strict=True)]
-    middle = [sum(column) / len(points) for column in zip(*points, strict=True)]
-    above_ = sum((x - middle[0]) * (y - middle[1]) for x, y in points)
-    return above_ / sum((x - middle[0]) ** 2 for x, _ in points)
+    return linear_regression([log(size) for size in sizes], [log(value) for value in values]).slope
