@@ -112,16 +112,11 @@ class Planner:
                 return kept
             unknowns = kept
 
-    def _block(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | Shortage:
+    def _block(
+        self, asked: str, unknowns: Mapping[int, tuple[str, ...]], skipped: int | None = None
+    ) -> Plan | Shortage:
         """Match greedily, then collect what the asked unknown's equation needs."""
         owner: dict[str, int] = {}
-        found = self._matched(asked, unknowns, owner)
-        return found if isinstance(found, Plan) else self._shortage(asked, found, unknowns, owner)
-
-    def _matched(
-        self, asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: dict[str, int], skipped: int | None = None
-    ) -> Plan | list[str]:
-        """The block behind the asked unknown, without one equation; else the unknowns in it that no equation is left for."""
         told = self._told(unknowns)
         for index in unknowns:
             if index != skipped:
@@ -140,7 +135,7 @@ class Planner:
             seen.update(fresh)
             pending.extend(fresh)
         if open_:
-            return open_
+            return self._shortage(asked, open_, unknowns, owner)
         return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(map(self._cost, needed)))
 
     def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
@@ -210,7 +205,7 @@ class Planner:
         """Leave out one equation at a time while that makes the plan cheaper."""
         pool = dict(unknowns)
         for _ in range(ROUNDS):
-            trials = [(self._matched(best.asked, pool, {}, index), index) for index in best.equations]
+            trials = [(self._block(best.asked, pool, index), index) for index in best.equations]
             better = [(trial, index) for trial, index in trials if isinstance(trial, Plan) and trial.cost < best.cost]
             if not better:
                 return best
