@@ -23,7 +23,7 @@ LIMIT = {True: 10.0, False: 60.0}  # seconds after which another solver is given
 PARTS: dict[str, Callable[[argparse.Namespace], Part]] = {
     "processes": lambda told: processes.part(files(told.quick), PROBLEMS, told.rounds),
     "problems": lambda told: problems.part(files(told.quick), PROBLEMS, told.rounds),
-    "equations": lambda told: equations.part(LIMIT[told.quick], told.rounds),
+    "equations": lambda told: equations.part(LIMIT[told.quick], 5 if told.quick else equations.RUNS),
     "growth": lambda told: growth.part(told.quick),
     "sets": lambda told: sets.part(PROBLEMS, 10**5 if told.quick else 10**6),
 }

@@ -1,7 +1,7 @@
 """Symbolic solving: the equations that the laws write for a scene, all unknowns, by rotsolve and by what else there is.
 
 Every solver is given the very same linear equations; Kane's and Lagrange's methods, which make their own, the same machine. Each runs in
-a process of its own with SymPy's memory cleared before every run; the best of a few runs counts. What takes too long is given up.
+a process of its own, with nothing remembered from run to run; the best of some runs counts. What takes too long is given up.
 """
 
 from __future__ import annotations
@@ -14,11 +14,12 @@ from typing import Any, NamedTuple
 
 from pebble import ProcessPool
 
-from costs.clock import best
+from costs.clock import best, forget
 from costs.machines import MACHINES, Machine
 from costs.tables import Part, Target, above, table
 
 OURS, WRITTEN, STEPS = "rotsolve", "rotsolve, in textbook form", "rotsolve, every step kept"
+RUNS = 20  # of which the best counts; fewer where they are long
 FEW, MANY = 12, 30  # unknowns up to which, and from which on, a target holds
 
 
@@ -75,7 +76,7 @@ def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]
         problem = Problem(equations, (), positive, extra=unknowns)
         found.append((problem.shaper, solve(problem, unknowns)[unknowns[leading(unknowns)]]))
 
-    spent = best(work, runs)
+    spent = best(work, runs, before=forget)
     shaper, ratio = found[-1]
     return spent, float(RealBalls(values)(shaper.ratio(ratio)))
 
@@ -87,7 +88,7 @@ def written(machine: Machine, made: System, runs: int) -> tuple[float, float]:
 
     equations, unknowns, positive, values = made
     found: list[Any] = []
-    spent = best(lambda: found.append(solve_all(equations, unknowns, (), positive)), runs)
+    spent = best(lambda: found.append(solve_all(equations, unknowns, (), positive)), runs, before=forget)
     return spent, float(RealBalls(values)(found[-1][unknowns[leading(unknowns)]]))
 
 
@@ -103,7 +104,7 @@ def stepwise(machine: Machine, made: System, runs: int) -> tuple[float, float]:
         inquiry = next(waiting)
         answer_all(inquiry, inquiry.history.arrangement.problem.finds)
 
-    spent = best(work, len(inquiries))
+    spent = best(work, len(inquiries), before=forget)
     value = inquiries[0].answered[0].found.formula
     return spent, float(RealBalls(made.values)(value))
 
@@ -130,9 +131,7 @@ def sympy_solve(machine: Machine, made: System, runs: int) -> tuple[float, float
 
     equations, unknowns, numbers = in_sympy(made)
     found: list[Any] = []
-    spent = best(
-        lambda: found.append(sympy.solve(equations, unknowns, dict=True)), runs, before=sympy.core.cache.clear_cache
-    )
+    spent = best(lambda: found.append(sympy.solve(equations, unknowns, dict=True)), runs, before=forget)
     return spent, float(found[-1][0][unknowns[leading(made.unknowns)]].subs(numbers))
 
 
@@ -150,7 +149,7 @@ def domain_matrix(machine: Machine, made: System, runs: int) -> tuple[float, flo
         above_, below = matrix.solve_den(column)
         found.append((above_.to_Matrix()[leading(made.unknowns)], matrix.domain.to_sympy(below)))
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    spent = best(solve, runs, before=forget)
     return spent, float((found[-1][0] / found[-1][1]).subs(numbers))
 
 
@@ -173,7 +172,7 @@ def lagrange(machine: Machine, made: System, runs: int) -> tuple[float, float]:
         method.form_lagranges_equations()
         found.append(method.mass_matrix.LUsolve(method.forcing)[0])
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    spent = best(solve, runs, before=forget)
     return spent, in_numbers(found[-1], made)
 
 
@@ -208,7 +207,7 @@ def kane(machine: Machine, made: System, runs: int) -> tuple[float, float]:
         method.kanes_equations(bodies, loads)
         found.append(method.mass_matrix.LUsolve(method.forcing)[0])
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    spent = best(solve, runs, before=forget)
     return spent, in_numbers(found[-1], made)
 
 
@@ -244,7 +243,7 @@ def timed(solver: str, number: int, made: System, runs: int, path: list[str]) ->
     return SOLVERS[solver](MACHINES[number], made, runs)
 
 
-def part(limit: float, runs: int) -> Part:
+def part(limit: float, runs: int = RUNS) -> Part:
     """The table of all solvers, and the targets."""
     systems = [system(machine) for machine in MACHINES]
     times: dict[str, list[float | None]] = {solver: [None for _ in MACHINES] for solver in SOLVERS}
