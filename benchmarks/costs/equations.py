@@ -1,7 +1,7 @@
 """Symbolic solving: the equations that the laws write for a scene, all unknowns, by rotsolve and by what else there is.
 
 Every solver is given the very same linear equations; Kane's and Lagrange's methods, which make their own, the same machine. Each runs in
-a process of its own with SymPy's memory cleared before every run; the best of a few runs counts. What takes too long is given up.
+a process of its own, with nothing remembered from run to run; the best of some runs counts. What takes too long is given up.
 """
 
 from __future__ import annotations
@@ -9,15 +9,17 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Mapping
 from concurrent.futures import TimeoutError
+from multiprocessing import get_context
 from typing import Any, NamedTuple
 
 from pebble import ProcessPool
 
-from costs.clock import best
+from costs.clock import best, forget
 from costs.machines import MACHINES, Machine
 from costs.tables import Part, Target, above, table
 
 OURS, WRITTEN, STEPS = "rotsolve", "rotsolve, in textbook form", "rotsolve, every step kept"
+RUNS = 20  # of which the best counts; fewer where they are long
 FEW, MANY = 12, 30  # unknowns up to which, and from which on, a target holds
 
 
@@ -27,7 +29,7 @@ class System(NamedTuple):
     equations: list[Any]
     unknowns: list[str]
     positive: frozenset[str]
-    inquiry: Any
+    values: dict[str, Any]  # of the givens
 
 
 def system(machine: Machine) -> System:
@@ -40,7 +42,7 @@ def system(machine: Machine) -> System:
     used = sorted({index for item in inquiry.answered for index in item.used if index < laws})
     equations = [inquiry.planner.pool[index] for index in used]
     unknowns = sorted({name for law in equations for name in law.symbols()} - inquiry.givens.keys())
-    return System([law.left - law.right for law in equations], unknowns, inquiry.solver.positive, inquiry)
+    return System([law.left - law.right for law in equations], unknowns, inquiry.solver.positive, inquiry.values)
 
 
 def fresh(machine: Machine) -> Any:
@@ -54,44 +56,60 @@ def fresh(machine: Machine) -> Any:
     return Inquiry(History(asked_part(read_text(machine.scene))), families_for(None))
 
 
-def eliminated(machine: Machine, runs: int) -> tuple[float, float]:
+def leading(unknowns: list[str]) -> int:
+    """Which unknown is the acceleration of the body that the first coordinate follows."""
+    return next(
+        place for place, name in enumerate(unknowns) if name.startswith(("acceleration|left", "acceleration|block"))
+    )
+
+
+def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All unknowns as fractions in lowest terms."""
+    from rotsolve.algebra.certified.balls import RealBalls
     from rotsolve.algebra.exact.normal import Problem
     from rotsolve.algebra.exact.solving.linear import eliminated as solve
 
-    equations, unknowns, positive, _ = system(machine)
-    return best(lambda: solve(Problem(equations, (), positive, extra=unknowns), unknowns), runs), ours(machine)
+    equations, unknowns, positive, values = made
+    found: list[Any] = []
+
+    def work() -> None:
+        problem = Problem(equations, (), positive, extra=unknowns)
+        found.append((problem.shaper, solve(problem, unknowns)[unknowns[leading(unknowns)]]))
+
+    spent = best(work, runs, before=forget)
+    shaper, ratio = found[-1]
+    return spent, float(RealBalls(values)(shaper.ratio(ratio)))
 
 
-def written(machine: Machine, runs: int) -> tuple[float, float]:
+def written(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All unknowns, factored as a textbook would write them."""
+    from rotsolve.algebra.certified.balls import RealBalls
     from rotsolve.algebra.exact.solving.linear import solve_all
 
-    equations, unknowns, positive, _ = system(machine)
-    return best(lambda: solve_all(equations, unknowns, (), positive), runs), ours(machine)
+    equations, unknowns, positive, values = made
+    found: list[Any] = []
+    spent = best(lambda: found.append(solve_all(equations, unknowns, (), positive)), runs, before=forget)
+    return spent, float(RealBalls(values)(found[-1][unknowns[leading(unknowns)]]))
 
 
-def stepwise(machine: Machine, runs: int) -> tuple[float, float]:
+def stepwise(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All that is asked, planned and solved one unknown after the other with a derivation, as the command does it."""
+    from rotsolve.algebra.certified.balls import RealBalls
     from rotsolve.inquiry.answering import answer_all
 
-    def prepared() -> Callable[[], None]:
-        inquiry = fresh(machine)
-        return lambda: answer_all(inquiry, inquiry.history.arrangement.problem.finds)
+    inquiries = [fresh(machine) for _ in range(min(runs, 3))]
+    waiting = iter(inquiries)
 
-    return best(prepared, min(runs, 3), prepare=True), ours(machine)
+    def work() -> None:
+        inquiry = next(waiting)
+        answer_all(inquiry, inquiry.history.arrangement.problem.finds)
 
-
-def ours(machine: Machine) -> float:
-    """The first acceleration, as a number: all must agree on it."""
-    from rotsolve import solve
-
-    value = next(iter(solve(machine.scene, digits=15).answers.values())).float
-    assert value is not None
-    return value
+    spent = best(work, len(inquiries), before=forget)
+    value = inquiries[0].answered[0].found.formula
+    return spent, float(RealBalls(made.values)(value))
 
 
-def in_sympy(machine: Machine) -> tuple[list[Any], list[Any], dict[Any, float]]:
+def in_sympy(made: System) -> tuple[list[Any], list[Any], dict[Any, float]]:
     """The equations and unknowns as SymPy has them, and the numbers of the givens."""
     import sympy
 
@@ -99,54 +117,48 @@ def in_sympy(machine: Machine) -> tuple[list[Any], list[Any], dict[Any, float]]:
     from rotsolve.algebra.formula import Symbol
     from rotsolve.algebra.sympy_bridge import to_sympy
 
-    made = system(machine)
     short = {name: Symbol(f"x{number}") for number, name in enumerate(made.unknowns)}
     equations = [to_sympy(equation.substitute(short)) for equation in made.equations]
     unknowns = [to_sympy(short[name]) for name in made.unknowns]
-    numbers = {
-        to_sympy(Symbol(name)): evaluate(value, made.inquiry.values).float
-        for name, value in made.inquiry.values.items()
-    }
+    numbers = {to_sympy(Symbol(name)): evaluate(value, made.values).float for name, value in made.values.items()}
     assert all(isinstance(symbol, sympy.Symbol) for symbol in unknowns)
     return equations, unknowns, numbers
 
 
-def sympy_solve(machine: Machine, runs: int) -> tuple[float, float]:
+def sympy_solve(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """`sympy.solve`."""
     import sympy
 
-    equations, unknowns, numbers = in_sympy(machine)
+    equations, unknowns, numbers = in_sympy(made)
     found: list[Any] = []
-    spent = best(
-        lambda: found.append(sympy.solve(equations, unknowns, dict=True)), runs, before=sympy.core.cache.clear_cache
-    )
-    return spent, float(found[-1][0][unknowns[0]].subs(numbers))
+    spent = best(lambda: found.append(sympy.solve(equations, unknowns, dict=True)), runs, before=forget)
+    return spent, float(found[-1][0][unknowns[leading(made.unknowns)]].subs(numbers))
 
 
-def domain_matrix(machine: Machine, runs: int) -> tuple[float, float]:
+def domain_matrix(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """`DomainMatrix.solve_den`, from the equations on."""
     import sympy
     from sympy.polys.matrices import DomainMatrix
 
-    equations, unknowns, numbers = in_sympy(machine)
+    equations, unknowns, numbers = in_sympy(made)
     found: list[Any] = []
 
     def solve() -> None:
         left, right = sympy.linear_eq_to_matrix(equations, unknowns)
         matrix, column = DomainMatrix.from_Matrix(left).unify(DomainMatrix.from_Matrix(right))
         above_, below = matrix.solve_den(column)
-        found.append((above_.to_Matrix()[0], matrix.domain.to_sympy(below)))
+        found.append((above_.to_Matrix()[leading(made.unknowns)], matrix.domain.to_sympy(below)))
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
+    spent = best(solve, runs, before=forget)
     return spent, float((found[-1][0] / found[-1][1]).subs(numbers))
 
 
-def lagrange(machine: Machine, runs: int) -> tuple[float, float]:
+def lagrange(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """`LagrangesMethod`: accelerations alone, no tensions."""
     import sympy
     from sympy.physics.mechanics import LagrangesMethod, dynamicsymbols
 
-    letters, q = moving(machine)
+    letters, q = moving(machine, made)
     found: list[Any] = []
 
     def solve() -> None:
@@ -160,16 +172,16 @@ def lagrange(machine: Machine, runs: int) -> tuple[float, float]:
         method.form_lagranges_equations()
         found.append(method.mass_matrix.LUsolve(method.forcing)[0])
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
-    return spent, in_numbers(found[-1], machine)
+    spent = best(solve, runs, before=forget)
+    return spent, in_numbers(found[-1], made)
 
 
-def kane(machine: Machine, runs: int) -> tuple[float, float]:
+def kane(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """`KanesMethod`: accelerations alone, no tensions."""
     import sympy
     from sympy.physics.mechanics import KanesMethod, Particle, Point, ReferenceFrame, RigidBody, dynamicsymbols, inertia
 
-    letters, q = moving(machine)
+    letters, q = moving(machine, made)
     u = dynamicsymbols(f"u:{machine.coordinates}")
     found: list[Any] = []
 
@@ -195,27 +207,26 @@ def kane(machine: Machine, runs: int) -> tuple[float, float]:
         method.kanes_equations(bodies, loads)
         found.append(method.mass_matrix.LUsolve(method.forcing)[0])
 
-    spent = best(solve, runs, before=sympy.core.cache.clear_cache)
-    return spent, in_numbers(found[-1], machine)
+    spent = best(solve, runs, before=forget)
+    return spent, in_numbers(found[-1], made)
 
 
-def moving(machine: Machine) -> tuple[dict[str, Any], Any]:
+def moving(machine: Machine, made: System) -> tuple[dict[str, Any], Any]:
     """The letters of a machine by name, its coordinates, and the functions that its places take."""
     import sympy
     from sympy.physics.mechanics import dynamicsymbols
 
-    names = ("g", "R", "beta", *machine.masses, *machine.wheels)
-    return {"sin": sympy.sin, **{name: sympy.Symbol(name) for name in names}}, dynamicsymbols(
-        f"q:{machine.coordinates}"
-    )
+    letters = {name: sympy.Symbol(name) for name in made.values}
+    return {"sin": sympy.sin, **letters}, dynamicsymbols(f"q:{machine.coordinates}")
 
 
-def in_numbers(value: Any, machine: Machine) -> float:
-    numbers = {str(symbol): number for symbol, number in in_sympy(machine)[2].items()}
+def in_numbers(value: Any, made: System) -> float:
+    """The number that an expression is worth with the givens, whose letters have no assumptions here."""
+    numbers = {symbol.name: number for symbol, number in in_sympy(made)[2].items()}
     return float(value.subs({symbol: numbers[symbol.name] for symbol in value.free_symbols if symbol.name in numbers}))
 
 
-SOLVERS: dict[str, Callable[[Machine, int], tuple[float, float]]] = {
+SOLVERS: dict[str, Callable[[Machine, System, int], tuple[float, float]]] = {
     OURS: eliminated,
     WRITTEN: written,
     STEPS: stepwise,
@@ -226,34 +237,35 @@ SOLVERS: dict[str, Callable[[Machine, int], tuple[float, float]]] = {
 }
 
 
-def timed(solver: str, number: int, runs: int, path: list[str]) -> tuple[float, float]:
+def timed(solver: str, number: int, made: System, runs: int, path: list[str]) -> tuple[float, float]:
     """In a process of its own: seconds and the first acceleration."""
     sys.path[:] = path
-    return SOLVERS[solver](MACHINES[number], runs)
+    return SOLVERS[solver](MACHINES[number], made, runs)
 
 
-def part(limit: float, runs: int) -> Part:
+def part(limit: float, runs: int = RUNS) -> Part:
     """The table of all solvers, and the targets."""
-    times: dict[str, list[float | None]] = {}
-    with ProcessPool(1, 1) as pool:
-        for solver in SOLVERS:
-            times[solver] = []
-            for number, machine in enumerate(MACHINES):
-                future = pool.schedule(timed, (solver, number, runs, sys.path), timeout=limit)
+    systems = [system(machine) for machine in MACHINES]
+    times: dict[str, list[float | None]] = {solver: [None for _ in MACHINES] for solver in SOLVERS}
+    with ProcessPool(1, 1, context=get_context("spawn")) as pool:
+        for number, (machine, made) in enumerate(zip(MACHINES, systems, strict=True)):
+            agreed: float | None = None
+            for solver in SOLVERS:
+                future = pool.schedule(timed, (solver, number, made, runs, sys.path), timeout=limit)
                 try:
                     spent, value = future.result()
                 except TimeoutError:
-                    times[solver].append(None)
                     continue
-                if abs(value - ours(machine)) > 1e-9 * abs(value):
-                    sys.exit(f"{solver} gives another acceleration for {machine.name}: {value}")
-                times[solver].append(spent)
-    sizes = [len(system(machine).unknowns) for machine in MACHINES]
+                agreed = value if agreed is None else agreed
+                if abs(value - agreed) > 1e-9 * abs(value):
+                    sys.exit(f"{solver} gives another acceleration for {machine.name}: {value}, not {agreed}")
+                times[solver][number] = spent
+    sizes = [len(made.unknowns) for made in systems]
     rows = [[solver, *(shown(spent, limit) for spent in found)] for solver, found in times.items()]
     head = ("ms", *(f"{machine.name}, {size}" for machine, size in zip(MACHINES, sizes, strict=True)))
     text = (
-        f"All unknowns of a scene from the same linear equations, processor time in ms, best of {runs} runs (fewer where they are long); "
-        f"given up after {limit:g} s. Lagrange and Kane give the accelerations alone.\n\n{table(head, rows)}"
+        f"All unknowns of a scene from the same linear equations, processor time in ms, best of {runs} runs (fewer where "
+        f"they are long); given up after {limit:g} s. Lagrange and Kane give the accelerations alone.\n\n{table(head, rows)}"
     )
     return Part("Symbolic solving", text, tuple(targets(times, sizes, limit)))
 

@@ -96,20 +96,33 @@ find:
 """
 
 
-def chain(wheels: int, *, all_asked: bool = False) -> str:
-    """Two blocks on a string over a row of wheels."""
-    names = [f"w{number}" for number in range(1, wheels + 1)]
-    bodies = "".join(f"  {name}: {{inertia: I1, radius: R}}\n" for name in names)
+def chain(wheels: int, *, apart: bool = False) -> str:
+    """Two blocks on a string over a row of wheels: all alike, the acceleration asked; or each of its own size, and all asked (`apart`)."""
+    numbers = range(1, wheels + 1)
+    names = [f"w{number}" for number in numbers]
+    sizes = [(f"I{number}", f"R{number}") if apart else ("I1", "R") for number in numbers]
+    given = {"m1: 2 kg": None, "m2: 3 kg": None}
+    given |= dict.fromkeys(
+        f"{letter}: {number} kg m^2" for number, (letter, _) in zip(numbers, sizes, strict=True) if apart
+    )
+    given |= dict.fromkeys(
+        f"{letter}: {number} cm" for number, (_, letter) in zip(numbers, sizes, strict=True) if apart
+    )
+    given |= {} if apart else {"I1: 1 kg m^2": None, "R: 10 cm": None}
+    bodies = "".join(
+        f"  {name}: {{inertia: {own[0]}, radius: {own[1]}}}\n" for name, own in zip(names, sizes, strict=True)
+    )
     axles = "".join(f"  axle{name}: {{axle: {name}}}\n" for name in names)
-    asked = [("a", "left.acceleration"), *([("b", "right.acceleration")] if all_asked else [])]
-    if all_asked:
-        asked += [(f"alpha_{name}", f"{name}.angular_acceleration") for name in names]
-        asked += [(f"T_{name}", f"rope.{name}.tension") for name in ("left", *names)]
-    finds = "".join(f"  {name}: {path}\n" for name, path in asked)
+    asked = {"a": "left.acceleration"}
+    if apart:
+        asked |= {"b": "right.acceleration"}
+        asked |= {f"alpha_{name}": f"{name}.angular_acceleration" for name in names}
+        asked |= {f"T_{name}": f"rope.{name}.tension" for name in ("left", *names)}
     return (
-        "given: {m1: 2 kg, m2: 3 kg, I1: 1 kg m^2, R: 10 cm}\n"
+        f"given: {{{', '.join(given)}}}\n"
         f"bodies:\n  left: {{mass: m1, moves: up}}\n{bodies}  right: {{mass: m2, moves: down}}\n"
-        f"connections:\n{axles}  rope: {{string: [left, {', '.join(names)}, right]}}\nfind:\n{finds}"
+        f"connections:\n{axles}  rope: {{string: [left, {', '.join(names)}, right]}}\n"
+        f"find: {{{', '.join(f'{name}: {path}' for name, path in asked.items())}}}\n"
     )
 
 
@@ -160,11 +173,11 @@ MACHINES = (
     ),
     Machine(
         "chain",
-        chain(CHAIN, all_asked=True),
+        chain(CHAIN, apart=True),
         1,
         ("m1", "m2"),
         lambda q, s: [q[0], -q[0]],
-        ("I1",) * CHAIN,
-        lambda q, s: [q[0] / s["R"]] * CHAIN,
+        tuple(f"I{number}" for number in range(1, CHAIN + 1)),
+        lambda q, s: [q[0] / s[f"R{number}"] for number in range(1, CHAIN + 1)],
     ),
 )

@@ -55,7 +55,8 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     slowest = sorted(zip(whole, files, strict=True), reverse=True)[:5]
     text = "\n\n".join(
         [
-            f"Milliseconds of processor time a problem, {len(files)} problems in one process, each solved once; medians of {rounds} processes.",
+            f"Milliseconds of processor time a problem, {len(files)} problems in one process, each solved once; "
+            f"medians of {rounds} processes.",
             table(("", "median", "mean", "90 %", "slowest"), rows),
             "Slowest: " + ", ".join(f"{file.relative_to(folder)} {spent:.0f} ms" for spent, file in slowest) + ".",
         ]

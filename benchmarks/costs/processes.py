@@ -15,6 +15,7 @@ from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from statistics import mean, median
+from typing import NamedTuple
 
 from costs.tables import Part, below, share, table
 
@@ -26,6 +27,14 @@ ROTSOLVE = [sys.executable, "-m", "rotsolve"]
 STAGE = re.compile(r"^  (\w+) +(-?[\d.]+) ms +-?\d+%", re.MULTILINE)
 IMPORTED = re.compile(r"^import time: +(\d+) \| +\d+ \| +(\S+)$", re.MULTILINE)
 OF_RUN = ("start", "import", "read", "laws", "plan", "solve", "verify", "compose", "render")
+
+
+class Ratios(NamedTuple):
+    """Seconds of a process, as a multiple of the bare interpreter, and of `import sympy`."""
+
+    seconds: float
+    bare: float
+    sympy: float
 
 
 def seconds(command: Sequence[str]) -> float:
@@ -46,19 +55,20 @@ def run(command: Sequence[str]) -> subprocess.CompletedProcess[str]:
     return done
 
 
-def ratios(commands: Mapping[str, Sequence[str]], rounds: int) -> dict[str, tuple[float, float, float]]:
-    """By name: seconds, multiple of the bare interpreter and of `import sympy`, medians over the rounds; the first fills the caches."""
-    found: dict[str, list[tuple[float, float, float]]] = {name: [] for name in commands}
+def ratios(commands: Mapping[str, Sequence[str]], rounds: int) -> dict[str, Ratios]:
+    """By name, medians over the rounds; what is run once before fills the caches."""
+    found: dict[str, list[Ratios]] = {name: [] for name in commands}
     names = list(commands)
-    for number in range(rounds + 1):
+    for name in (*names[:BATCH], *names[::BATCH]):
+        run(commands[name])
+    for _ in range(rounds):
         for start in range(0, len(names), BATCH):
             bare = seconds([sys.executable, "-c", "pass"])
             sympy = seconds([sys.executable, "-c", "import sympy"])
             for name in names[start : start + BATCH]:
                 took = seconds(commands[name])
-                if number:
-                    found[name].append((took, took / bare, took / sympy))
-    return {name: tuple(map(median, zip(*rows, strict=True))) for name, rows in found.items()}  # type: ignore[misc]
+                found[name].append(Ratios(took, took / bare, took / sympy))
+    return {name: Ratios(*map(median, zip(*rows, strict=True))) for name, rows in found.items()}
 
 
 def stages(file: Path) -> dict[str, float]:
@@ -87,9 +97,9 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     text = "\n\n".join(
         [
             f"Processor time, medians of {rounds} rounds. {len(files)} problem files: "
-            f"median {median(row[1] for row in solved):.1f} × the bare interpreter ({1000 * found[BARE][0]:.0f} ms) and "
-            f"{median(row[2] for row in solved):.2f} × `import sympy`, 90 % below {share([row[1] for row in solved], 0.9):.1f} × and "
-            f"{share([row[2] for row in solved], 0.9):.2f} ×; `--help` {found[HELP][1]:.1f} × and {found[HELP][2]:.2f} ×.",
+            f"median {median(row.bare for row in solved):.1f} × the bare interpreter ({1000 * found[BARE].seconds:.0f} ms) and "
+            f"{median(row.sympy for row in solved):.2f} × `import sympy`, 90 % below {share([row.bare for row in solved], 0.9):.1f} × and "
+            f"{share([row.sympy for row in solved], 0.9):.2f} ×; `--help` {found[HELP].bare:.1f} × and {found[HELP].sympy:.2f} ×.",
             "Imports by package, mean over the files, in ms with the cost of `-X importtime` itself:",
             table(("package", "ms"), list(by_package(packages))),
             "Stages by `--profile` in ms, `start` being the interpreter and the command line:",
@@ -100,9 +110,9 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
         "Whole processes, cold",
         text,
         (
-            below("cold solve, × `import sympy` (median file)", median(row[2] for row in solved), 0.4),
-            below("cold solve, × bare interpreter (median file)", median(row[1] for row in solved), 13, "{:.1f}"),
-            below("`--help`, × bare interpreter", found[HELP][1], 8, "{:.1f}"),
+            below("cold solve, × `import sympy` (median file)", median(row.sympy for row in solved), 0.4),
+            below("cold solve, × bare interpreter (median file)", median(row.bare for row in solved), 13, "{:.1f}"),
+            below("`--help`, × bare interpreter", found[HELP].bare, 8, "{:.1f}"),
         ),
     )
 
@@ -115,5 +125,5 @@ def by_package(packages: Sequence[Counter[str]]) -> Iterator[tuple[str, str]]:
     )
 
 
-def row(name: str, ratio: tuple[float, float, float], spent: Mapping[str, float]) -> list[str]:
-    return [name, f"{ratio[1]:.1f}", f"{ratio[2]:.2f}", *(f"{spent.get(stage, 0):.1f}" for stage in OF_RUN)]
+def row(name: str, ratio: Ratios, spent: Mapping[str, float]) -> list[str]:
+    return [name, f"{ratio.bare:.1f}", f"{ratio.sympy:.2f}", *(f"{spent.get(stage, 0):.1f}" for stage in OF_RUN)]

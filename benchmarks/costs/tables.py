@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from math import log
+from statistics import linear_regression
 from typing import NamedTuple
 
 
@@ -56,7 +57,4 @@ def share(values: Sequence[float], part: float) -> float:
 
 def exponent(sizes: Sequence[float], values: Sequence[float]) -> float:
     """The power of the size with which values grow: the slope of the straight line through their logarithms."""
-    points = [(log(size), log(value)) for size, value in zip(sizes, values, strict=True)]
-    middle = [sum(column) / len(points) for column in zip(*points, strict=True)]
-    above_ = sum((x - middle[0]) * (y - middle[1]) for x, y in points)
-    return above_ / sum((x - middle[0]) ** 2 for x, _ in points)
+    return linear_regression([log(size) for size in sizes], [log(value) for value in values]).slope

@@ -29,6 +29,9 @@ def evaluate_many(
         raise NotForMany(f"no given `{strange[0]}`; there are {', '.join(given.name for given in givens)}")
     forms = {answer.name: in_its_unit(answer) for answer in answers}
     work = program([*forms.values(), *valid.bounds], values, known)
+    for name in sorted(values.keys() & valid.positive):
+        if not floats.positive(values[name]):
+            raise NotForMany(f"`{name}` has to be positive")
     found = (balls if certified else floats).run(work, values, len(valid.bounds))
     return dict(zip(forms, found, strict=True))
 

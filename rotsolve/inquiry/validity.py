@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import PI, Formula, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.checks.requirements import concerns, judged, needed
 from rotsolve.inquiry.inquiry import Inquiry
@@ -14,14 +14,17 @@ from rotsolve.motion.rubs import rubs
 
 
 class Validity(Struct, frozen=True):
-    """The closed forms hold where none of `bounds` is negative, and while what was `decided` by numbers would be decided alike."""
+    """The closed forms hold for `positive` letters that are so, where none of the `bounds` is negative, and while what was `decided` by
+    numbers would be decided alike."""
 
+    positive: frozenset[str]
     bounds: tuple[Formula, ...]
     decided: tuple[str, ...]
 
 
 def validity(inquiry: Inquiry) -> Validity:
     """What strings, contacts and friction have to obey, as formulas of the givens; what else the numbers of the scene decided."""
+    positive = inquiry.solver.positive
     aside = Inquiry(inquiry.history, families_for(None))
     bounds: dict[Formula, None] = {}
     decided: dict[str, None] = {}
@@ -31,10 +34,24 @@ def validity(inquiry: Inquiry) -> Validity:
                 gap = judged(need, inquiry, aside)[1]
                 if gap is None:
                     decided[f"whether {spoken(need.owner)} holds"] = None
-                elif not is_zero(gap, inquiry.solver.positive):
+                elif not (is_zero(gap, positive) or surely_positive(gap, positive)):
                     bounds[gap] = None
     if rubs(inquiry.history.arrangement):
         decided["what slips and which way"] = None
     if any(step.reason for step in inquiry.solver.steps):
         decided["which root of an equation is meant"] = None
-    return Validity(tuple(bounds), tuple(decided))
+    return Validity(positive, tuple(bounds), tuple(decided))
+
+
+def surely_positive(value: Formula, positive: frozenset[str]) -> bool:
+    """Whether a formula is made of positive letters and numbers by sums, products, quotients and powers alone."""
+    match value:
+        case Symbol(name):
+            return name in positive
+        case Number(number):
+            return number > 0
+        case Sum() | Product() | Quotient():
+            return all(surely_positive(part, positive) for part in value.children())
+        case Power(base, _):
+            return surely_positive(base, positive)
+    return value == PI

@@ -127,6 +127,8 @@ def test_bad_names_and_missing_values_are_said() -> None:
     solution = solve(ATWOOD)
     with pytest.raises(NotForMany, match="no given `m3`; there are m1, m2"):
         solution.evaluate_many({"m3": [1.0]})
+    with pytest.raises(NotForMany, match="`m1` has to be positive"):
+        solution.evaluate_many({"m1": [1.0, -1.0]})
     with pytest.raises(NotForMany, match="`M` has no value"):
         program([parse("M g")], ["g"], {})
     with pytest.raises(NotForMany, match="has no value"):
