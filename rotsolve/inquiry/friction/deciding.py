@@ -159,9 +159,9 @@ def is_known(speed: Formula) -> bool:
 
 def sign_of(speed: Formula, inquiry: Inquiry) -> int:
     """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-    number = inquiry.number(speed)
-    if number is not None:
-        return 0 if abs(number) < 1e-12 else 1 if number > 0 else -1
+    side = inquiry.numbers.side(speed)
+    if side is not None:
+        return side
     signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
     return signs.pop() if len(signs) == 1 else 0
 
