@@ -13,8 +13,14 @@ import random
 import re
 from fractions import Fraction
 
-from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import UnitError, parse_quantity
+from rotsolve.core.quantity import QUANTITIES
+from rotsolve.elements.actions import ACTIONS
+from rotsolve.elements.connections import CONNECTIONS
+from rotsolve.elements.events import EVENTS
+from rotsolve.elements.shapes import SHAPES
+from rotsolve.scene.keys import keys_of
 from trials.scene import Scene, changed, named
 
 Powers = tuple[int, int, int]  # of ten, for masses, lengths and times
@@ -24,6 +30,25 @@ QUANTITY = re.compile(
     rf"(?<![\w.^])(?P<number>\d+(?:/\d+|\.\d+)?(?:e[-+]?\d+)?)(?P<pi>\s*\*?\s*pi)?\s*"
     rf"(?P<unit>(?:1?/)?\(?{UNIT}{POWER}(?:[ */·]+\(?{UNIT}{POWER}\)?)*)(?![\w.(])"
 )
+NAMED = ("bodies", "surfaces", "connections", "actions", "states", "events", "phases")
+MIRRORED = {"axle", "string", "contact", "rolls", "friction", "hinge", "gear", "belt", "crossed", "inside"}
+WORDS = {
+    *(word for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS) for item in table for word in item.word.split()),
+    *(word for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS) for item in table for word, _ in keys_of(item)),
+    *(kind.word for kind in QUANTITIES),
+    *(
+        "start end center rim top bottom cm level slope wall left right up down all any none at rest time turns moves".split()
+    ),
+    *(
+        "ground ceiling mean total size of about along by integration where which is in from to during on unknown".split()
+    ),
+    *(
+        "lost change largest smallest above below mass inertia gyration count parts points holes balance steady true false".split()
+    ),
+    *(
+        "clockwise counterclockwise tangential normal radial net gravity sticks slips slack taut leaves rest x y z r phi".split()
+    ),
+}
 
 
 class Unscalable(ValueError):
@@ -66,3 +91,52 @@ def times_ten(number: str, power: int) -> str:
         return f"{top}{'0' * power}/{bottom}" if power >= 0 else f"{top}/{bottom}{'0' * -power}"
     mantissa, _, own = number.partition("e")
     return f"{mantissa}e{int(own or 0) + power}" if power else number
+
+
+def reordered(scene: Scene, chance: random.Random) -> Scene:
+    """The scene with its letters, bodies, surfaces, connections and actions in another order."""
+    result: Scene = {}
+    for key, part in scene.items():
+        if key in ("given", "bodies", "surfaces", "connections", "actions"):
+            names = list(part)
+            chance.shuffle(names)
+            part = {name: part[name] for name in names}
+        result[key] = part
+    return result
+
+
+def renamed(scene: Scene, chance: random.Random) -> Scene:
+    """The scene with other names for what it consists of, in another alphabetical order; words of the language stay."""
+    names = [
+        name for key in NAMED for name in scene.get(key, {}) if name not in WORDS and name not in scene.get("given", {})
+    ]
+    fresh = [
+        f"{letter}{chance.choice('uvw')}thing{number}"
+        for number, letter in enumerate(chance.sample("abcdefghijklmnopqrstuvwxyz", min(26, len(names))))
+    ]
+    table = dict(zip(names, fresh, strict=False))
+    return {key: part if key in ("title", "given") else named(part, table) for key, part in scene.items()}
+
+
+SIDES = {"left": "right", "right": "left", "clockwise": "counterclockwise", "counterclockwise": "clockwise"}
+
+
+def mirrored(scene: Scene) -> Scene | None:
+    """The scene in a mirror: left for right, and strings drawn the other way; None where angles or places stand in it."""
+    connections = scene.get("connections", {})
+    kinds = {word for item in connections.values() for word in item}
+    text = str([part for key, part in scene.items() if key not in ("title", "given", "surfaces")])
+    if not kinds <= MIRRORED or re.search(r"\.x\b|angle|deg|\[-|at\(|torque|couple", text) or not scene.get("bodies"):
+        return None
+    for body in scene["bodies"].values():
+        turns = "shape" in body or "inertia" in body
+        if ("turns" if turns else "moves") not in body:
+            return None  # which way is positive follows from the connections then
+    for action in scene.get("actions", {}).values():
+        if action.get("direction") not in SIDES:
+            return None
+    result = {key: part if key in ("title", "given", "find") else named(part, SIDES) for key, part in scene.items()}
+    for item in result["connections"].values():
+        if "string" in item:
+            item["string"] = item["string"][::-1]
+    return result

@@ -6,11 +6,12 @@ from collections.abc import Mapping
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.actions import Action, Press
-from rotsolve.elements.connections import Connection, Contact, Rides
+from rotsolve.elements.connections import Connection, Contact, Rides, String, Weld
 from rotsolve.elements.connections.contacts.rolling import Unrolls
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.connections.ropes.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.events import Collides, Joins
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
 from rotsolve.elements.surfaces import Curved, Wall
@@ -21,6 +22,7 @@ def check(problem: Problem) -> None:
     """Raises Unsolvable at the place of the first name that can't be meant so."""
     bodies = {body.name: body for body in problem.bodies}
     held = {ref.owner: item.name for item in problem.connections for ref in item.fixed_points()}
+    check_pairs(problem, bodies)
     check_points(problem, bodies)
     check_ropes(problem, bodies)
     for item in problem.connections:
@@ -154,6 +156,37 @@ def check_free(item: Rides, problem: Problem) -> None:
         raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{silent.name}`", span=silent.span, help=help)
     if item.free and problem.events:
         raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
+
+
+def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:
+    """Only a string touches one body twice, and what is joined already is not joined again."""
+    joined: list[tuple[PointRef, ...]] = []
+    for item in problem.connections:
+        if not isinstance(item, String):
+            check_distinct(item.touches(), bodies)
+        if isinstance(item, Weld):
+            joined.append(item.weld)
+    for event in problem.events:
+        met = event.joins if isinstance(event, Joins) else event.collides if isinstance(event, Collides) else ()
+        check_distinct(met, bodies)
+        if isinstance(event, Joins):
+            joined.append(met)
+    whole: dict[str, frozenset[str]] = {}
+    for first, second in joined:
+        one, other = (whole.get(ref.owner, frozenset((ref.owner,))) for ref in (first, second))
+        if one & other & bodies.keys():
+            raise Unsolvable(f"`{first.owner}` and `{second.owner}` are joined already", span=second.span)
+        whole.update(dict.fromkeys(one | other, one | other))
+
+
+def check_distinct(points: tuple[PointRef, ...], bodies: Mapping[str, Body]) -> None:
+    """Points of different bodies."""
+    seen: set[str] = set()
+    for ref in points:
+        if ref.owner in seen and ref.owner in bodies:
+            help = "name two bodies, or `ground`"
+            raise Unsolvable(f"`{ref.owner}` is connected to itself", span=ref.span, help=help)
+        seen.add(ref.owner)
 
 
 def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
