@@ -20,6 +20,7 @@ from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.shapes import SHAPES
+from rotsolve.elements.surfaces import SURFACES
 from rotsolve.scene.keys import keys_of
 from trials.scene import Scene, changed, named
 
@@ -33,8 +34,18 @@ QUANTITY = re.compile(
 NAMED = ("bodies", "surfaces", "connections", "actions", "states", "events", "phases")
 MIRRORED = {"axle", "string", "contact", "rolls", "friction", "hinge", "gear", "belt", "crossed", "inside"}
 WORDS = {
-    *(word for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS) for item in table for word in item.word.split()),
-    *(word for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS) for item in table for word, _ in keys_of(item)),
+    *(
+        word
+        for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS, SURFACES)
+        for item in table
+        for word in item.word.split()
+    ),
+    *(
+        word
+        for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS, SURFACES)
+        for item in table
+        for word, _ in keys_of(item)
+    ),
     *(kind.word for kind in QUANTITIES),
     *(
         "start end center rim top bottom cm level slope wall left right up down all any none at rest time turns moves".split()
@@ -135,6 +146,8 @@ def mirrored(scene: Scene) -> Scene | None:
     for action in scene.get("actions", {}).values():
         if action.get("direction") not in SIDES:
             return None
+    if any(name in SIDES for key in NAMED for name in scene.get(key, {})):
+        return None
     result = {key: part if key in ("title", "given", "find") else named(part, SIDES) for key, part in scene.items()}
     for item in result["connections"].values():
         if "string" in item:

@@ -9,7 +9,7 @@ from mpmath import floor, log10, mpf
 from trials.draw import exactly
 from trials.outcome import Printed
 
-VANISHING = mpf(10) ** -90  # what an independent route leaves of an exact zero
+VANISHING = mpf(10) ** -60  # what an independent route leaves of an exact zero, also under a root
 
 
 def wrong(printed: Printed, true: mpf, digits: int) -> str:
@@ -17,7 +17,7 @@ def wrong(printed: Printed, true: mpf, digits: int) -> str:
     number = printed.number
     if number is None:
         return "" if printed.note else "no number is printed"
-    if number == 0 or abs(true) < VANISHING:
+    if number == 0 or true == 0:
         return "" if number == 0 and abs(true) < VANISHING else f"{printed.text} is printed for {shown(true)}"
     figures = fewer(printed, digits)
     place = mpf(10) ** (int(floor(log10(abs(true)))) - figures + 1)

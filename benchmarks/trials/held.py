@@ -83,7 +83,7 @@ def broken(equality: Equality, letters: dict[str, mpf], where: str) -> Iterator[
         left, right = value(equality.left, letters), value(equality.right, letters)
     except Unknown:
         return
-    scale = max(abs(left), abs(right), *(size(term, letters) for term in terms(equality)), mpf(10) ** -120)
+    scale = max(abs(left), abs(right), *(size(term, letters) for term in terms(equality)), mpf(100))
     if abs(left - right) > NEARLY * scale:
         yield f"{where}: {to_text(equality.left)} = {to_text(equality.right)} does not hold at the answers"
 

@@ -111,6 +111,6 @@ def differs(one: Printed, other: Printed | None, powers: Powers, way: str) -> st
     expected = None if one.number is None else one.number * Fraction(10) ** int(power)
     if other.number != expected and not (one.note and other.note):
         return f"{other.text or other.note} instead of {one.text or one.note} (times 10^{power})"
-    if way != "mirrored" and other.said != one.said:
+    if way not in ("mirrored", "renamed") and other.said != one.said:
         return f"{other.said!r} instead of {one.said!r}"
     return ""

@@ -75,7 +75,7 @@ class Block:
 def train(draw: Draw, wheels: int | None = None) -> Case:
     """Two blocks tied by a string that runs over wheels, with friction and couples."""
     count = draw.chance.choice((1, 1, 1, 2, 3)) if wheels is None else wheels
-    ends = Block(draw, "left", True), Block(draw, "right", False)
+    ends = Block(draw, "one", True), Block(draw, "two", False)
     given, bodies, surfaces, connections, actions = {**ends[0].given, **ends[1].given}, {}, {}, {}, {}
     system = Train()
     resisting = mpf(0)
@@ -104,7 +104,7 @@ def train(draw: Draw, wheels: int | None = None) -> Case:
             sense = draw.pick("clockwise", "counterclockwise")
             actions[f"motor{number}"] = {"couple": f"C{number}", "on": f"wheel{number}", "direction": sense}
             system.push((1 if sense == "clockwise" else -1) * couple.x, 1 / radius.x)
-    connections["cord"] = {"string": ["left", *(f"wheel{k}" for k in range(1, count + 1)), "right"]}
+    connections["cord"] = {"string": ["one", *(f"wheel{k}" for k in range(1, count + 1)), "two"]}
     pace = system.accelerations(resisting)[0]
     used = {
         name: text
@@ -116,11 +116,11 @@ def train(draw: Draw, wheels: int | None = None) -> Case:
             "Blocks and wheels", given=used, surfaces=surfaces, bodies=bodies, connections=connections, actions=actions
         )
     )
-    case.ask("a", "left.acceleration", ends[0].sign * pace)
+    case.ask("a", "one.acceleration", ends[0].sign * pace)
     case.ask("alpha", f"wheel{count}.angular_acceleration", senses[-1] * pace)
     if not any(end.rough for end in ends) and not any("friction_torque" in item for item in connections.values()):
-        case.ask("T", "cord.left.tension", ends[0].mass.x * pace - ends[0].pull)
-        case.ask("S", "cord.right.tension", ends[1].pull - ends[1].mass.x * pace)
+        case.ask("T", "cord.one.tension", ends[0].mass.x * pace - ends[0].pull)
+        case.ask("S", "cord.two.tension", ends[1].pull - ends[1].mass.x * pace)
     if pace and wheels is None and draw.often(0.4):
         moved(case, draw, ends[0], pace)
     return case
@@ -150,13 +150,13 @@ def stepped_drum(draw: Draw) -> Case:
     first, second, turns = draw.pick("up", "down"), draw.pick("up", "down"), draw.pick("clockwise", "counterclockwise")
     bodies = {
         "drum": {"inertia": "I", "radii": {"big": "R", "small": "r"}, "turns": turns},
-        "left": {"mass": "m", "moves": first},
-        "right": {"mass": "n", "moves": second},
+        "one": {"mass": "m", "moves": first},
+        "two": {"mass": "n", "moves": second},
     }
     connections = {
         "axle": {"axle": "drum"},
-        "cord": {"string": ["left", "drum.small"]},
-        "rope": {"string": ["drum.big", "right"]},
+        "cord": {"string": ["one", "drum.small"]},
+        "rope": {"string": ["drum.big", "two"]},
     }
     system = Train()  # the turn of the drum, clockwise
     system.body(inertia.x, mpf(1))
@@ -165,8 +165,8 @@ def stepped_drum(draw: Draw) -> Case:
     turn = system.accelerations()[0]
     given = letters(m=m, n=n, R=big, r=small, I=inertia)
     case = Case(scene("Stepped drum", given=given, bodies=bodies, connections=connections))
-    case.ask("a", "left.acceleration", turn * small.x * (1 if first == "up" else -1))
-    case.ask("b", "right.acceleration", turn * big.x * (1 if second == "down" else -1))
+    case.ask("a", "one.acceleration", turn * small.x * (1 if first == "up" else -1))
+    case.ask("b", "two.acceleration", turn * big.x * (1 if second == "down" else -1))
     case.ask("alpha", "drum.angular_acceleration", turn * (1 if turns == "clockwise" else -1))
     case.ask("T", "cord.tension", m.x * (G + turn * small.x))
     case.ask("S", "rope.tension", n.x * (G - turn * big.x))

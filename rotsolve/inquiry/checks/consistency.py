@@ -10,7 +10,8 @@ from collections.abc import Mapping
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
@@ -22,6 +23,7 @@ from rotsolve.motion.timeline import Interval
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
+NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
 ROUNDS = 8
 ALONG_THE_WAY = ("separating the variables, dt = dx/v", "separating the variables, dt = dθ/ω")
 
@@ -74,7 +76,7 @@ def carried_out(equation: Equation, inquiry: Inquiry) -> list[Equation]:
     """An equation with its integrals carried out; nothing where that can not be done, or never comes to an end."""
     try:
         left, right = (inquiry.solver.carried_out(side) for side in (equation.left, equation.right))
-    except Undefined:
+    except (Undefined, ZeroDivisionError):
         return []
     done = replace(equation, left=left, right=right)
     return [] if done.summed() else [done]
@@ -145,7 +147,10 @@ class Numbers(Struct, frozen=True):
     def size(self, value: Formula, **more: Ball) -> Ball | None:
         """A ball that holds the number; None where a letter has none, or it is not real."""
         try:
-            ball = RealBalls(self.values, bound={**self.found, **more})(value)
+            if any(isinstance(node, Integral) for node in value.walk()):
+                ball = evaluate(value, self.values, digits=10).ball
+            else:
+                ball = RealBalls(self.values, bound={**self.found, **more})(value)
         except (Undefined, ZeroDivisionError):
             return None
         return ball if ball.is_finite() else None
@@ -162,12 +167,14 @@ class Numbers(Struct, frozen=True):
     def settle(self, equation: Equation, name: str) -> bool:
         """Find the one unknown of an equation that is linear in it; whether it drops out and leaves two numbers that differ: 2 = 0 t."""
         gap = equation.left - equation.right
-        at = [self.size(gap, **{name: arb(place)}) for place in range(3)]
-        if at[1] is None or at[2] is None:
+        slope = differentiate(gap, name)
+        rate, rest = self.size(slope), self.size(gap, **{name: arb(0)})
+        if name in slope.symbols() or rate is None:
             return False
-        slope = at[2] - at[1]
-        if slope.contains(0):
-            return self.clash(equation, **{name: arb(1)})
-        if at[0] is not None and (at[1] - at[0]).overlaps(slope):
-            self.found[name] = -at[0] / slope
+        if rate.contains(0):
+            terms = [abs(size) for term in slope.children() if (size := self.size(term)) is not None]
+            vanishes = rate.is_zero() or abs(rate).upper() <= NOTHING * max(terms, default=arb(0)).upper()
+            return vanishes and self.clash(equation, **{name: arb(1)})
+        if rest is not None:
+            self.found[name] = -rest / rate
         return False

@@ -6,15 +6,15 @@ from collections.abc import Mapping
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.actions import Action, Press
-from rotsolve.elements.connections import Connection, Contact, Rides, String, Weld
+from rotsolve.elements.connections import Connection, Contact, Rides
 from rotsolve.elements.connections.contacts.rolling import Unrolls
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.connections.ropes.drapes import Drapes
 from rotsolve.elements.connections.springs import Spring
-from rotsolve.elements.events import Collides, Joins
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
 from rotsolve.elements.surfaces import Curved, Wall
+from rotsolve.motion.checks.pairs import check_pairs, check_stacks
 from rotsolve.scene.model import Body, PointRef, Problem
 
 
@@ -25,6 +25,7 @@ def check(problem: Problem) -> None:
     check_pairs(problem, bodies)
     check_points(problem, bodies)
     check_ropes(problem, bodies)
+    check_stacks(problem, bodies)
     for item in problem.connections:
         if isinstance(item, Rides):
             check_ride(item, bodies, held)
@@ -156,37 +157,6 @@ def check_free(item: Rides, problem: Problem) -> None:
         raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{silent.name}`", span=silent.span, help=help)
     if item.free and problem.events:
         raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
-
-
-def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:
-    """Only a string touches one body twice, and what is joined already is not joined again."""
-    joined: list[tuple[PointRef, ...]] = []
-    for item in problem.connections:
-        if not isinstance(item, String):
-            check_distinct(item.touches(), bodies)
-        if isinstance(item, Weld):
-            joined.append(item.weld)
-    for event in problem.events:
-        met = event.joins if isinstance(event, Joins) else event.collides if isinstance(event, Collides) else ()
-        check_distinct(met, bodies)
-        if isinstance(event, Joins):
-            joined.append(met)
-    whole: dict[str, frozenset[str]] = {}
-    for first, second in joined:
-        one, other = (whole.get(ref.owner, frozenset((ref.owner,))) for ref in (first, second))
-        if one & other & bodies.keys():
-            raise Unsolvable(f"`{first.owner}` and `{second.owner}` are joined already", span=second.span)
-        whole.update(dict.fromkeys(one | other, one | other))
-
-
-def check_distinct(points: tuple[PointRef, ...], bodies: Mapping[str, Body]) -> None:
-    """Points of different bodies."""
-    seen: set[str] = set()
-    for ref in points:
-        if ref.owner in seen and ref.owner in bodies:
-            help = "name two bodies, or `ground`"
-            raise Unsolvable(f"`{ref.owner}` is connected to itself", span=ref.span, help=help)
-        seen.add(ref.owner)
 
 
 def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
