@@ -110,18 +110,19 @@ def certified(answer: Answer, digits: int) -> tuple[str, str]:
 
 
 def figures(value: Certified | None, digits: int) -> tuple[str, str]:
-    """The digits of a number, and a note where fewer of them can be certified than were asked for."""
+    """The certified digits of a number, and a note where fewer of them are sure than were asked for, or none."""
     from rotsolve.algebra.certified.balls import Undefined
 
     if value is None:
         return "", ""
-    for fewer in range(digits, 0, -1):
-        try:
-            text = value.text(fewer)
-        except Undefined:
-            continue
-        return text, "" if fewer == digits else f"only {fewer} {'digit' if fewer == 1 else 'digits'} can be certified"
-    return "", "no digit can be certified"
+    try:
+        text, sure = value.figures(digits)
+    except Undefined as reason:
+        return "", f"no number: {reason}"
+    if not sure:
+        within = "nothing tells it from 0" if value.sign is None else "its bounds are too wide at the highest precision"
+        return "", f"≈ {text}, not certified: {within}"
+    return text, "" if sure == digits else f"only {sure} {'digit' if sure == 1 else 'digits'} can be certified"
 
 
 def exact(answer: Answer) -> Formula | None:

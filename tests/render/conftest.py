@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.units.quantities import parse_quantity, parse_unit
@@ -23,8 +22,8 @@ class Digits:
 
     digits: str
 
-    def text(self, digits: int) -> str:
-        return self.digits
+    def figures(self, digits: int) -> tuple[str, int]:
+        return self.digits, digits
 
 
 @dataclass(frozen=True)
@@ -33,10 +32,11 @@ class Fuzzy:
 
     certain: int
 
-    def text(self, digits: int) -> str:
-        if digits > self.certain:
-            raise Undefined("not known so well")
-        return "1.23456789"[: digits + 1]
+    sign: int | None = 1
+
+    def figures(self, digits: int) -> tuple[str, int]:
+        sure = min(digits, self.certain)
+        return "1.23456789"[: (sure or 3) + 1], sure
 
 
 def words(*parts: str) -> Words:

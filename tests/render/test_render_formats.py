@@ -145,7 +145,10 @@ def test_digits_that_can_not_be_certified_are_not_printed(block_on_disc: Derivat
     answer = replace(made.answer("x", None, None, "m"), value=made.Fuzzy(2))
     assert printed(answers(block_on_disc, answer)) == "  x = 1.2 m (only 2 digits can be certified)\n"
     answer = replace(answer, value=made.Fuzzy(0))
-    assert printed(answers(block_on_disc, answer)) == "  x: (no digit can be certified)\n"
+    assert (
+        printed(answers(block_on_disc, answer))
+        == "  x: (≈ 1.23, not certified: its bounds are too wide at the highest precision)\n"
+    )
 
 
 def test_checks_that_fail_are_said_apart(block_on_disc: Derivation) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from math import floor
 from typing import Any
 
 from msgspec import Struct
@@ -19,6 +20,10 @@ __all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "resolv
 Values = Mapping[str, Formula | Fraction | int]
 BITS_PER_DIGIT = 3.3219280948873626
 INTEGRAL_LIMIT = 400  # bits: beyond this an integral costs more than it is worth
+ROUNDS = 8  # times that the precision is doubled for the digits of one number
+UNSURE = 3  # digits of a number of which none is certified
+DECADES = 100_000  # of ten: a number of a size beyond is not written down
+LARGEST, TINIEST = arb(10) ** DECADES, arb(10) ** -DECADES
 EXACT_FROM = 256  # bits: from here on a value that may be zero is tested exactly
 
 
@@ -68,27 +73,53 @@ class Certified(Struct, frozen=True):
 
         Undefined where the digits can not be certified.
         """
+        text, sure = self.figures(digits)
+        if sure < digits:
+            raise Undefined(f"{digits} digits can not be certified")
+        return text
+
+    def figures(self, digits: int) -> tuple[str, int]:
+        """The number to as many of these digits as can be certified, and how many these are; 0 with what is known of it, sure or not."""
         ball, wanted = self.ball, max(digits + 6, 15)
-        for _ in range(8):
-            low, high = ends(ball)
-            if low == high == 0:
-                return "0"
-            if low * high > 0:
-                first, last = rounded(low, digits), rounded(high, digits)
-                if first == last:
-                    candidate = value_of(first, digits)
-                    exact = low <= candidate <= high and self.equals(candidate)
-                    return written(*first, digits, exact)
-                tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
-                if low <= tie <= high and self.equals(tie):
-                    return written(*rounded(tie, digits), digits, False)
+        for _ in range(ROUNDS):
+            text = self._settled(ball, digits)
+            if text is not None:
+                return text, digits
             wanted *= 2
-            ball = self.refine(wanted)
-        raise Undefined(f"{digits} digits can not be certified")
+            finer = self.refine(wanted)
+            if finer.rel_accuracy_bits() <= ball.rel_accuracy_bits():
+                break  # it is known no better
+            ball = finer
+        for fewer in range(digits - 1, 0, -1):
+            text = self._settled(ball, fewer)
+            if text is not None:
+                return text, fewer
+        return decimal_text(ball.mid(), digits=UNSURE), 0
+
+    def _settled(self, ball: Ball, digits: int) -> str | None:
+        """The text on which both ends of a ball agree, an exact tie rounded away from zero; None where they do not."""
+        low, high = ends(ball)
+        if low == high == 0:
+            return "0"
+        if low * high <= 0:
+            return None
+        first, last = rounded(low, digits), rounded(high, digits)
+        if first == last:
+            candidate = value_of(first, digits)
+            exact = low <= candidate <= high and self.equals(candidate)
+            return written(*first, digits, exact)
+        tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
+        if low <= tie <= high and self.equals(tie):
+            return written(*rounded(tie, digits), digits, False)
+        return None
 
 
 def ends(ball: Ball) -> tuple[Fraction, Fraction]:
-    """Both ends of a ball as exact fractions."""
+    """Both ends of a ball as exact fractions; Undefined where they are too large or too small to be written down."""
+    if ball.is_zero():
+        return Fraction(0), Fraction(0)
+    if not ball.is_finite() or not TINIEST < ball.abs_upper() < LARGEST:
+        raise Undefined(f"its size is beyond 10^±{DECADES}")
     middle, radius = _exact(ball.mid()), _exact(ball.rad())
     return middle - radius, middle + radius
 
@@ -103,8 +134,8 @@ def rounded(value: Fraction, digits: int) -> tuple[int, int]:
     size = abs(value)
     if not size:
         return 0, 0
-    exponent = len(str(size.numerator)) - len(str(size.denominator))
-    if size < Fraction(10) ** exponent:
+    exponent = floor((size.numerator.bit_length() - size.denominator.bit_length() + 1) / BITS_PER_DIGIT)
+    while size < Fraction(10) ** exponent:
         exponent -= 1
     scaled = size * Fraction(10) ** (digits - 1 - exponent)
     mantissa = (2 * scaled.numerator + scaled.denominator) // (2 * scaled.denominator)
@@ -203,7 +234,7 @@ def _enclose(
         bits *= 2
         if bits > max_precision or (bits > INTEGRAL_LIMIT + 2 * needed and _has_integral(f, values)):
             if best is None:
-                raise Undefined("no finite value was found")
+                raise Undefined("no finite value was found within the highest precision")
             return best
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rotsolve.algebra.certified.turning import integral_to_rest
+from rotsolve.algebra.certified.turning import integral_to_rest, work_limit
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
     Call,
@@ -169,7 +169,7 @@ class RealBalls:
         def integrand(z: Ball, analytic: bool) -> Ball:
             return ComplexBalls(outer, {node.variable: z}, analytic)(node.integrand)
 
-        found = acb.integral(integrand, acb(lower), acb(upper))
+        found = acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit())
         return found.real
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.flints import acb
+from rotsolve.algebra.flints import acb, context
 from rotsolve.algebra.formula import Call, Formula, Integral, Number
 
 if TYPE_CHECKING:
@@ -78,4 +78,9 @@ def _from_end(node: Integral, inside: Formula, end: Formula, other: Formula, bal
                 quotient = divided
         return 2 * way / (way * quotient).sqrt(analytic=analytic)
 
-    return acb.integral(integrand, acb(0), acb(1)).real
+    return acb.integral(integrand, acb(0), acb(1), eval_limit=work_limit()).real
+
+
+def work_limit() -> int:
+    """How often an integrand is evaluated at most: many times what a smooth one takes; then the ball stays wide, and is said to be so."""
+    return 2000 + 40 * int(context.prec)

@@ -37,8 +37,8 @@ class Orbit(Struct, frozen=True):
 class Connection(Element, frozen=True):
     """Base of all connections. `quantities` can be asked of it; `words` can be said of it in a state.
 
-    `independent` marks one that holds several bodies without making one move with the other. `kept` are its quantities that an event
-    leaves as they were.
+    `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
+    nothing that is fixed, `rimmed` one that runs on the rims of wheels. `kept` are its quantities that an event leaves as they were.
     """
 
     word: ClassVar[str] = ""
@@ -47,6 +47,8 @@ class Connection(Element, frozen=True):
     words: ClassVar[tuple[str, ...]] = ()
     later: ClassVar[bool] = False
     independent: ClassVar[bool] = False
+    bodily: ClassVar[bool] = False
+    rimmed: ClassVar[bool] = False
     kept: ClassVar[tuple[str, ...]] = ()
     name: str = ""
 

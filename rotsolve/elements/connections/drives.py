@@ -23,6 +23,7 @@ class Belt(Connection, frozen=True):
     word = "belt"
     about = "a belt or chain round two wheels: they turn the same way, or opposite ways when it is crossed"
     quantities = ("tension", "force", "power", "work")
+    bodily = rimmed = True
     belt: tuple[PointRef, ...] = key(
         "points", "the wheels or rims", count=(2, 10), required=True, example="[motor, drum.big]"
     )
@@ -42,6 +43,7 @@ class Gear(Connection, frozen=True):
     word = "gear"
     about = "two toothed or rubbing wheels: they turn opposite ways without slip"
     quantities = ("force", "torque", "power", "work", "impulse")
+    bodily = rimmed = True
     gear: tuple[PointRef, ...] = key(
         "points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]"
     )
@@ -66,6 +68,7 @@ class Drive(Connection, frozen=True):
         "a motor, or someone's legs or hands: turns the last-named body on the first, with equal and opposite torques"
     )
     quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
+    bodily = True
     drives: tuple[PointRef, ...] = key("points", "[carrier, body]", count=(2, 2), required=True, example="[table, man]")
     couple: Formula | None = key(
         "quantity", "torque on the last-named", dimension="torque", letter="tau", varies=True, default=None

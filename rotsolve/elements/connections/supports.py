@@ -102,6 +102,7 @@ class Hinge(Driven, frozen=True):
     word = "hinge"
     about = "holds a point of a body to the ground, or to a point of another body; the body turns freely about it"
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
+    bodily = True
     hinge: tuple[PointRef, ...] = key(
         "points", "the point held, or [carrier, body]", count=(1, 2), required=True, example="rod.start"
     )
@@ -135,6 +136,7 @@ class Axle(Driven, frozen=True):
     word = "axle"
     about = "a fixed axis through the centre of a wheel, or of several that turn freely on it"
     quantities = ("force", "torque", "angle", "angular_velocity", "angular_acceleration", "impulse", "work", "power")
+    bodily = True
     axle: tuple[PointRef, ...] = key("points", "the wheel, or wheels", count=(1, 20), required=True, example="disc")
 
     independent = True
@@ -178,6 +180,7 @@ class Weld(Connection, frozen=True):
     word = "weld"
     about = "makes two bodies one"
     quantities = ("force", "torque")
+    bodily = True
     weld: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[drum, rod.end]")
 
 
@@ -185,6 +188,7 @@ class Rides(Connection, frozen=True):
     word = "rides"
     about = "a particle slides along another body and turns with it, at its `radius` from the axis"
     quantities = ("work",)
+    bodily = True
     rides: tuple[PointRef, ...] = key("points", "[bead, bar]", count=(2, 2), required=True, example="[bead, bar]")
     friction: str = key(
         "choice",

@@ -20,7 +20,14 @@ class Rectangle(Shape, frozen=True):
     points = ("center", "corner1", "corner2", "corner3", "corner4")
     coordinates = ("x",)
     sides: tuple[Formula, ...] = key(
-        "quantities", "width and height", dimension="length", letter="a b", limits="positive", count=(2, 2), default=()
+        "quantities",
+        "width and height",
+        dimension="length",
+        letter="a b",
+        limits="positive",
+        count=(2, 2),
+        default=(),
+        required=True,
     )
 
     def moment(self, mass: Formula) -> Formula:

@@ -5,14 +5,16 @@ A scene that says too much (a state that is never reached, a block that sticks y
 
 from __future__ import annotations
 
-from fractions import Fraction
-from math import isfinite
+from collections.abc import Mapping
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Number, Symbol
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Precision, evaluate
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import POSITION, RATE, at_any_time
@@ -20,33 +22,37 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.motion.timeline import Interval
 
 TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
+BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
+NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
 ROUNDS = 8
 ALONG_THE_WAY = ("separating the variables, dt = dx/v", "separating the variables, dt = dθ/ω")
-POINTS = (Fraction(0), Fraction(1), Fraction(2))
 
 
 def contradiction(inquiry: Inquiry) -> Equation | None:
     """The first equation that can not hold with what is known and found, or None."""
-    numbers = known_numbers(inquiry)
+    with Precision(BITS):
+        return first_broken(inquiry, Numbers.known(inquiry))
+
+
+def first_broken(inquiry: Inquiry, numbers: Numbers) -> Equation | None:
+    """The first equation that can not hold; what an equation tells of its one unknown serves the next ones."""
     pending = [equation for equation in inquiry.history.equations if not runs(equation, inquiry)]
     pending += summed(inquiry)
     pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law
     for _ in range(ROUNDS):
         rest = []
         for equation in pending:
-            if open_letters(equation, numbers):
+            if numbers.open_letters(equation):
                 rest.append(equation)
-            elif clashes(equation, inquiry, numbers):
+            elif numbers.clash(equation):
                 return equation
-        pending, settled = [], len(numbers)
+        pending, settled = [], len(numbers.found)
         for equation in rest:
-            unknown = open_letters(equation, numbers)
-            if len(unknown) == 1:
-                if impossible(equation, unknown[0], inquiry, numbers):
-                    return equation
-                settle(equation, unknown[0], inquiry, numbers)
+            unknown = numbers.open_letters(equation)
+            if len(unknown) == 1 and numbers.settle(equation, unknown[0]):
+                return equation
             pending.append(equation)
-        if len(numbers) == settled:
+        if len(numbers.found) == settled:
             break
     return backwards(inquiry, numbers)
 
@@ -70,18 +76,17 @@ def carried_out(equation: Equation, inquiry: Inquiry) -> list[Equation]:
     """An equation with its integrals carried out; nothing where that can not be done, or never comes to an end."""
     try:
         left, right = (inquiry.solver.carried_out(side) for side in (equation.left, equation.right))
-    except Undefined:
+    except (Undefined, ZeroDivisionError):
         return []
     done = replace(equation, left=left, right=right)
     return [] if done.summed() else [done]
 
 
-def backwards(inquiry: Inquiry, numbers: dict[str, Formula]) -> Equation | None:
+def backwards(inquiry: Inquiry, numbers: Numbers) -> Equation | None:
     """A phase that would take a negative time: its end lies before its start."""
     for name, passage in inquiry.history.passages.items():
-        letters = passage.duration.symbols()
-        duration = size(passage.duration.substitute(numbers), inquiry) if letters <= numbers.keys() else None
-        if duration is not None and duration < -TOLERANCE:
+        duration = numbers.size(passage.duration)
+        if duration is not None and duration < 0:
             return Equation(passage.duration, ZERO, "time runs forwards", name)
     return None
 
@@ -103,11 +108,6 @@ def turned_back(inquiry: Inquiry) -> Interval | None:
     return None
 
 
-def open_letters(equation: Equation, numbers: dict[str, Formula]) -> list[str]:
-    """Letters of the laws in an equation that have no value yet."""
-    return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in numbers)
-
-
 def runs(equation: Equation, inquiry: Inquiry) -> bool:
     """Whether an equation is about any moment of a phase, or sums over one."""
     sides = (equation.left, equation.right)
@@ -115,71 +115,62 @@ def runs(equation: Equation, inquiry: Inquiry) -> bool:
     return bool(inquiry.running & letters) or at_any_time(letters) or any(side.holds(Integral) for side in sides)
 
 
-def known_numbers(inquiry: Inquiry) -> dict[str, Formula]:
-    """Values of the letters that the inquiry found, in closed form, also on the way to the answers."""
-    solver = inquiry.solver
-    known = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
-    for name in solver.told.keys() - known.keys():
-        value = solver.with_found(Symbol(name))
-        if not any(SEPARATOR in letter for letter in value.symbols()):
-            known[name] = value
-    return known
+class Numbers(Struct, frozen=True):
+    """Balls of all letters that have a number: the givens, and the letters of the laws as they are found."""
 
+    found: dict[str, Ball]
+    values: Mapping[str, Formula]
 
-def impossible(equation: Equation, name: str, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
-    """Whether the one unknown of an equation drops out and leaves two numbers that differ: 2 rad = 0 · t."""
-    values = [{**numbers, name: Number(point)} for point in POINTS[1:]]
-    gaps = [size((equation.left - equation.right).substitute(value), inquiry) for value in values]
-    if gaps[0] is None or gaps[1] is None or abs(gaps[0] - gaps[1]) > 1e-12 * abs(gaps[0]):
+    @staticmethod
+    def known(inquiry: Inquiry) -> Numbers:
+        """What the inquiry found, also on the way to the answers; givens without a number are taken as 1."""
+        solver = inquiry.solver
+        letters = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
+        for name in solver.told.keys() - letters.keys():
+            value = solver.with_found(Symbol(name))
+            if not any(SEPARATOR in letter for letter in value.symbols()):
+                letters[name] = value
+        free = {name: ONE for name, given in inquiry.givens.items() if given.value is None and not given.asked}
+        numbers = Numbers({}, {**free, **inquiry.values})
+        sizes = {name: numbers.size(value) for name, value in letters.items()}
+        numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
+        return numbers
+
+    def open_letters(self, equation: Equation) -> list[str]:
+        """Letters of the laws in an equation that have no value yet."""
+        return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in self.found)
+
+    def size(self, value: Formula, **more: Ball) -> Ball | None:
+        """A ball that holds the number; None where a letter has none, or it is not real."""
+        try:
+            if any(isinstance(node, Integral) for node in value.walk()):
+                ball = evaluate(value, self.values, digits=10).ball
+            else:
+                ball = RealBalls(self.values, bound={**self.found, **more})(value)
+        except (Undefined, ZeroDivisionError):
+            return None
+        return ball if ball.is_finite() else None
+
+    def clash(self, equation: Equation, **more: Ball) -> bool:
+        """Whether both sides are numbers that certainly differ."""
+        left, right = (self.size(side, **more) for side in (equation.left, equation.right))
+        if left is None or right is None:
+            return False
+        terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in side.children())
+        scale = max((abs(term).upper() for term in (left, right, *terms) if term is not None), default=arb(0))
+        return bool(abs(left - right) > TOLERANCE * scale)
+
+    def settle(self, equation: Equation, name: str) -> bool:
+        """Find the one unknown of an equation that is linear in it; whether it drops out and leaves two numbers that differ: 2 = 0 t."""
+        gap = equation.left - equation.right
+        slope = differentiate(gap, name)
+        rate, rest = self.size(slope), self.size(gap, **{name: arb(0)})
+        if name in slope.symbols() or rate is None:
+            return False
+        if rate.contains(0):
+            terms = [abs(size) for term in slope.children() if (size := self.size(term)) is not None]
+            vanishes = rate.is_zero() or abs(rate).upper() <= NOTHING * max(terms, default=arb(0)).upper()
+            return vanishes and self.clash(equation, **{name: arb(1)})
+        if rest is not None:
+            self.found[name] = -rest / rate
         return False
-    return clashes(equation, inquiry, values[0])
-
-
-def settle(equation: Equation, name: str, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
-    """Find the one unknown of an equation that is linear in it; whether that could be done."""
-    gap = equation.left - equation.right
-    at = [size(gap.substitute({**numbers, name: Number(value)}), inquiry) for value in POINTS]
-    if at[0] is None or at[1] is None or at[2] is None:
-        return False
-    slope = at[1] - at[0]
-    if not slope or abs(at[2] - at[0] - 2 * slope) > 1e-9 * (abs(at[2]) + abs(at[0]) + abs(slope)):
-        return False
-    value = -at[0] / slope
-    if not isfinite(value):
-        return False
-    numbers[name] = exact(value)
-    return True
-
-
-def clashes(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -> bool:
-    """Whether both sides are numbers that differ."""
-    left, right = (size(side.substitute(numbers), inquiry) for side in (equation.left, equation.right))
-    if left is None or right is None:
-        return False
-    gap = abs(left - right)
-    if gap <= TOLERANCE * max(abs(left), abs(right)):
-        return False
-    return gap > TOLERANCE * max((abs(term) for term in terms(equation, inquiry, numbers)), default=1e-300)
-
-
-def terms(equation: Equation, inquiry: Inquiry, numbers: dict[str, Formula]) -> list[float]:
-    """Sizes of the single terms, against which a difference is measured."""
-    found = [
-        size(term.substitute(numbers), inquiry) for side in (equation.left, equation.right) for term in side.children()
-    ]
-    return [value for value in found if value is not None]
-
-
-def size(value: Formula, inquiry: Inquiry) -> float | None:
-    """A number, None where it has letters of the laws or is not real; givens without a number are taken as 1."""
-    names = value.symbols() - set(inquiry.values)
-    if not all(name in inquiry.givens and not inquiry.givens[name].asked for name in names):
-        return None
-    try:
-        return evaluate(value, {**inquiry.values, **dict.fromkeys(names, ONE)}, digits=10).float
-    except (Undefined, ValueError, ZeroDivisionError):
-        return None
-
-
-def exact(value: float) -> Formula:
-    return Number(Fraction(value))

@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.quantity import DIMENSIONS
@@ -27,7 +29,7 @@ def told_missing(answer: Answer, missing: Mapping[str, Given], problem: Problem)
         and answer.formula.symbols() <= numbered
         and not answer.remark
     ):
-        return replace(answer, remark=("no number: with these givens it is not defined",))
+        return replace(answer, remark=(f"no number: {undefined(answer.formula, problem)}",))
     names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
     if not names or answer.remark:
         return answer
@@ -35,6 +37,15 @@ def told_missing(answer: Answer, missing: Mapping[str, Given], problem: Problem)
     for name in names:
         words += [", " if name != names[0] else "", Symbol(name), f", the {meaning(missing[name], problem)},"]
     return replace(answer, remark=(*words, " is not given" if len(names) == 1 else " are not given"))
+
+
+def undefined(formula: Formula, problem: Problem) -> str:
+    """Why a formula has no number with these givens."""
+    try:
+        evaluate(formula, {given.name: given.value for given in problem.givens if given.value is not None}, digits=4)
+    except (Undefined, ZeroDivisionError) as reason:
+        return str(reason)
+    return "with these givens it is not defined"
 
 
 def meaning(given: Given, problem: Problem) -> str:

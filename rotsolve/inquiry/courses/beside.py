@@ -7,16 +7,16 @@ from collections.abc import Callable, Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.periodic import period_of
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 
-NEAR = 1e-9  # share of a phase within which a zero counts as its end
+FIGURES = 30  # to which a zero is known before it is told from the end of a phase
 
 
 class Beside(Struct, frozen=True):
@@ -43,27 +43,33 @@ class Beside(Struct, frozen=True):
         except (Undefined, ZeroDivisionError):
             raise NotYet("a value on the way is not defined") from None
 
+    def side(self, value: Formula) -> int:
+        """The sign of a value that does not depend on time; 0 where no precision tells it from 0."""
+        return evaluate(value, self.values, digits=8).sign or 0
+
     def zeros(self, function: Formula, start: Formula, end: Formula) -> list[Formula]:
         """The times between the ends at which a function of time changes its sign, in order and in closed form."""
         if TIME not in function.symbols():
             return []
         found = real_roots(function, TIME, self.values, start, end)
-        first, last = self.number(start), self.number(end)
-        edge = NEAR * (last - first)
-        inside = [root.float for root in found.roots if first + edge < root.float < last - edge]
         if not found.complete:
             raise NotYet("where it changes its sign can not be told for certain")
+        first, last = self.ball(start), self.ball(end)
+        inside = [root for root in found.roots if first < root.refine(FIGURES) < last]
         exact = solve_polynomial(function, TIME) or [item.formula for item in solve_trig(function, TIME)]
-        return [self._closed(root, exact, period_of(function, TIME), edge) for root in inside]
+        return [self._closed(root, exact, period_of(function, TIME)) for root in inside]
 
-    def _closed(self, root: float, exact: list[Formula], period: Formula | None, edge: float) -> Formula:
+    def ball(self, value: Formula) -> Ball:
+        """A value that does not depend on time, to many figures."""
+        return evaluate(value, self.values, digits=FIGURES).ball
+
+    def _closed(self, root: Certified, exact: list[Formula], period: Formula | None) -> Formula:
         """The closed form of a zero, whole periods later where the motion swings."""
         for form in exact:
-            gap = root - self.number(form)
-            periods = 0 if period is None else round(gap / self.number(period))
-            shift = ZERO if period is None else periods * period
-            if abs(gap - self.number(shift)) < edge:
-                return simplify(form + shift)
+            periods = 0 if period is None else round((root.float - self.number(form)) / self.number(period))
+            whole = form if period is None else form + periods * period
+            if self.ball(whole).overlaps(root.refine(FIGURES)):
+                return simplify(whole)
         raise NotYet("the moment at which it changes its sign has no closed form")
 
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cmp_to_key
+
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -21,9 +23,9 @@ from rotsolve.scene.model import Term
 
 
 class Candidate(Struct, frozen=True):
-    """A value that may be the greatest: its number, where it is taken, and the moment within the phase if it is no end."""
+    """A value that may be the greatest, where it is taken, and the moment within the phase if it is no end."""
 
-    number: float
+    value: Formula
     interval: Interval
     state: str
     moment: Formula | None = None
@@ -38,8 +40,12 @@ def extreme(term: Term, start: str, end: str, history: History, beside: Beside |
     for interval in history.arrangement.timeline.between(start, end):
         if interval.event is None:
             found += candidates(term, interval, history, beside)
-    pick = max if term.modifier == "largest" else min
-    best = pick(found, key=lambda candidate: candidate.number)
+    sense = 1 if term.modifier == "largest" else -1
+
+    def order(one: Candidate, other: Candidate) -> int:
+        return sense * beside.side(one.value - other.value)
+
+    best = max(found, key=cmp_to_key(order))
     name = f"{term.modifier} {spoken(term.path.quantity)}"
     if best.moment is None:
         meaning = history.reader(best.state).meaning(term.path, term)
@@ -56,12 +62,12 @@ def candidates(term: Term, interval: Interval, history: History, beside: Beside)
     function = beside.settled(meaning.formula, term.path.quantity)
     times = [beside.settled(history.instant(state).time(), "time") for state in (interval.start, interval.end)]
     ends = [
-        Candidate(beside.number(function, time), interval, state)
+        Candidate(function.substitute({TIME: time}), interval, state)
         for state, time in zip((interval.start, interval.end), times, strict=True)
     ]
     slope = simplify(differentiate(function, TIME))
     inside = beside.zeros(slope, times[0], times[1])
-    return [*ends, *(Candidate(beside.number(function, at), interval, "", at, function) for at in inside)]
+    return [*ends, *(Candidate(function.substitute({TIME: at}), interval, "", at, function) for at in inside)]
 
 
 def within(term: Term, best: Candidate, name: str, history: History) -> tuple[Meaning, str]:

@@ -22,7 +22,7 @@ from rotsolve.inquiry.friction.sticking import shown, tried
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
-from rotsolve.inquiry.roots import rough
+from rotsolve.inquiry.roots import rough, side_of
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
@@ -103,9 +103,9 @@ def is_known(speed: Formula) -> bool:
 
 def sign_of(speed: Formula, arrangement: Arrangement) -> int:
     """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-    number = rough(speed, arrangement.problem.values)
-    if number is not None:
-        return 0 if abs(number) < 1e-12 else 1 if number > 0 else -1
+    side = side_of(speed, arrangement.problem.values)
+    if side is not None:
+        return side
     signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
     return signs.pop() if len(signs) == 1 else 0
 

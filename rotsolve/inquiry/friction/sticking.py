@@ -45,22 +45,24 @@ def tried(
         normal = inquiry.answer(question(forces["normal"].size, f"N_{contact.name}"))
     except NoAnswer:
         return None
-    needed = inquiry.number(friction.found.formula) if friction.found.formula is not None else None
-    limit = allowed(inquiry, contact, normal)
+    needed, limit = friction.found.formula, allowed(contact, normal)
     if needed is None or limit is None:
         return None
-    trial = Trial(contact, inquiry, friction, normal)
-    if abs(needed) <= limit:
+    side = inquiry.numbers.side(needed)
+    beyond = inquiry.numbers.side(call("abs", needed) - limit)
+    if side is None or beyond is None:
+        return None
+    if beyond <= 0:
         return STICKS, None
-    return (FORWARD if needed > 0 else BACK), trial
+    return (FORWARD if side > 0 else BACK), Trial(contact, inquiry, friction, normal)
 
 
-def allowed(inquiry: Inquiry, contact: Touch, normal: Answered) -> float | None:
+def allowed(contact: Touch, normal: Answered) -> Formula | None:
     """The greatest friction that the contact can give, μₛ N."""
     static = contact.grip().static
     if static is None or normal.found.formula is None:
         return None
-    return inquiry.number(static * normal.found.formula)
+    return static * normal.found.formula
 
 
 def limiting(history: History, contact: str, state: str) -> list[tuple[Equation, Formula]]:

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
-from math import floor
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.derivation import Words
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.roots.expected import Expected
@@ -18,7 +17,7 @@ from rotsolve.motion.positive import is_angle
 from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
 
-TINY = 1e-14
+SAME = 1e-9  # relative difference up to which two places lie equally far to either side
 
 
 class RootChoice(Struct, frozen=True):
@@ -37,10 +36,10 @@ class RootChoice(Struct, frozen=True):
         real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
-        later = self._first_moment(name, real, period)
+        later = self._first_moment(name, [(index, roots[index]) for index, _ in real], period)
         if later is not None:
             return later
-        moved = [entry for entry in real if abs(entry[1]) > TINY]
+        moved = [entry for entry in real if entry[1]]
         dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
             real, dropped = moved, ("the root 0 is the start itself",)
@@ -49,9 +48,14 @@ class RootChoice(Struct, frozen=True):
         stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
             real = [real[place] for place in stable]
-            nearest = min(real, key=lambda entry: (round(abs(entry[1]), 9), entry[1] < 0))
-            return Choice(nearest[0], ("the stable one: a body displaced from it comes back",))
-        reached = FirstReached(self.history, self.numbers, self.definition).choose(name, real)
+            nearest = min(abs(entry[1]) for entry in real)
+            near = [entry for entry in real if abs(entry[1]) <= nearest * (1 + SAME)]
+            return Choice(
+                min(near, key=lambda entry: entry[1] < 0)[0], ("the stable one: a body displaced from it comes back",)
+            )
+        reached = FirstReached(self.history, self.numbers, self.definition).choose(
+            name, [(index, roots[index]) for index, _ in real]
+        )
         if reached is not None:
             return reached
         sign, words = Expected(self.history, self.givens, self.numbers).sign(name)
@@ -79,26 +83,28 @@ class RootChoice(Struct, frozen=True):
 
         return stable_roots(name, roots, self.history, self.numbers.values)
 
-    def _first_moment(self, name: str, roots: Sequence[tuple[int, float]], period: Formula | None) -> Choice | None:
+    def _first_moment(self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None) -> Choice | None:
         """Of times that come again the first one after the state before."""
         quantity = self.history.registry.quantities.get(name)
-        step = self.numbers.of(period) if period is not None else None
-        if quantity is None or quantity.kind != "time" or period is None or not step:
+        side = self.numbers.side(period) if period is not None else None
+        if quantity is None or quantity.kind != "time" or period is None or not side:
             return None
+        period = period if side > 0 else -period
         begun = self._begun(quantity.when)
-        if begun is None:
+        counts = [] if begun is None else [(k, self.numbers.whole((begun - root) / period), root) for k, root in roots]
+        moments = [(k, count + 1, root + (count + 1) * period) for k, count, root in counts if count is not None]
+        if not moments:
             return None
-        turns = [(index, floor((begun - root) / step + TINY) + 1 if step > 0 else 0, root) for index, root in roots]
-        index, count, _ = min(turns, key=lambda entry: entry[2] + entry[1] * step)
+        index, count, _ = min(moments, key=lambda entry: self.numbers.of(entry[2]) or 0.0)
         return Choice(index, ("the first moment at which this holds",), Fraction(count), period)
 
-    def _begun(self, when: str) -> float | None:
+    def _begun(self, when: str) -> Formula | None:
         """The time at the state before a state; 0 for the duration of a phase."""
         timeline = self.history.arrangement.timeline
         if timeline.interval(when) is not None:
-            return 0.0
+            return ZERO
         before = timeline.before(when) if when in timeline.order else None
-        return self.numbers.found(self.history.instant(before.start).time()) if before else None
+        return self.numbers.with_answers(self.history.instant(before.start).time()) if before else None
 
     def _is_change(self, name: str) -> bool:
         """Whether a quantity is a change since the state before, or the time that it took."""

@@ -14,6 +14,7 @@ from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
 from rotsolve.elements.surfaces import Curved, Wall
+from rotsolve.motion.checks.pairs import check_pairs, check_stacks
 from rotsolve.scene.model import Body, PointRef, Problem
 
 
@@ -21,8 +22,10 @@ def check(problem: Problem) -> None:
     """Raises Unsolvable at the place of the first name that can't be meant so."""
     bodies = {body.name: body for body in problem.bodies}
     held = {ref.owner: item.name for item in problem.connections for ref in item.fixed_points()}
+    check_pairs(problem, bodies)
     check_points(problem, bodies)
     check_ropes(problem, bodies)
+    check_stacks(problem, bodies)
     for item in problem.connections:
         if isinstance(item, Rides):
             check_ride(item, bodies, held)

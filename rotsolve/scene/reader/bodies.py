@@ -165,6 +165,8 @@ def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> 
 
 def check_flat(scope: Scope, name: str, entries: Entries, shape: Shape) -> None:
     """A triangle closes, and corners enclose something."""
+    if isinstance(shape, Triangle) and not shape.sides and not shape.corners:
+        scope.fault(entries["shape"][1], f"triangle `{name}` needs its `sides` or its `corners`", kind="missing")
     if isinstance(shape, Triangle) and len(shape.sides) == 3:
         check_triangle(scope, name, entries["sides"][1], shape.sides)
     corners = [(rough(x, scope.numbers), rough(y, scope.numbers)) for x, y in getattr(shape, "corners", ())]

@@ -109,8 +109,9 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         radius = value(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
         if radius is not None:
             found.append((word, radius))
-    sizes = {word: rough(radius, scope.numbers) for word, radius in found}
-    if key.choices == ("inner", "outer") and smaller(sizes.get("outer"), sizes.get("inner"), equal=True):
+    sizes = dict(found)
+    thick = sizes["outer"] - sizes["inner"] if {"inner", "outer"} <= sizes.keys() else None
+    if thick is not None and scope.side(thick) in (0, -1):
         scope.fault(node, f"`{label}`: `inner` must be smaller than `outer`", kind="limits")
     lacking = [word for word in key.choices if word not in entries]
     if lacking and entries:
@@ -225,9 +226,9 @@ def friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return Friction("coefficient", both.get("static"), both.get("kinetic"))
 
 
-def smaller(one: float | None, other: float | None, *, equal: bool = False) -> bool:
-    """Whether one number is surely smaller than another, or with `equal` not greater."""
-    return one is not None and other is not None and (one < other or (equal and one == other))
+def smaller(one: float | None, other: float | None) -> bool:
+    """Whether one number is surely smaller than another."""
+    return one is not None and other is not None and one < other
 
 
 READERS: dict[str, Reader] = {

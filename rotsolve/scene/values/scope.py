@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 
-from rotsolve.algebra.formula import FUNCTIONS, Symbol
+from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import Quantity
 from rotsolve.core.faults import Fault, Span
@@ -163,6 +163,16 @@ class Scope:
         self.dimensions[name] = quantity.dimension
         remember(self.numbers, name, quantity.value)
         return Symbol(name)
+
+    def side(self, value: Formula) -> int | None:
+        """The certified sign of a value, which rough numbers do not tell where it nearly vanishes; None where a letter has no number."""
+        from rotsolve.algebra.certified.ball import evaluate
+
+        known = {given.name: given.value for given in self.givens.values() if given.value is not None}
+        try:
+            return evaluate(value, known, digits=3).sign
+        except (ValueError, ZeroDivisionError):
+            return None
 
     def free(self, letter: str, owner: str, hint: str = "") -> str:
         """A name that nothing else has: letter_owner, letter_owner_hint, letter_owner2, …"""

@@ -59,6 +59,7 @@ class Clutch(Rubbing, frozen=True):
     word = "clutch"
     about = "two bodies on one axis pressed together: friction brings them to one angular velocity"
     quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
+    bodily = True
     words = ("slips", "sticks")
     clutch: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[plate, disc]")
     friction_torque: Formula | None = key(

@@ -77,8 +77,8 @@ class Touch(Connection, frozen=True):
 
     def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it."""
-        surface = self.surface(arrangement, state)
-        if surface is None or isinstance(surface, Curved) or not self.rests(body):
+        surface = self.surface(arrangement, state) if self.rests(body) else None
+        if surface is None or isinstance(surface, Curved):
             return None
         return surface.travel(body.moves)
 

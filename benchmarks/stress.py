@@ -1,0 +1,130 @@
+"""Whether every printed figure is right, and every scene ends soon: nasty parameters, and scenes made at random.
+
+    python benchmarks/stress.py [--scenes N] [--seed S] [--jobs J] [--time-limit SECONDS] [--failures FOLDER] [--write]
+
+Families of problems are solved at parameters over 24 decades, nearly equal masses, angles near the vertical, long chains; random scenes
+are put together from the tables of the language. Each number is held against one worked out without rotsolve (mpmath, 150 figures),
+each printed equation against the answers, and the answers against those of the same scene in other units, order, names, or in a mirror.
+A scene with a fault is written into FOLDER, as small as leaving out lines makes it. `--write` puts the tables into docs/benchmarks.md.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from report import machine, write_section
+from trials.crew import run_all
+from trials.families import FAMILIES, Row, tried
+from trials.outcome import outcome
+from trials.scene import Scene, read, written
+from trials.shrink import shrunk
+from trials.trial import Result, drawn, run
+
+
+@dataclass
+class Tally:
+    """What became of the random scenes."""
+
+    seeds: dict[int, int] = field(default_factory=dict)  # scenes run, by seed
+    outcomes: Counter[tuple[str, str]] = field(default_factory=Counter)
+    numbers: int = 0
+    faulty: int = 0
+    hangs: int = 0
+    times: list[float] = field(default_factory=list)
+
+    def take(self, seed: int, result: Result) -> None:
+        group = result.kind if result.kind in ("built", "altered") else "kinds with known answers"
+        self.seeds[seed] = self.seeds.get(seed, 0) + 1
+        self.outcomes[group, result.outcome] += 1
+        self.numbers += result.checked
+        self.faulty += bool(result.faults)
+        self.hangs += result.outcome == "hang"
+        self.times.append(result.seconds)
+
+
+def random_scenes(options: argparse.Namespace, tally: Tally) -> None:
+    """Run the random scenes; what is found is printed at once, and written as a scene."""
+    started = time.monotonic()
+    numbers = range(options.first, options.first + options.scenes)
+    for result in run_all(run, options.seed, numbers, options.jobs, options.time_limit):
+        tally.take(options.seed, result)
+        if result.faults:
+            report_fault(options, result)
+        done = len(tally.times)
+        if done % 1000 == 0:
+            print(f"{done} scenes, {tally.faulty} with faults, {time.monotonic() - started:.0f} s", flush=True)
+
+
+def report_fault(options: argparse.Namespace, result: Result) -> None:
+    """Print what is wrong, and write a scene that shows it."""
+    print(f"\nscene {result.number} of seed {options.seed}, {result.kind}: {result.outcome}", flush=True)
+    for fault in result.faults[:4]:
+        print(f"  {fault}")
+    options.failures.mkdir(parents=True, exist_ok=True)
+    text = result.text or written(drawn(options.seed, result.number)[1].scene)
+    if result.outcome == "internal":
+        cause = result.faults[-1].partition(":")[0]
+        text = written(shrunk(read(text), lambda scene: fails(scene, cause)))
+    file = options.failures / f"{options.seed}-{result.number}.yaml"
+    file.write_text(
+        "".join(f"# {line}\n" for fault in result.faults for line in fault.splitlines()) + text, encoding="utf-8"
+    )
+    print(f"  {file}", flush=True)
+
+
+def fails(scene: Scene, cause: str) -> bool:
+    found = outcome(written(scene))
+    return found.kind == "internal" and found.message.startswith(cause)
+
+
+def family_table(rows: list[Row]) -> str:
+    lines = [
+        "| family | parameters | cases | numbers | wrong | slowest, CPU |",
+        "| --- | --- | ---: | ---: | ---: | ---: |",
+    ]
+    for row in rows:
+        counts = f"{row.cases} | {row.numbers} | {row.wrongs} | {1000 * row.slowest:.0f} ms"
+        lines.append(f"| {row.family.name} | {row.family.parameters} | {counts} |")
+    return "\n".join(lines)
+
+
+def scene_table(tally: Tally) -> str:
+    kinds = sorted({kind for kind, _ in tally.outcomes})
+    names = [
+        name
+        for name in ("solved", "objected", "unsolvable", "not yet", "bad", "internal", "hang")
+        if any(tally.outcomes[kind, name] for kind in kinds)
+    ]
+    lines = [f"| random scenes | {' | '.join(names)} |", f"| --- |{' ---: |' * len(names)}"]
+    lines += [f"| {kind} | {' | '.join(str(tally.outcomes[kind, name]) for name in names)} |" for kind in kinds]
+    return "\n".join(lines)
+
+
+def main() -> None:
+    """Run the families, then the random scenes, and print or write the tables."""
+    parser = argparse.ArgumentParser(description="Whether every printed figure is right.")
+    parser.add_argument("--scenes", type=int, default=2000, help="random scenes (2000)")
+    parser.add_argument("--seed", type=int, default=1, help="of the random scenes (1)")
+    parser.add_argument("--first", type=int, default=0, help="number of the first random scene (0)")
+    parser.add_argument("--jobs", type=int, default=2, help="processes (2)")
+    parser.add_argument("--time-limit", type=float, default=10.0, help="seconds that a scene may take (10)")
+    parser.add_argument("--failures", type=Path, default=Path("stress-failures"), help="where scenes with faults go")
+    parser.add_argument("--write", action="store_true", help="write the tables into docs/benchmarks.md")
+    options = parser.parse_args()
+    rows = [tried(family) for family in FAMILIES]
+    tally = Tally()
+    random_scenes(options, tally)
+    page = "\n\n".join((machine(), family_table(rows), scene_table(tally)))
+    print(page)
+    if options.write:
+        write_section("stress", page)
+    sys.exit(1 if tally.faulty or any(row.wrongs for row in rows) else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,1 @@
+"""Trials: what the stress suite is made of: random scenes, rewritten scenes, independent answers, and worker processes."""
