@@ -22,7 +22,7 @@ from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch
 from rotsolve.simulation.tape.series import BALLS, FLOATS, Expansion
 from rotsolve.simulation.tape.tape import BITS, ONE, Scalar
 
-LOOKS = 200  # moments of a stretch, at most, at which the balance is drawn where there are no integrals
+LOOKS = 400  # moments of a stretch at which the balance is drawn; where it takes integrals, its first steps
 BALANCE_BITS = 128
 OFF = 1e-9  # part of the forces by which they may miss the rate of momentum, where not all of them are told
 NODES = (  # Gauss and Legendre's places and weights on −1 to 1, the positive half
@@ -82,7 +82,7 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     reading = Values(part, places)
     fed = course.tape.constant(balance.rate) != 0
     pieces = part.runs[0].pieces
-    pieces = pieces if fed else pieces[:: 1 + len(pieces) // LOOKS]
+    pieces = pieces[:LOOKS] if fed else pieces[:: 1 + len(pieces) // LOOKS]
     first, spent = reading.at(part.times[0]), [0.0]
     worst = size = strongest = 0.0
     with Precision(max(BALANCE_BITS, part.bits)):

@@ -66,7 +66,7 @@ class Stretch(Struct):
     """A part of a motion along which the equations stay the same: the two runs, when each ends, and the bounds of the state so far."""
 
     course: Course
-    bits: int
+    tolerances: Tolerances
     times: Times
     runs: tuple[Motion, Motion]
     ends: Times
@@ -74,6 +74,11 @@ class Stretch(Struct):
     hit: Watch | None = None
     bounds: list[list[float]] = field(default_factory=list)
     spread: dict[str, list[float]] = field(default_factory=dict)
+
+    @property
+    def bits(self) -> int:
+        """The bits of its numbers."""
+        return self.tolerances.bits
 
     def middle(self, time: float) -> list[Scalar]:
         """The numbers of the state by the main run."""
@@ -150,8 +155,7 @@ def stretch(
             hits.append(hit.watch if hit is not None else None)
     if hits[0] != hits[1]:
         raise Unsettled(min(ends))
-    bits = tolerances.bits
-    return Stretch(course, bits, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
+    return Stretch(course, tolerances, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
 
 
 def followed_until(
