@@ -84,4 +84,4 @@ class Problem(NamedTuple):
     until: str = ""  # the time in seconds at which a motion is asked
     simulated: bool = False  # by `rotsolve simulate`, else by `rotsolve solve`, whose answers are compared by their relative error
     left_out: str = ""  # why peers have no row
-    energy: Callable[[State], float] | None = None  # of the asked quantities, where it is conserved; 1 from rest to rest
+    energy: Callable[[State], float] | None = None  # of the asked quantities, where it is conserved, in units of M g L

@@ -7,7 +7,7 @@ from typing import Any
 
 from ..problem import FLOATS, Mathematics, Motion, Problem, Way
 
-TOLERANCES = ("1e-3", "1e-6", "1e-9", "1e-12", "2.3e-14")  # the last is the tightest that scipy accepts
+TOLERANCES = ("1e-6", "1e-9", "1e-12", "2.3e-14")  # the last is the tightest that scipy accepts
 LONGEST = 0.1  # s, for a step of heyoka
 METHODS = ("RK45", "DOP853", "LSODA", "Radau")
 

@@ -20,17 +20,17 @@ def sticking_of(problem: Problem) -> Sticking:
 
 
 def alternate(problem: Problem, maths: Mathematics, slip: Slip) -> list[Any]:
-    """Slip, rest, slip, … up to the time that is asked; each slip by `slip`, each rest by its closed form."""
+    """What is asked after slip, rest, slip, …; each slip by `slip`, the end of each rest by its closed form."""
     sticking, until = sticking_of(problem), maths.number(problem.until)
     time, state = maths.number("0"), motion_of(problem).start(maths)
     while True:
         if not (sense := sticking.leaving(maths, time)):
             time, sense = sticking.breakaway(maths, time)
-        if time >= until:
-            return state
-        time, state, at_rest = slip(time, state, sense)
+        at_rest = time < until
+        if at_rest:
+            time, state, at_rest = slip(time, state, sense)
         if not at_rest:
-            return state
+            return motion_of(problem).read(state, maths.pi)
         state = [state[0], maths.number("0")]
 
 

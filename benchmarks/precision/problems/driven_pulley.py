@@ -77,8 +77,8 @@ def breakaway(maths: Mathematics, stuck: Any) -> tuple[Any, int]:
 
 
 def read(state: State, pi: Any) -> list[Any]:
-    """The scene counts as the peers do: clockwise."""
-    return list(state)
+    """The scene counts angles counterclockwise, and the speed of the pulley in its own sense: clockwise."""
+    return [-state[0], state[1]]
 
 
 def lagrangian(sympy: Any, places: Any, speeds: Any) -> Any:
@@ -123,7 +123,7 @@ DRIVEN_PULLEY = Problem(
     name="driven-pulley",
     title="A driven pulley that sticks and slips on its axle, after 10 s",
     scene="benchmarks/scenes/driven-pulley.yaml",
-    asks=("pulley.rotation", "pulley.angular_velocity"),
+    asks=("pulley.angle", "pulley.angular_velocity"),
     unit="rad, rad/s",
     peers=STICKING | ENGINES,
     motion=Motion(
