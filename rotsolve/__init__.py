@@ -17,16 +17,19 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rotsolve.core.faults import SceneError, Unsolvable
     from rotsolve.pipeline import solve
+    from rotsolve.simulation import Run, simulate
     from rotsolve.solution import AnswerView, Solution
 
 __version__ = "0.1.0"
-__all__ = ["AnswerView", "SceneError", "Solution", "Unsolvable", "__version__", "solve"]
+__all__ = ["AnswerView", "Run", "SceneError", "Solution", "Unsolvable", "__version__", "simulate", "solve"]
 
 _HOMES = {  # public name -> the module that defines it
     "AnswerView": "rotsolve.solution",
+    "Run": "rotsolve.simulation",
     "SceneError": "rotsolve.core.faults",
     "Solution": "rotsolve.solution",
     "Unsolvable": "rotsolve.core.faults",
+    "simulate": "rotsolve.simulation",
     "solve": "rotsolve.pipeline",
 }
 

@@ -7,20 +7,17 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from rotsolve.core.equation import LAWS
-from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.inquiry.answering import answer_all
 from rotsolve.inquiry.checks import checks, contradiction, turned_back
 from rotsolve.inquiry.compose import Composer, with_missing_told
-from rotsolve.inquiry.explain import contradicted, negative_inertia, said_otherwise, turns_back, unsolvable
+from rotsolve.inquiry.explain import contradicted, said_otherwise, turns_back, unsolvable
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
-from rotsolve.motion.arrangement import Arrangement
-from rotsolve.motion.checks.varying import check_values
-from rotsolve.motion.complete import completed
+from rotsolve.motion.arranged import arranged
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
@@ -74,19 +71,6 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         lambda: plan_text(inquiry, composer.letters),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
-
-
-def arranged(problem: Problem) -> Arrangement:
-    """The problem with letters for what it leaves out; refused where a value in it can not be."""
-    try:
-        arrangement = Arrangement(completed(problem))
-        check_values(arrangement)
-    except Unsolvable as error:
-        raise unsolvable(problem, error.fault.message, error.fault.span, error.fault.help) from None
-    faults = list(negative_inertia(arrangement.problem))
-    if faults:
-        raise SceneError(faults, problem.lines, problem.file)
-    return arrangement
 
 
 def check_consistent(inquiry: Inquiry) -> None:

@@ -18,6 +18,7 @@ COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", 
 PHASE = " to "  # within the name of a phase
 REST = "="  # marks the equilibrium about which a state's bodies swing
 NEAR = "≈"  # marks a moment of their swings
+COURSE = "…"  # marks a moment of a motion that is followed in time: all places and speeds are letters
 SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 
 

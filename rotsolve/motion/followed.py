@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from rotsolve.core.quantity import PLANE
-from rotsolve.core.registry import GENERIC
+from rotsolve.core.registry import COURSE, GENERIC
 from rotsolve.core.varying import paths_in
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes.shape import WHEEL
@@ -19,7 +19,12 @@ FOLLOWED = ("position", "velocity", "acceleration")
 
 
 def followed(name: str, instant: Instant) -> bool:
-    """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark."""
+    """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
+    that turns where a motion is followed in time."""
+    if instant.mark == COURSE:
+        return instant.arrangement.pivot(name, instant.state) is not None or instant.can_turn(
+            name, slides(name, instant)
+        )
     rod = shape_of(instant.body(name)).word == "rod"
     if swings(name, instant):
         return True
@@ -62,6 +67,11 @@ def marked(name: str, instant: Instant) -> bool:
 
 def stands(name: str, instant: Instant) -> bool:
     """Whether a body slides along as it is drawn, with nothing said of its angle."""
-    flat = instant.line(name) is not None
+    flat = slides(name, instant)
     said = instant.arrangement.mentions.says
     return flat and not instant.can_turn(name, flat) and not said(instant.state, name, "angle")
+
+
+def slides(name: str, instant: Instant) -> bool:
+    """Whether a body travels along a line."""
+    return instant.line(name) is not None

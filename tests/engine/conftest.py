@@ -29,7 +29,7 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.friction import decide, rubs
+from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for

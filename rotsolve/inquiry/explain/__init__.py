@@ -1,12 +1,11 @@
 """Explain: why there is no answer, in the scene's words: what is missing or contradictory, where, and what may help."""
 
-from rotsolve.inquiry.explain.contradictory import contradicted, negative_inertia, said_otherwise, turns_back
+from rotsolve.inquiry.explain.contradictory import contradicted, said_otherwise, turns_back
 from rotsolve.inquiry.explain.missing import no_answer, refuse_unsolved
 from rotsolve.inquiry.explain.unsolvable import unsolvable
 
 __all__ = [
     "contradicted",
-    "negative_inertia",
     "no_answer",
     "refuse_unsolved",
     "said_otherwise",

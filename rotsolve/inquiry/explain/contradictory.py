@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Mapping
 
-from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import Equation
-from rotsolve.core.faults import Fault, Span, Unsolvable
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
@@ -65,18 +64,6 @@ def said_otherwise(arrangement: Arrangement, modes: Mapping[str, str]) -> Iterat
 def known(value: Formula | None, numbered: Collection[str]) -> bool:
     """Whether a value is there, with all its letters."""
     return value is not None and value.symbols() <= set(numbered)
-
-
-def negative_inertia(problem: Problem) -> Iterator[Fault]:
-    """Moments of inertia given about a point that are smaller than m d² alone."""
-    values = {given.name: given.value for given in problem.givens if given.value is not None}
-    for body in problem.bodies:
-        if body.inertia is None or body.inertia_about is None or body.inertia.symbols() - set(values):
-            continue
-        sign = evaluate(body.inertia, values, digits=3).sign
-        if sign is not None and sign < 0:
-            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
-            yield Fault(message, body.span, "", "limits")
 
 
 def turns_back(interval: Interval, problem: Problem) -> Unsolvable:

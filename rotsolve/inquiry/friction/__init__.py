@@ -1,5 +1,5 @@
 """Friction: whether what touches sticks or slips, decided before the laws are written."""
 
-from rotsolve.inquiry.friction.deciding import decide, rubs
+from rotsolve.inquiry.friction.deciding import decide
 
-__all__ = ["decide", "rubs"]
+__all__ = ["decide"]

@@ -7,7 +7,6 @@ the other, with the senses that strings and joints allow; it moves the way in wh
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from itertools import product
 
 from msgspec import Struct
@@ -18,20 +17,17 @@ from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
-from rotsolve.elements.connections.contacts.rubbing import Rubbing
-from rotsolve.elements.connections.contacts.touch import Touch
-from rotsolve.inquiry.friction.sticking import BACK, FORWARD, STICKS, shown, tried
+from rotsolve.inquiry.friction.sticking import shown, tried
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.principles.energy import one_motion
 
 RATES = ("velocity|", "angular_velocity|")
-TURNS_BACK, HOLDS = "turns back", "holds"
 TRIALS = 27  # ways in which contacts may stick and slip that are tried
-AT_MOST = " at most"  # a trial with as much friction as there can be before it slips
 
 
 class Decision(Struct, frozen=True):
@@ -40,35 +36,6 @@ class Decision(Struct, frozen=True):
     modes: dict[str, str]
     sections: tuple[Section, ...]
     numbered: int = 0  # equations numbered so far
-
-
-class Rub(Struct, frozen=True):
-    """A contact, two bodies that rub on each other, or a wheel on a rubbing axle or under a brake, in the phase that starts at a state."""
-
-    key: str
-    body: str
-    state: str
-    contact: Touch | None = None
-    pair: Rubbing | None = None  # two bodies that slip on each other
-
-    def mode(self, sense: int) -> str:
-        """The mode for motion along the positive sense, against it, or none."""
-        if self.contact is None and self.pair is None:
-            return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
-        return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
-
-    def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
-        """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
-        if self.pair is not None:
-            return self.pair.slip(instant, acceleration=acceleration)
-        if self.contact is None:
-            return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
-        motion = instant.motion(self.body)
-        if motion.heading is None:
-            return None
-        carried = motion.acceleration - self.contact.ground(instant)[1]
-        vector = carried if acceleration else self.contact.touching_velocity(instant)
-        return vector.along(self.contact.forward(instant))
 
 
 def decide(arrangement: Arrangement) -> Decision:
@@ -94,31 +61,6 @@ def decide(arrangement: Arrangement) -> Decision:
             section, number = shown(trial, number)
             sections.append(section)
     return Decision({key: mode for key, mode in modes.items() if mode not in ("", STICKS)}, tuple(sections), number - 1)
-
-
-def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
-    """All that rubs, phase by phase."""
-    found: dict[str, Rub] = {}
-    timeline = arrangement.timeline
-    for state in timeline.states:
-        if timeline.phase_of(state.name) is None and len(timeline.states) > 1:
-            continue  # in an event alone a finite force does nothing
-        for rub in rubs_at(arrangement, arrangement.phase_start(state.name)):
-            found.setdefault(rub.key, rub)
-    return tuple(found.values())
-
-
-def rubs_at(arrangement: Arrangement, state: str) -> Iterator[Rub]:
-    for item in arrangement.acting(state):
-        if isinstance(item, Touch) and item.grip().kind == "coefficient":
-            name = arrangement.host(item.pair()[0].owner, state)
-            yield Rub(f"{item.name}@{state}", name, state, item)
-        if isinstance(item, Rubbing) and item.rubs():
-            name = arrangement.host(item.touches()[1].owner, state)
-            yield Rub(f"{item.name}@{state}", name, state, pair=item)
-        for ref in item.brakes():
-            name = arrangement.host(ref.owner, state)
-            yield Rub(f"{item.name}.{name}@{state}", name, state)
 
 
 def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:

@@ -15,9 +15,8 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.rubs import BACK, FORWARD, STICKS
 from rotsolve.scene.model import Find
-
-FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
 
 
 class Trial(Struct, frozen=True):

@@ -1,0 +1,160 @@
+"""Bounded: a motion followed twice, so that the difference tells how far each number may be from the true one.
+
+The second run takes longer steps and rounds its data and its state more coarsely, so that it is surely farther from the truth: what the
+steps and roundings leave out differs between the two, and grows in both as the motion makes it grow.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_left, bisect_right
+from collections.abc import Sequence
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
+from rotsolve.core.registry import TIME
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.crossing import Hit, Lookout
+from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion, Scalar
+from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for
+from rotsolve.simulation.watches import Watch
+
+SAFETY = 3.0  # what the difference of the two runs is multiplied by
+COARSER = 10.0  # how much larger the tolerance of the second run is
+ROUNDING = 2.0**-51  # of a number: what dense output may add
+LOOKS = 64  # moments at which quantities that are no numbers of the state are compared
+FLOAT_BITS = 53
+States = tuple[list[Scalar], list[Scalar]]  # of the two runs
+Times = tuple[float, float]
+
+
+class Tolerances(Struct, frozen=True):
+    """What a step of the main run may leave out, and the bits of the numbers."""
+
+    main: float
+    bits: int = FLOAT_BITS
+
+    @property
+    def arithmetics(self) -> tuple[Arithmetic, Arithmetic]:
+        return (FLOATS, COARSE_FLOATS) if self.bits == FLOAT_BITS else (BALLS, BALLS)
+
+
+class Stretch(Struct):
+    """A part of a motion along which the equations stay the same: the two runs, when each ends, and the bounds of the state so far."""
+
+    course: Course
+    bits: int
+    times: Times
+    runs: tuple[Motion, Motion]
+    ends: Times
+    last: States
+    hit: Watch | None = None
+    bounds: list[list[float]] = field(default_factory=list)
+    spread: dict[str, list[float]] = field(default_factory=dict)
+
+    def middle(self, time: float) -> list[Scalar]:
+        """The numbers of the state by the main run."""
+        return self.runs[0].piece_at(time).at(time)
+
+    def state(self, time: float) -> list[Scalar]:
+        """The numbers of the state as balls that hold the true ones."""
+        main = self.runs[0]
+        number = min(max(0, bisect_right(main.starts, time) - 1), len(self.bounds) - 1)
+        found = []
+        for middle, bound in zip(self.middle(time), self.bounds[number], strict=True):
+            found.append(arb(middle, bound + ROUNDING * abs(float(middle)) if self.bits == FLOAT_BITS else bound))
+        return found
+
+    def derived(self, time: float, names: Sequence[str]) -> list[float]:
+        """The bounds of quantities that are no numbers of the state, likewise by the difference of the runs up to a time."""
+        main, other = self.runs
+        fresh = [name for name in names if name not in self.spread]
+        times = [piece.start + piece.length for piece in main.pieces[:: 1 + len(main.pieces) // LOOKS]]
+        times[-1:] = [min(times[-1], self.ends[0]), self.ends[0]]
+        if fresh:
+            reading = Reading(self.course, fresh)
+            rows = [dict.fromkeys(fresh, 0.0)]
+            for moment in (self.times[0], *times):
+                pair = [reading.read(moment, run.piece_at(moment).at(moment)) for run in (main, other)]
+                gaps = {name: SAFETY * abs(float(pair[0][name].mid() - pair[1][name].mid())) for name in fresh}
+                rows.append({name: max(rows[-1][name], gaps[name]) for name in fresh})
+            self.spread.update({name: [row[name] for row in rows[1:]] for name in fresh})
+        number = min(bisect_left(times, time) + 1, len(times))
+        return [self.spread[name][number] for name in names]
+
+
+class Unsettled(ValueError):
+    """The two runs do not agree on what happens, or the bounds grow beyond use; tells from when on."""
+
+    def __init__(self, time: float) -> None:
+        super().__init__(f"what happens after t = {time:.4g} s is not settled by the accuracy of the calculation")
+        self.time = time
+
+
+def start_of(course: Course, tolerances: Tolerances) -> States:
+    """The first state of both runs."""
+    with Precision(tolerances.bits):
+        first, second = ([kind.number(item.start) for item in course.variables] for kind in tolerances.arithmetics)
+        return first, second
+
+
+def stretch(
+    course: Course, times: Times, states: States, until: float, tolerances: Tolerances, watched: Sequence[Watch]
+) -> Stretch:
+    """Follow a course from a time on by both runs until something happens."""
+    order = order_for(tolerances.main)
+    runs, ends, last, hits = [], [], [], []
+    with Precision(tolerances.bits):
+        for kind, time, state, coarser in zip(tolerances.arithmetics, times, states, (1.0, COARSER), strict=True):
+            stepper = Stepper(course, kind, coarser * tolerances.main, order, [watch.place for watch in watched])
+            walker = Walker(stepper, time, state, coarser > 1)
+            motion, hit = followed_until(walker, until, Lookout(watched))
+            runs.append(motion)
+            ends.append(walker.time)
+            last.append(walker.state)
+            hits.append(hit.watch if hit is not None else None)
+    if hits[0] != hits[1]:
+        raise Unsettled(min(ends))
+    return Stretch(course, tolerances.bits, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
+
+
+def followed_until(walker: Walker, until: float, lookout: Lookout) -> tuple[Motion, Hit | None]:
+    """The pieces of a motion until something happens, or to a time."""
+    motion = Motion()
+    while True:
+        piece = walker.piece(until)
+        motion.add(piece)
+        hit = lookout.first(piece)
+        if hit is not None:
+            walker.walk(piece, hit.time - piece.start)
+            return motion, hit
+        walker.walk(piece, piece.length)
+        if walker.time >= until:
+            return motion, None
+
+
+def measure(found: Stretch, before: Sequence[float]) -> None:
+    """The bounds at each step of the main run: the largest difference of the two runs so far, times `SAFETY`."""
+    main, other = found.runs
+    largest = list(before)
+    for piece in main.pieces:
+        for time in (piece.start + piece.length / 2, piece.start + piece.length):
+            for number, (one, two) in enumerate(zip(piece.at(time), other.piece_at(time).at(time), strict=True)):
+                largest[number] = max(largest[number], SAFETY * abs(float(one - two)))
+        found.bounds.append(list(largest))
+
+
+class Reading:
+    """Reads quantities from the numbers of the state at a moment, in balls."""
+
+    def __init__(self, course: Course, names: Sequence[str]) -> None:
+        self.letters = [course.letters[item.letter] for item in course.variables]
+        self.clock = course.letters[TIME]
+        self.places = {name: course.outputs[name] for name in names}
+        self.expansion = Expansion(course.tape, list(self.places.values()), BALLS)
+
+    def read(self, time: float, state: Sequence[Scalar]) -> dict[str, Scalar]:
+        letters = {place: arb(number) for place, number in zip(self.letters, state, strict=True)}
+        self.expansion.begin({**letters, self.clock: arb(time)})
+        return {name: self.expansion.lists[place][0] for name, place in self.places.items()}

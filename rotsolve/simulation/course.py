@@ -1,0 +1,412 @@
+"""Course: the equations of motion of a scene on a tape, compiled from the facts and laws that the solver uses.
+
+The laws are written for a moment at which all places and speeds are letters. The rules tell all speeds by a few free ones, and the
+laws, linear in forces and accelerations, how these few change.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
+from contextlib import suppress
+from fractions import Fraction
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Precision, resolve
+from rotsolve.algebra.flints import arb, fmpq
+from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
+from rotsolve.algebra.formula import ZERO as NOTHING
+from rotsolve.core.facts import Facts, signed
+from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.inquiry.states import Fixed
+from rotsolve.inquiry.states.drives import prescribe
+from rotsolve.inquiry.swings.swing import rates
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.motion.instant import Instant
+from rotsolve.principles import constraints, driven, newton
+from rotsolve.principles import rotation as turning
+from rotsolve.simulation.beginning import Beginning, beginning
+from rotsolve.simulation.linear import Contradictory, Linear, Row
+from rotsolve.simulation.series import needed, rough_value
+from rotsolve.simulation.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
+
+RIGHT_ANGLE = PI / 2
+PLACES = (
+    "angle",
+    "rotation",
+    "displacement",
+    "position",
+    "elongation",
+    "length",
+    "height",
+    "velocity",
+    "angular_velocity",
+)
+
+
+class Variable(Struct, frozen=True):
+    """One number of the state of motion: its name, its letter, its first value, and the place of its rate on the tape.
+
+    An angle is counted from `origin` right angles, so that close to the vertical or level no digits are lost.
+    """
+
+    name: str
+    letter: str
+    start: Exact
+    rate: int
+    origin: int = 0
+
+
+class Course(Struct, frozen=True):
+    """A scene as it moves: a tape, the numbers of its state, and all that can be told of it by the state.
+
+    `outputs` are places on the tape by names; `letters` those of all letters of the laws.
+    """
+
+    tape: Tape
+    variables: tuple[Variable, ...]
+    outputs: Mapping[str, int]
+    letters: Mapping[str, int]
+    facts: Facts
+    moment: Instant
+
+
+class Compiler(Struct, dict=True):
+    """Writes the equations of motion of an arrangement in one choice of modes of its contacts.
+
+    `before` is the course that this one goes on from, whose angles keep their origins.
+    """
+
+    arrangement: Arrangement
+    modes: Mapping[str, str]
+    before: Course | None = None
+
+    def __post_init__(self) -> None:
+        self.values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+        self.start: Beginning = beginning(self.arrangement, self.modes)
+        self.registry, self.tape = Registry(), Tape()
+        self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
+        self.first: dict[str, Exact] = {TIME: ZERO}  # letters of the state -> their first values
+        self.origins: dict[str, int] = {}
+        self.unnumbered = ""  # a letter without a number that some law speaks of
+        self.linear = Linear(self.tape, self.letters, lambda place: rough_value(self.tape, place, self.first))
+
+    def compiled(self) -> Course:
+        """The course of the scene from its first state."""
+        try:
+            return self._compiled()
+        except Unwritable as error:
+            raise refusal(error, self.registry) from None
+
+    def _compiled(self) -> Course:
+        with Precision(BITS):
+            bodies = [body.name for body in self.arrangement.present(self.start.instant.state)]
+            self._enter_givens()
+            self._set_angles(bodies)
+            fixed = Fixed(self.arrangement, self.registry, self.modes)
+            for by_motion in (False, True):
+                prescribe(self._moment(), fixed, by_motion=by_motion)
+            moment = self._moment()
+            facts = free_bodies(moment)
+            refuse_changing(facts)
+            places = list(self._places(bodies, moment, facts))
+            free = self._speeds(bodies, moment, facts)
+            self._forces(moment, facts)
+            rising = {
+                speed.name: rate
+                for name in bodies
+                for speed, rate in self._pairs(moment, name)
+                if isinstance(speed, Symbol)
+            }
+            lines = [*places, *((path(name), name, rising[name]) for name in free)]
+            variables = tuple(self._variables(lines))
+            moving = {item.letter for item in variables}
+            return Course(
+                self.tape,
+                variables,
+                self._outputs([line for line in lines if line[1] in moving]),
+                self.letters,
+                facts,
+                moment,
+            )
+
+    def _enter_givens(self) -> None:
+        """The givens that have numbers."""
+        for name in self.values:
+            with suppress(NotYet):
+                self.letters[name] = self.tape.number(self._exact(Symbol(name)))
+
+    def _variables(self, lines: list[tuple[str, str, Formula]]) -> Iterator[Variable]:
+        """The numbers of the state; those whose rates no law tells are left out, if nothing else depends on them."""
+        idle: dict[str, Formula] = {}
+        while True:
+            told = [line for line in lines if line[1] not in idle]
+            found = {letter: rate for _, letter, rate in told if self._untold(rate, idle)}
+            if not found:
+                break
+            idle.update(found)
+        moving = [
+            Variable(name, letter, self.first[letter], self._value(rate), self.origins.get(letter, 0))
+            for name, letter, rate in told
+        ]
+        ever = letters_in(self.tape, *(item.rate for item in moving))
+        for letter, rate in idle.items():
+            if letter in ever or not moving:
+                if self.unnumbered:
+                    raise NotYet(
+                        f"`{self.unnumbered}` has no number", help=f"give it one, or say --set {self.unnumbered}=…"
+                    )
+                raise NotYet(f"the laws do not tell the {said(next(iter(rate.symbols()), letter), self.registry)}")
+        yield from moving
+
+    def _untold(self, rate: Formula, idle: Collection[str]) -> bool:
+        """Whether a rate is made of what no law tells."""
+        names = rate.symbols()
+        if any(name not in self.letters for name in names):
+            return True
+        return bool(letters_in(self.tape, *(self.letters[name] for name in names)) & set(idle))
+
+    def _moment(self) -> Instant:
+        """The moment at which all places and speeds are letters."""
+        state = self.start.instant.state
+        return Instant(self.arrangement, self.registry, state, True, self.modes, mark=COURSE)
+
+    def _exact(self, value: Formula) -> Exact:
+        """The number that a formula of givens is; refuses letters without a number."""
+        formula = resolve(value, self.values)
+        for name in sorted(formula.symbols()):
+            raise NotYet(f"`{name}` has no number", help=f"give it one, or say --set {name}=…")
+        try:
+            number = self.tape.constant(self.tape.formula(formula, {}))
+        except Unwritable as error:
+            raise refusal(error, self.registry) from None
+        return ZERO if vanishes(number) else number
+
+    def _value(self, formula: Formula) -> int:
+        """A formula of letters that are known by now, on the tape."""
+        return self.tape.formula(formula, self.letters)
+
+    def _enter(self, letter: str, start: Formula) -> None:
+        """A letter of the state, with its first value."""
+        self.letters[letter] = self.tape.letter(letter)
+        self.first[letter] = self._exact(start)
+
+    def _at_first(self, told: Callable[[], Formula]) -> Formula:
+        """The value of a place at first; nothing where this course goes on from another, which knows it."""
+        return told() if self.before is None else NOTHING
+
+    def _set_angles(self, bodies: list[str]) -> None:
+        """Every angle as a number of right angles and a letter for what it is beyond."""
+        moment = self._moment()
+        for name in bodies:
+            driven_ = any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state))
+            if not driven_ and moment.angle(name) is not None:
+                self._set_angle(name, self._at_first(lambda name=name: self.start.angle(name)))
+            orbit = moment.orbit(name)
+            if orbit is not None and orbit.radius is not None:
+                self._set_angle(orbit.owner, self._at_first(lambda owner=orbit.owner: self.start.place("angle", owner)))
+
+    def _set_angle(self, owner: str, value: Formula) -> None:
+        letter = self._moment().ask("angle", owner)
+        if isinstance(letter, Symbol):
+            turns = self._turns(letter.name, value)
+            self.origins[letter.name] = turns
+            self.registry.known[letter.name] = add(letter, Number(Fraction(turns)) * RIGHT_ANGLE)
+            self._enter(letter.name, value - Number(Fraction(turns)) * RIGHT_ANGLE)
+
+    def _turns(self, letter: str, value: Formula) -> int:
+        """The number of right angles from which an angle is counted."""
+        if self.before is not None:
+            return next((item.origin for item in self.before.variables if item.letter == letter), 0)
+        return round(float(arb(self._exact(value / RIGHT_ANGLE)).mid()))
+
+    def _places(self, bodies: list[str], moment: Instant, facts: Facts) -> Iterator[tuple[str, str, Formula]]:
+        """The coordinates: their names, letters and rates."""
+        for name in bodies:
+            motion, orbit = moment.motion(name), moment.orbit(name)
+            letter = key("angle", name, moment.when)
+            if letter in self.origins:
+                yield f"{name}.angle", letter, motion.spin
+            if orbit is not None and motion.bend is not None:
+                rate = motion.velocity.along(motion.bend.outward.turned(90)) / motion.bend.radius
+                yield f"{orbit.owner}.angle", key("angle", orbit.owner, moment.when), rate
+            if motion.kind != "axis":
+                yield from self._ways(name, moment)
+            turned = key("rotation", name, GENERIC + self.arrangement.timeline.states[0].name)
+            if turned in self.registry.quantities:
+                self._enter(turned, NOTHING)
+                yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
+        for stored in facts.potentials:
+            letter = next(iter(stored.elongation.symbols()), "")
+            if (
+                stored.elongation == Symbol(letter)
+                and letter not in self.letters
+                and letter in self.registry.quantities
+            ):
+                word = self.registry.quantities[letter].kind
+                self._enter(letter, self._at_first(lambda word=word, owner=stored.owner: self.start.place(word, owner)))
+                yield f"{stored.owner}.{word}", letter, stored.rate
+
+    def _ways(self, name: str, moment: Instant) -> Iterator[tuple[str, str, Formula]]:
+        """How far a body has travelled since the first state, along its line or to the right and up."""
+        since = GENERIC + self.arrangement.timeline.states[0].name
+        if moment.motion(name).kind == "line":
+            letter = key("displacement", name, since)
+            self._enter(letter, NOTHING)
+            yield f"{name}.position", letter, next(rates("velocity", moment, name))
+            return
+        for axis in "xy":
+            letter = key("displacement", name, since, axis)
+            self._enter(letter, NOTHING)
+            yield f"{name}.position.{axis}", letter, moment.component("velocity", name, axis)
+
+    def _pairs(self, moment: Instant, name: str) -> list[tuple[Formula, Formula]]:
+        """The speeds of a body with their accelerations."""
+        return list(zip(rates("velocity", moment, name), rates("acceleration", moment, name), strict=True))
+
+    def _speeds(self, bodies: list[str], moment: Instant, facts: Facts) -> list[str]:
+        """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
+        letters = [speed for name in bodies for speed, _ in self._pairs(moment, name)]
+        names = {letter.name for letter in letters if isinstance(letter, Symbol)}
+        equations = (*constraints.for_velocities(facts, ""), *driven.rates(facts, ""))
+        rows = self._rows((item.left - item.right for item in equations), names)
+        free: list[str] = []
+
+        def left_free(name: str) -> int:
+            free.append(name)
+            return self.tape.letter(name)
+
+        for name in names - {name for row in rows for name in row}:
+            self.letters[name] = left_free(name)
+        told = self.linear.in_terms_of_free(rows, {name for name in names if component_of(name) == ""}, left_free)
+        self.letters.update(told)
+        first = self._first_speeds(bodies, moment) if self.before is None else {}
+        self.first.update({name: first.get(name, ZERO) for name in free})
+        return sorted(free)
+
+    def _first_speeds(self, bodies: list[str], moment: Instant) -> dict[str, Exact]:
+        """The first values of all speeds, by the letters of the moment."""
+        start = self.start.instant
+        letters: dict[str, Formula] = {}
+        for name in bodies:
+            for now, then in zip(rates("velocity", moment, name), rates("velocity", start, name), strict=True):
+                letters.update({now.name: then} if isinstance(now, Symbol) else {})
+        unknown = {name for then in letters.values() for name in then.symbols() if SEPARATOR in name}
+        rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)
+        zero = self.tape.number(ZERO)
+        found = self.linear.in_terms_of_free(rows, unknown, lambda name: zero)
+        values = {**self.letters, **dict.fromkeys(unknown, zero), **found}
+        return {now: self.tape.constant(self.tape.formula(then, values)) for now, then in letters.items()}
+
+    def _rows(self, formulas: Iterable[Formula], unknown: Collection[str]) -> list[Row]:
+        """Formulas that are zero as rows; those that speak of something else than the unknown letters are left out."""
+        rows = []
+        for formula in formulas:
+            names = formula.symbols()
+            if names & set(unknown) and all(name in unknown or name in self.letters for name in names):
+                rows.append(self.linear.row(formula, unknown))
+        return rows
+
+    def _forces(self, moment: Instant, facts: Facts) -> None:
+        """Enters all forces and accelerations that the laws tell; a law that speaks of a letter without a number tells nothing."""
+        inertias = {
+            name: body.inertia.formula
+            for body in facts.bodies
+            if body.inertia is not None
+            for name in body.inertia.letter.symbols()
+            if name not in self.letters
+        }
+        written = [
+            *newton.second_law(facts, ""),
+            *turning.law_of_rotation(facts, ""),
+            *constraints.for_accelerations(facts, ""),
+            *driven.rates(facts, ""),
+        ]
+        laws = []
+        for law in written:
+            formula = (law.left - law.right).substitute(inertias)
+            open_ = formula.symbols() - set(self.letters)
+            self._check_places(open_)
+            missing = [name for name in open_ if SEPARATOR not in name]
+            self.unnumbered = self.unnumbered or next(iter(missing), "")
+            if not missing and open_:
+                laws.append((law, formula, open_))
+        unknown = {name for _, _, names in laws for name in names}
+        speeds = (rate for body in facts.bodies for _, rate in self._pairs(moment, body.name))
+        late = {name for rate in speeds for name in rate.symbols() if name in unknown}
+        try:
+            rows = [self.linear.row(formula, unknown) for _, formula, _ in laws]
+            self.letters.update(self.linear.solve(rows, late))
+        except Contradictory as error:
+            raise NotYet(f"the data contradict each other: “{laws[error.equation][0].label}” can not hold") from None
+
+    def _check_places(self, letters: Collection[str]) -> None:
+        """A place that the laws speak of is one that is followed."""
+        for name in sorted(letters):
+            if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
+                raise refusal(Unwritable(name), self.registry)
+
+    def _outputs(self, lines: list[tuple[str, str, Formula]]) -> dict[str, int]:
+        """All that can be told: coordinates with their origins, speeds, accelerations, forces."""
+        quarter, found = self.tape.number(self._exact(RIGHT_ANGLE)), {}
+        for name, letter, _ in lines:
+            found[name] = self.tape.sum([(self.letters[letter], ONE), (quarter, fmpq(self.origins.get(letter, 0)))])
+        for letter, place in self.letters.items():
+            if letter in self.registry.quantities:
+                found.setdefault(path(letter), place)
+        followed = {letter for _, letter, _ in lines} | {TIME}
+        return {name: place for name, place in found.items() if letters_in(self.tape, place) <= followed}
+
+
+def key(word: str, owner: str, when: str, component: str = "") -> str:
+    return SEPARATOR.join((word, owner, component, when))
+
+
+def letters_in(tape: Tape, *places: int) -> set[str]:
+    """The letters on which values rest."""
+    found = (tape.operations[place] for place in needed(tape, places))
+    return {operation.name for operation in found if operation.kind == "letter"}
+
+
+def component_of(letter: str) -> str:
+    return letter.split(SEPARATOR)[2]
+
+
+def path(letter: str) -> str:
+    """The name of a quantity as the scene language writes it: `block.velocity`, `pivot.force.x`, `string.block.tension`."""
+    word, owner, component, _ = letter.split(SEPARATOR)
+    if word == "tension" and component:
+        return f"{owner}.{component}.{word}"
+    return ".".join(filter(None, (owner, word, component)))
+
+
+def said(letter: str, registry: Registry) -> str:
+    """A quantity in words."""
+    return f"`{path(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
+
+
+def refusal(error: Unwritable, registry: Registry) -> NotYet:
+    """What can not be simulated, by its name."""
+    letter = str(error)
+    if letter in registry.quantities:
+        return NotYet(f"how `{path(letter)}` runs in time is not told")
+    if SEPARATOR not in letter and " " not in letter:
+        return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
+    return NotYet(f"{letter} is not simulated yet")
+
+
+def refuse_changing(facts: Facts) -> None:
+    """Bodies whose own data change, and what lays itself out, have laws of energy alone."""
+    for body in facts.bodies:
+        if body.changing:
+            raise NotYet(f"the mass or the moment of inertia of `{body.name}` changes on the way: not simulated yet")
+    for rule in facts.rules:
+        if rule.acceleration is None:
+            raise NotYet(f"`{rule.owner}` changes its sizes on the way: not simulated yet")
+
+
+def compiled(arrangement: Arrangement, modes: Mapping[str, str], before: Course | None = None) -> Course:
+    """The equations of motion of an arrangement, from its first state, or as they go on from a course before."""
+    return Compiler(arrangement, modes, before).compiled()

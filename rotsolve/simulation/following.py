@@ -1,0 +1,157 @@
+"""Following: a motion through all that happens on the way: each event ends one course of equations and begins the next."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
+from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.rubs import rubs
+from rotsolve.scene.model import State
+from rotsolve.simulation.bounded import (
+    FLOAT_BITS,
+    SAFETY,
+    Reading,
+    States,
+    Stretch,
+    Times,
+    Tolerances,
+    Unsettled,
+    measure,
+    start_of,
+    stretch,
+)
+from rotsolve.simulation.course import Course, compiled
+from rotsolve.simulation.opening import opening, standing
+from rotsolve.simulation.series import Scalar
+from rotsolve.simulation.tape import Exact
+from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+
+READING_BITS = 192
+CROWD = 2000  # events before a motion is given up
+
+
+class Event(Struct, frozen=True):
+    """Something that happens: when, how far that may be from the true moment, and what it is."""
+
+    time: float
+    bound: float
+    what: str
+    state: str = ""  # the state of the scene that is reached
+
+
+class Followed(Struct):
+    """A motion as far as it was followed; `ended` says why not further."""
+
+    stretches: list[Stretch] = field(default_factory=list)
+    events: list[Event] = field(default_factory=list)
+    ended: str = ""
+
+
+class Follower(Struct, dict=True):
+    """Follows a scene from its first state on."""
+
+    arrangement: Arrangement
+    until: float
+    tolerances: Tolerances
+
+    def __post_init__(self) -> None:
+        self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
+        self.found = Followed()
+        self.modes = self.decided(self.scene)
+        self.ahead = list(self.arrangement.timeline.states[1:])
+
+    def followed(self) -> Followed:
+        """The motion up to the end asked for, or to where it can not go on."""
+        course = compiled(self.scene, self.modes)
+        states, times = start_of(course, self.tolerances), (0.0, 0.0)
+        since: dict[str, Exact] = {item.name: item.start for item in course.variables}
+        while not self.found.ended and len(self.found.events) < CROWD:
+            watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
+            part = stretch(course, times, states, self.until, self.tolerances, watched)
+            self._enter(part)
+            if part.hit is None:
+                return self.found
+            states, times = part.last, part.ends
+            if part.hit.kind == REACHED:
+                since = {
+                    item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)
+                }
+            course, states = self._after(part.hit, course, states, times)
+        if not self.found.ended:
+            raise Unsettled(times[0])
+        return self.found
+
+    def decided(self, scene: Arrangement) -> dict[str, str]:
+        """Which contacts stick and which slip, decided as for any scene that starts so."""
+        if not rubs(scene):
+            return {}
+        from rotsolve.inquiry.friction import decide
+
+        return decide(scene).modes
+
+    def _enter(self, part: Stretch) -> None:
+        """A part that has been followed, with what ends it; bounds never shrink from one part to the next."""
+        before = dict.fromkeys((item.name for item in part.course.variables), 0.0)
+        if self.found.stretches:
+            last = self.found.stretches[-1]
+            before.update(zip((item.name for item in last.course.variables), last.bounds[-1], strict=True))
+        with Precision(self.tolerances.bits):
+            measure(part, [before[item.name] for item in part.course.variables])
+        self.found.stretches.append(part)
+        if part.hit is not None and part.hit.kind != TURNS:
+            bound = SAFETY * abs(part.ends[0] - part.ends[1]) + 4 * 2.0**-52 * part.ends[0]
+            state = part.hit.what if part.hit.kind == REACHED else ""
+            self.found.events.append(Event(part.ends[0], bound, part.hit.what, state))
+
+    def _after(self, hit: Watch, course: Course, states: States, times: Times) -> tuple[Course, States]:
+        """The course that follows an event, and the states of both runs in its numbers."""
+        if hit.kind == BREAKS:
+            self.found.ended = f"{hit.what}: what comes after that is not followed"
+        if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._rearranged(self.ahead.pop(0))):
+            return course, states
+        if hit.kind == SLIPS and hit.rub is not None:
+            self.modes = {**self.modes, hit.rub.key: hit.mode}
+        else:
+            numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
+            self.modes = self.decided(standing(self.scene, times[0], numbers))
+        following = compiled(self.scene, self.modes, course)
+        first, second = (
+            self._carried(course, following, state, time) for state, time in zip(states, times, strict=True)
+        )
+        return following, (first, second)
+
+    def _rearranged(self, state: State) -> bool:
+        """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
+        after = self.arrangement.timeline.after(state.name)
+        if after is not None and after.event is not None:
+            self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
+            return False
+        scene = opening(self.arrangement, state.name)
+        changed = (scene.problem.connections, scene.problem.actions) != (
+            self.scene.problem.connections,
+            self.scene.problem.actions,
+        )
+        self.scene = scene if changed else self.scene
+        return changed
+
+    def _read(self, course: Course, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
+        with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
+            return Reading(course, tuple(course.outputs)).read(time, state)
+
+    def _carried(self, course: Course, following: Course, state: Sequence[Scalar], time: float) -> list[Scalar]:
+        """The state at an event in the numbers of the course that follows."""
+        own = {item.letter: number for item, number in zip(course.variables, state, strict=True)}
+        read = self._read(course, state, time)
+        floats = self.tolerances.bits == FLOAT_BITS
+        found = []
+        for item in following.variables:
+            number = own.get(item.letter)
+            if number is None:
+                ball = read[item.name]
+                number = float(ball.mid()) if floats else ball.mid()
+            found.append(number)
+        return found

@@ -1,0 +1,368 @@
+"""Series: the values of a tape as power series in time, order by order, over floats or over balls.
+
+Each operation appends the next coefficient to its own list: z = x y has zₖ = Σ xⱼ yₖ₋ⱼ, and s = sin x has k sₖ = Σ j xⱼ cₖ₋ⱼ with
+c = cos x. All that a coefficient costs is a few sums of products, which run in C.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from operator import mul
+from typing import Any
+
+from msgspec import Struct
+
+from rotsolve.algebra.flints import arb
+from rotsolve.simulation.tape import Exact, Operation, Tape
+
+Scalar = Any  # float or arb
+Series = list[Scalar]
+Step = Callable[[int], None]  # appends the coefficient of this order
+OF_FLOAT = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "exp": math.exp,
+    "log": math.log,
+    "atan": math.atan,
+    "asin": math.asin,
+    "acos": math.acos,
+    "abs": abs,
+}
+COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
+OF_BALL = {name: getattr(arb, name, abs) for name in OF_FLOAT}
+
+
+class Arithmetic(Struct, frozen=True):
+    """Numbers to calculate with: how constants enter, and what functions give."""
+
+    number: Callable[[Exact], Scalar]
+    functions: Mapping[str, Callable[[Scalar], Scalar]]
+
+
+def nearest(number: Exact) -> float:
+    """The float nearest to a constant."""
+    return float(arb(number).mid())
+
+
+def coarse(number: Exact) -> float:
+    """A float some roundings beyond a constant that is none itself."""
+    middle = arb(number).mid()
+    close = float(middle)
+    if middle == close:
+        return close
+    return close * (1 + COARSE if (middle > close) == (close > 0) else 1 - COARSE)
+
+
+FLOATS = Arithmetic(nearest, OF_FLOAT)
+COARSE_FLOATS = Arithmetic(coarse, OF_FLOAT)
+BALLS = Arithmetic(arb, OF_BALL)
+
+
+class Expansion:
+    """The operations that some values of a tape need, ready to be worked out at a moment and expanded from there."""
+
+    __slots__ = ("lists", "order", "places", "starts", "steps", "tape", "varying")
+
+    def __init__(self, tape: Tape, wanted: Sequence[int], arithmetic: Arithmetic) -> None:
+        self.tape = tape
+        self.places = needed(tape, wanted)
+        self.lists: dict[int, Series] = {place: [] for place in self.places}
+        self.starts: list[Callable[[], None]] = []
+        self.steps: list[Step] = []
+        solved: set[str] = set()
+        for place in self.places:
+            operation = tape.operations[place]
+            if operation.kind in ("letter", "cos"):  # a cosine comes with its sine
+                continue
+            if operation.kind == "unknown":
+                if operation.name not in solved:
+                    solved.add(operation.name)
+                    self._enter(solver_of(tape, operation.name, self.lists))
+                continue
+            self._enter(OPERATIONS[operation.kind](operation, place, self.lists, arithmetic))
+
+    def _enter(self, made: Made) -> None:
+        self.starts.append(made[0])
+        if made[1] is not None:
+            self.steps.append(made[1])
+
+    def begin(self, letters: Mapping[int, Scalar]) -> None:
+        """The values at a moment, from those of the letters."""
+        for place, values in self.lists.items():
+            values.clear()
+            if place in letters:
+                values.append(letters[place])
+        for start in self.starts:
+            start()
+
+    def extend(self, order: int) -> None:
+        """The coefficients of one more order; those of the letters have been appended."""
+        for step in self.steps:
+            step(order)
+
+
+def needed(tape: Tape, wanted: Sequence[int]) -> list[int]:
+    """All places on which the wanted values rest, in order."""
+    found: set[int] = set()
+    pending = list(wanted)
+    while pending:
+        place = pending.pop()
+        if place not in found:
+            found.add(place)
+            operation = tape.operations[place]
+            pending += operation.values
+            if operation.kind in ("sin", "cos"):
+                pending.append(partner(tape, place))
+            if operation.kind == "unknown":
+                held = [
+                    other
+                    for other, item in enumerate(tape.operations)
+                    if (item.kind, item.name) == ("unknown", operation.name)
+                ]
+                pending += held
+    return sorted(found)
+
+
+def partner(tape: Tape, place: int) -> int:
+    """The cosine of a sine, and the other way round; they are written one after the other."""
+    return place + 1 if tape.operations[place].kind == "sin" else place - 1
+
+
+Made = tuple[Callable[[], None], Step | None]  # what begins a series, and what appends to it; nothing to a constant's
+Lists = Mapping[int, Series]
+
+
+def number_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    value = arithmetic.number(operation.numbers[0])
+    own = lists[place]
+    return (lambda: own.append(value)), None
+
+
+def sum_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """c + Σ cᵢ xᵢ; the commonest forms by themselves."""
+    own, first = lists[place], arithmetic.number(operation.numbers[0])
+    factors = [arithmetic.number(number) for number in operation.numbers[1:]]
+    sources = [lists[value] for value in operation.values]
+    pairs = list(zip(factors, sources, strict=True))
+
+    def start() -> None:
+        total = first
+        for factor, source in pairs:
+            total = total + factor * source[0]
+        own.append(total)
+
+    if len(pairs) == 1:
+        ((factor, source),) = pairs
+        return start, lambda order: own.append(factor * source[order])
+    if len(pairs) == 2:
+        (one, left), (two, right) = pairs
+        return start, lambda order: own.append(one * left[order] + two * right[order])
+
+    def step(order: int) -> None:
+        own.append(sum([factor * source[order] for factor, source in pairs]))
+
+    return start, step
+
+
+def product_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    own, left, right = lists[place], lists[operation.values[0]], lists[operation.values[1]]
+
+    def start() -> None:
+        own.append(left[0] * right[0])
+
+    if left is not right:
+        return start, lambda order: own.append(sum(map(mul, left, right[order::-1])))
+
+    def square(order: int) -> None:
+        half = (order + 1) // 2
+        total = 2 * sum(map(mul, left[:half], left[order : order - half : -1]))
+        own.append(total if order % 2 else total + left[half] * left[half])
+
+    return start, square
+
+
+def quotient_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """z = x/y: zₖ = (xₖ − Σ yⱼ zₖ₋ⱼ, j from 1)/y₀."""
+    own, above, below = lists[place], lists[operation.values[0]], lists[operation.values[1]]
+
+    def start() -> None:
+        own.append(above[0] / below[0])
+
+    def step(order: int) -> None:
+        top = above[order] if order < len(above) else 0  # nothing of a constant
+        own.append((top - sum(map(mul, own, below[order:0:-1]))) / below[0])
+
+    return start, step
+
+
+def power_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """z = x^c: k x₀ zₖ = Σ (c (k − j) − j) xₖ₋ⱼ zⱼ, j below k."""
+    own, base, exponent = lists[place], lists[operation.values[0]], arithmetic.number(operation.numbers[0])
+
+    def start() -> None:
+        own.append(base[0] ** exponent)
+
+    def step(order: int) -> None:
+        terms = [(exponent * (order - j) - j) * base[order - j] * own[j] for j in range(order)]
+        own.append(sum(terms) / (order * base[0]))
+
+    return start, step
+
+
+def sine_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """s = sin x and c = cos x, the next place, together: k sₖ = Σ j xⱼ cₖ₋ⱼ, k cₖ = −Σ j xⱼ sₖ₋ⱼ."""
+    argument, sine, cosine = lists[operation.values[0]], lists[place], lists[place + 1]
+    slopes: Series = []  # j xⱼ from j = 1
+
+    def start() -> None:
+        slopes.clear()
+        sine.append(arithmetic.functions["sin"](argument[0]))
+        cosine.append(arithmetic.functions["cos"](argument[0]))
+
+    def step(order: int) -> None:
+        slopes.append(order * argument[order])
+        rising, falling = sum(map(mul, slopes, cosine[::-1])), sum(map(mul, slopes, sine[::-1]))
+        sine.append(rising / order)
+        cosine.append(-falling / order)
+
+    return start, step
+
+
+def chained_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """z with dz = g dx, g the second value (of exp x itself): k zₖ = Σ j xⱼ gₖ₋ⱼ."""
+    function = arithmetic.functions[operation.kind]
+    own, argument = lists[place], lists[operation.values[0]]
+    rate = own if operation.kind == "exp" else lists[operation.values[1]]
+    slopes: Series = []
+
+    def start() -> None:
+        slopes.clear()
+        own.append(function(argument[0]))
+
+    def step(order: int) -> None:
+        slopes.append(order * argument[order])
+        own.append(sum(map(mul, slopes, rate[order - 1 :: -1])) / order)
+
+    return start, step
+
+
+def size_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+    """|x| as long as x keeps its sign."""
+    own, argument = lists[place], lists[operation.values[0]]
+
+    def start() -> None:
+        own.append(abs(argument[0]))
+
+    return start, lambda order: own.append(argument[order] if argument[0] > 0 else -argument[order])
+
+
+def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
+    """Linear equations A x = b: A₀ xₖ = bₖ − Σ Aⱼ xₖ₋ⱼ, j from 1, with A₀ factored once; what is constant in A drops out of the sum."""
+    block = tape.blocks[int(name)]
+    owns = [lists[place] for place in unknowns_of(tape, name)]
+    rows = [[lists[value] for value in row] for row in block.rows]
+    right = [lists[value] for value in block.right]
+    moving = [tape.constant(value) is None for value in block.right]
+    changing = [
+        [(own, lists[value]) for own, value in zip(owns, row, strict=True) if tape.constant(value) is None]
+        for row in block.rows
+    ]
+    lines = list(zip(right, moving, changing, strict=True))
+    held: list[Callable[[list[Scalar]], list[Scalar]]] = []
+
+    def start() -> None:
+        held[:] = [factored([[series[0] for series in row] for row in rows])]
+        for own, value in zip(owns, held[0]([series[0] for series in right]), strict=True):
+            own.append(value)
+
+    def step(order: int) -> None:
+        rest = []
+        for series, moves, pairs in lines:
+            total = series[order] if moves else 0
+            for own, coefficient in pairs:
+                total = total - sum(map(mul, own, coefficient[order:0:-1]))
+            rest.append(total)
+        for own, value in zip(owns, held[0](rest), strict=True):
+            own.append(value)
+
+    return start, step
+
+
+def unknowns_of(tape: Tape, name: str) -> list[int]:
+    """The places of the unknowns of a block, in their order."""
+    found = [
+        (int(item.numbers[0].p), place)
+        for place, item in enumerate(tape.operations)
+        if (item.kind, item.name) == ("unknown", name)
+    ]
+    return [place for _, place in sorted(found)]
+
+
+def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]]:
+    """What solves A x = b for this A: by elimination with the largest pivot of each column."""
+    size = len(table)
+    order = list(range(size))
+    for k in range(size):
+        best = max(range(k, size), key=lambda i: abs(float(table[i][k])))
+        table[k], table[best] = table[best], table[k]
+        order[k], order[best] = order[best], order[k]
+        for i in range(k + 1, size):
+            table[i][k] = table[i][k] / table[k][k]
+            for j in range(k + 1, size):
+                table[i][j] = table[i][j] - table[i][k] * table[k][j]
+
+    if size == 2:
+        return solver_of_two(table, order[0] == 1)
+
+    def solve(right: list[Scalar]) -> list[Scalar]:
+        found = [right[i] for i in order]
+        for i in range(size):
+            for j in range(i):
+                found[i] = found[i] - table[i][j] * found[j]
+        for i in reversed(range(size)):
+            for j in range(i + 1, size):
+                found[i] = found[i] - table[i][j] * found[j]
+            found[i] = found[i] / table[i][i]
+        return found
+
+    return solve
+
+
+def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Scalar]], list[Scalar]]:
+    """The same for two unknowns, the commonest case, written out; `turned` where the rows have been exchanged."""
+    (a, b), (factor, d) = table
+
+    def solve(right: list[Scalar]) -> list[Scalar]:
+        first, second = (right[1], right[0]) if turned else right
+        y = (second - factor * first) / d
+        return [(first - b * y) / a, y]
+
+    return solve
+
+
+OPERATIONS: Mapping[str, Callable[..., Made]] = {
+    "number": number_of,
+    "sum": sum_of,
+    "times": product_of,
+    "over": quotient_of,
+    "power": power_of,
+    "sin": sine_of,
+    **dict.fromkeys(("exp", "log", "atan", "asin", "acos"), chained_of),
+    "abs": size_of,
+}
+
+
+def rough_value(tape: Tape, place: int, letters: Mapping[str, Exact]) -> float:
+    """About how large a value is where the letters have these values."""
+    expansion = Expansion(tape, [place], FLOATS)
+    given = {
+        where: nearest(letters[tape.operations[where].name])
+        for where in expansion.places
+        if tape.operations[where].kind == "letter" and tape.operations[where].name in letters
+    }
+    missing = {
+        where: 0.0 for where in expansion.places if tape.operations[where].kind == "letter" and where not in given
+    }
+    expansion.begin({**given, **missing})
+    return float(expansion.lists[place][0])

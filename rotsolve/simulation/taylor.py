@@ -1,0 +1,174 @@
+"""Taylor: a motion step by step, each step a polynomial in time whose order and length follow from the accuracy that is wanted.
+
+Coefficients come from the tape: xₖ₊₁ = (rate of x)ₖ/(k + 1). The last ones tell how long a step may be (à la Jorba and Zou). What a step
+adds is summed up with what rounding left out before, so that long runs do not lose it.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Sequence
+
+from msgspec import Struct, field
+
+from rotsolve.core.registry import TIME
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.series import Arithmetic, Expansion, Scalar
+from rotsolve.simulation.tape import ONE, ZERO
+
+LEAST_ORDER, MOST_ORDER = 10, 150
+WINDOW = 6  # last coefficients that tell how fast all of them fall; of a symmetric motion most vanish
+SHORTEST = 1e-13  # of the time gone by: steps that short lead nowhere
+SPLIT = 2.0**2 + 1  # the factor that rounds a float to two bits less (Veltkamp)
+MOST = 1e100  # what a number of the state may grow to
+
+
+class Unbounded(ValueError):
+    """The motion can not be followed beyond a time: its steps become too short, or it leaves all bounds."""
+
+    def __init__(self, time: float) -> None:
+        super().__init__(f"the motion can not be followed beyond t = {time:g} s")
+        self.time = time
+
+
+class Piece(Struct, frozen=True):
+    """One step: from a time on, for a while, each number of the state as a polynomial of the time since then."""
+
+    start: float
+    length: float
+    polynomials: tuple[list[Scalar], ...]
+    watched: tuple[list[Scalar], ...] = ()  # of the values that are watched
+
+    def at(self, time: Scalar) -> list[Scalar]:
+        """The state at a time."""
+        since = time - self.start
+        return [value(polynomial, since) for polynomial in self.polynomials]
+
+
+def value(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
+    """Σ cₖ xᵏ by Horner's rule."""
+    total = polynomial[-1]
+    for coefficient in polynomial[-2::-1]:
+        total = total * x + coefficient
+    return total
+
+
+def order_for(tolerance: float) -> int:
+    """The order at which a tolerance costs least, by measurement."""
+    return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.5 * math.log(tolerance)) + 6))
+
+
+class Stepper:
+    """Expands the motion of a course, and the values that are `watched`, from a moment on, in floats or balls."""
+
+    def __init__(
+        self, course: Course, arithmetic: Arithmetic, tolerance: float, order: int, watched: Sequence[int] = ()
+    ) -> None:
+        self.tolerance, self.order = tolerance, order
+        self.expansion = Expansion(course.tape, [*(item.rate for item in course.variables), *watched], arithmetic)
+        lists = self.expansion.lists
+        self.letters = [course.letters[item.letter] for item in course.variables]
+        self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
+        self.apart = [own for place, own in zip(self.letters, self.own, strict=True) if place not in lists]
+        self.rates = [lists[item.rate] for item in course.variables]
+        self.watched = [lists[place] for place in watched]
+        self.time = course.letters[TIME]
+        self.clock = lists.get(self.time)
+        self.one, self.zero = arithmetic.number(ONE), arithmetic.number(ZERO)
+
+    def expand(self, time: float, state: Sequence[Scalar]) -> Piece:
+        """The polynomials of the state and of what is watched from a moment on, as yet without an end."""
+        for own in self.apart:  # letters on which no rate depends
+            own.clear()
+        self.expansion.begin({**dict(zip(self.letters, state, strict=True)), self.time: self.one * time})
+        pairs = list(zip(self.own, self.rates, strict=True))
+        for own, start in zip(self.own, state, strict=True):
+            if not own:
+                own.append(start)
+        for order in range(1, self.order + 1):
+            for own, rate in pairs:
+                own.append(rate[order - 1] / order if order <= len(rate) else self.zero)
+            if order < self.order:
+                if self.clock is not None:
+                    self.clock.append(self.one if order == 1 else self.zero)
+                self.expansion.extend(order)
+        found = tuple(own[:] for own in self.own)
+        return Piece(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
+
+    def length(self, polynomials: Sequence[Sequence[Scalar]], before: float) -> float:
+        """How long a step these polynomials carry: what they leave out stays below the tolerance, as a part of each number's size.
+
+        The size is that within a step as long as the one `before`.
+        """
+        longest = math.inf
+        for polynomial in polynomials:
+            ends = [(k, abs(float(polynomial[k]))) for k in range(len(polynomial) - WINDOW, len(polynomial))]
+            if not any(end for _, end in ends):
+                continue
+            sizes = (abs(float(polynomial[k])) * before**k for k in range(3))
+            size = max(sizes) or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
+            longest = min(longest, *((size / end) ** (1 / k) for k, end in ends if end))
+        return longest * self.tolerance ** (1 / self.order)
+
+
+def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:
+    return all(math.isfinite(float(coefficient)) for polynomial in polynomials for coefficient in polynomial[:3])
+
+
+class Motion(Struct):
+    """A motion in one piece after the other, from the first moment on."""
+
+    pieces: list[Piece] = field(default_factory=list)
+    starts: list[float] = field(default_factory=list)
+
+    def add(self, piece: Piece) -> None:
+        self.pieces.append(piece)
+        self.starts.append(float(piece.start))
+
+    def piece_at(self, time: float) -> Piece:
+        return self.pieces[max(0, bisect_right(self.starts, time) - 1)]
+
+
+class Walker:
+    """Walks along a motion; what rounding leaves out of a state of floats is kept and added to the next step.
+
+    A state of balls is taken at its middle after each step: the balls only carry the precision, the bounds come from a second run,
+    which is `coarse`: it rounds its state of floats to fewer bits, and keeps nothing.
+    """
+
+    def __init__(self, stepper: Stepper, time: float, state: Sequence[Scalar], coarse: bool = False) -> None:
+        self.stepper, self.time, self.state, self.coarse = stepper, time, list(state), coarse
+        self.left: list[Scalar] = [0.0] * len(self.state)
+        self.before = 0.0
+
+    def piece(self, until: float) -> Piece:
+        """The polynomials from here on, for as long as they hold, not beyond `until`."""
+        piece = self.stepper.expand(self.time, self.state)
+        carried = (*piece.polynomials, *piece.watched)
+        length = self.stepper.length(carried, self.before or until - self.time)
+        if not self.before:
+            for _ in range(3):
+                length = self.stepper.length(carried, min(length, until - self.time))
+        if length < SHORTEST * max(self.time, 1e-3) or not finite(carried):
+            raise Unbounded(self.time)
+        self.before = min(length, until - self.time)
+        end = min(until, self.time + length)
+        return Piece(self.time, end - self.time, piece.polynomials, piece.watched)
+
+    def walk(self, piece: Piece, length: float) -> None:
+        """Go on along a piece."""
+        for number, polynomial in enumerate(piece.polynomials):
+            added = value(polynomial[1:], length) * length + self.left[number]
+            before = self.state[number]
+            after = before + added
+            if isinstance(after, float):
+                split = SPLIT * after
+                self.left[number] = 0.0 if self.coarse else added - (after - before)
+                after = split - (split - after) if self.coarse else after
+            else:
+                after = after.mid()
+            self.state[number] = after
+            if not abs(after) < MOST:
+                raise Unbounded(self.time)
+        self.time = piece.start + length
