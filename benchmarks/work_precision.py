@@ -31,7 +31,10 @@ def run(problems: list[Problem], rounds: int, quick: bool) -> list[Row]:
         print(f"\n{problem.title}", flush=True)
         for row in measure(problem, kept[problem.name], rounds, quick):
             rows.append(row)
-            told = row.failed or f"error {row.error:.1e}  whole process {milliseconds(row.cpu)}  one more {milliseconds(row.marginal)}"
+            told = (
+                row.failed
+                or f"error {row.error:.1e}  whole process {milliseconds(row.cpu)}  one more {milliseconds(row.marginal)}"
+            )
             print(f"  {row.peer:16} {row.setting:8} {told}", flush=True)
     return rows
 
@@ -44,11 +47,11 @@ def main() -> None:
     parser.add_argument("--rounds", type=int, default=3, help="how often each whole process runs (3)")
     parser.add_argument("--references", action="store_true", help="make the references anew, and stop")
     options = parser.parse_args()
-    if options.references:
-        make()
-        return
     if unknown := [name for name in options.problems if name not in PROBLEMS]:
         parser.error(f"no problem {', '.join(unknown)}; there are {', '.join(PROBLEMS)}")
+    if options.references:
+        make(options.problems or PROBLEMS)
+        return
     chosen = [PROBLEMS[name] for name in options.problems or PROBLEMS]
     rounds = 1 if options.quick else max(1, options.rounds)
     print(f"{machine()}; {versions()}")

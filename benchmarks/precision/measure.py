@@ -98,7 +98,9 @@ def first_row(problem: Problem, reference: tuple[Fraction, ...], peer: str, sett
     return row._replace(
         error=max(relative),
         errors=relative,
-        bounds=tuple(float(Fraction(bound) / size) for bound, size in zip(bounds, sizes, strict=True)) if peer == "rotsolve" else (),
+        bounds=tuple(float(Fraction(bound) / size) for bound, size in zip(bounds, sizes, strict=True))
+        if peer == "rotsolve"
+        else (),
         drift=drift(problem, values),
         marginal=told["marginal"],
         colds=(cost,) if cost.wall > SLOW else (),

@@ -35,7 +35,9 @@ def style(peer: str) -> tuple[str, str]:
 def panel(axes: Any, problem: Problem, rows: Sequence[Row], whole: bool) -> None:
     """One problem: time to the right, error upwards."""
     for peer in dict.fromkeys(row.peer for row in rows):
-        points = [(row.cpu if whole else row.marginal, row.error) for row in rows if row.peer == peer and not row.failed]
+        points = [
+            (row.cpu if whole else row.marginal, row.error) for row in rows if row.peer == peer and not row.failed
+        ]
         if points:
             colour, marker = style(peer)
             times, errors = zip(*points, strict=True)

@@ -40,8 +40,12 @@ class Sticking(NamedTuple):
 
     slipping: Callable[[Mathematics, Any], Rates]  # slipping in the sense 1 or −1
     leaving: Callable[[Mathematics, Any], int]  # the sense in which it slips on from rest at a time, 0 if it sticks
-    breakaway: Callable[[Mathematics, Any], tuple[Any, int]]  # when it slips again that sticks at a time, and in which sense
-    couple: Callable[[Any, Any, Any, Any], Any]  # (sympy, t, ω, sense) → what acts besides the Lagrangian, for sympy.physics.mechanics
+    breakaway: Callable[
+        [Mathematics, Any], tuple[Any, int]
+    ]  # when it slips again that sticks at a time, and in which sense
+    couple: Callable[
+        [Any, Any, Any, Any], Any
+    ]  # (sympy, t, ω, sense) → what acts besides the Lagrangian, for sympy.physics.mechanics
 
 
 class MujocoModel(NamedTuple):
@@ -82,6 +86,8 @@ class Problem(NamedTuple):
     sets: tuple[str, ...] = ()  # `--set` on the command line
     motion: Motion | None = None
     until: str = ""  # the time in seconds at which a motion is asked
-    simulated: bool = False  # by `rotsolve simulate`, else by `rotsolve solve`, whose answers are compared by their relative error
+    simulated: bool = (
+        False  # by `rotsolve simulate`, else by `rotsolve solve`, whose answers are compared by their relative error
+    )
     left_out: str = ""  # why peers have no row
     energy: Callable[[State], float] | None = None  # of the asked quantities, where it is conserved, in units of M g L

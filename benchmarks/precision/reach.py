@@ -84,7 +84,9 @@ def bounds(rows: Sequence[Row]) -> Iterator[Figure]:
     """Every number of ours with the bound that it claims."""
     pairs = [pair for row in rows if row.peer == "rotsolve" for pair in zip(row.errors, row.bounds, strict=True)]
     held = sum(error <= bound for error, bound in pairs)
-    yield Figure("every number's bound holds its true error", f"{held} of {len(pairs)}", bool(pairs) and held == len(pairs))
+    yield Figure(
+        "every number's bound holds its true error", f"{held} of {len(pairs)}", bool(pairs) and held == len(pairs)
+    )
     # A number that happens to be exact has no ratio.
     ratios = sorted(bound / error for error, bound in pairs if error)
     if ratios:

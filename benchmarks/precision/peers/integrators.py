@@ -48,7 +48,9 @@ def heyoka(problem: Problem, setting: str) -> list[float]:
     motion, start = motion_of(problem), motion_of(problem).start(FLOATS)
     letters = hy.make_vars(*(f"y{index}" for index in range(len(start))))
     rates = motion.rates(FLOATS._replace(sin=hy.sin, cos=hy.cos))(hy.time, letters)
-    system = [(letter, 0 * letter + rate) for letter, rate in zip(letters, rates, strict=True)]  # a plain number is no expression
+    system = [
+        (letter, 0 * letter + rate) for letter, rate in zip(letters, rates, strict=True)
+    ]  # a plain number is no expression
     integrator = hy.taylor_adaptive(system, start, tol=float(setting))
     integrator.propagate_until(float(problem.until), max_delta_t=LONGEST)
     return motion.read([float(value) for value in integrator.state], FLOATS.pi)

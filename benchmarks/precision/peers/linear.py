@@ -82,7 +82,8 @@ def mechanics(problem: Problem, setting: str) -> list[float]:
     method.form_lagranges_equations()
     letters = (mass, inertia, radius, gravity)
     matrix, forcing = (
-        sp.lambdify(letters, part.subs({speed: 0, turning: 0})) for part in (method.mass_matrix_full, method.forcing_full)
+        sp.lambdify(letters, part.subs({speed: 0, turning: 0}))
+        for part in (method.mass_matrix_full, method.forcing_full)
     )
     values = (1e6, 2e-8, 0.2, 9.8)
     return [abs(float(np.linalg.solve(matrix(*values), forcing(*values))[-1, 0]))]

@@ -69,7 +69,12 @@ def quad(problem: Problem, setting: str) -> list[str]:
     steep = mp.sin(high_angle(problem, mp) / 2)  # k′
     # From the far end, ψ = 0 there: 1/√(sin² ψ + k′² cos² ψ), steep within k′ of it.
     places = [mp.mpf(0), *(steep * 4**power for power in range(60) if steep * 4**power < 1), mp.pi / 2]
-    return [mp.nstr(4 / mp.sqrt(mp.mpf("9.8")) * mp.quad(lambda psi: 1 / mp.hypot(mp.sin(psi), steep * mp.cos(psi)), places), mp.dps)]
+    return [
+        mp.nstr(
+            4 / mp.sqrt(mp.mpf("9.8")) * mp.quad(lambda psi: 1 / mp.hypot(mp.sin(psi), steep * mp.cos(psi)), places),
+            mp.dps,
+        )
+    ]
 
 
 def high_angle(problem: Problem, mp: Any) -> Any:

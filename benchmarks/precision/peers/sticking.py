@@ -9,7 +9,9 @@ from typing import Any
 from ..problem import FLOATS, Mathematics, Problem, Rates, Sticking, Way
 from .integrators import INTEGRATORS, LONGEST, METHODS, TOLERANCES, motion_of
 
-Slip = Callable[[Any, list[Any], int], tuple[Any, list[Any], bool]]  # (time, state, sense) → time, state, whether it came to rest
+Slip = Callable[
+    [Any, list[Any], int], tuple[Any, list[Any], bool]
+]  # (time, state, sense) → time, state, whether it came to rest
 
 
 def sticking_of(problem: Problem) -> Sticking:
@@ -122,7 +124,11 @@ def heyoka(problem: Problem, setting: str) -> list[float]:
     return [float(value) for value in alternate(problem, FLOATS, slip)]
 
 
-OWN = {"mpmath odefun": mpmath, "heyoka": heyoka, "sympy + DOP853": sympy}
+OWN: dict[str, Callable[[Problem, str], list[Any]]] = {
+    "mpmath odefun": mpmath,
+    "heyoka": heyoka,
+    "sympy + DOP853": sympy,
+}
 STICKING = {
     **{f"scipy {method}": Way("scipy", "rtol = atol", TOLERANCES, partial(scipy, method=method)) for method in METHODS},
     **{name: INTEGRATORS[name]._replace(solve=solve) for name, solve in OWN.items()},

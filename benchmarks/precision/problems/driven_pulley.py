@@ -116,7 +116,7 @@ def leave(bodies: list[Any]) -> list[float]:
 
 def drive(time: float) -> float:
     """What the motor of MuJoCo exerts: there the blocks have their own weight."""
-    return turning(FLOATS)(time) - float(WEIGHT)
+    return float(turning(FLOATS)(time)) - float(WEIGHT)
 
 
 DRIVEN_PULLEY = Problem(

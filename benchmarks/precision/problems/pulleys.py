@@ -66,7 +66,11 @@ NEARLY_EQUAL = Problem(
     unit="m",
     peers=INTEGRATORS | MUJOCO,
     motion=Motion(
-        start, atwood_rates, read, lagrangian, MujocoModel(ATWOOD_MODEL, lambda y: [y[0], y[0], 5 * y[0]], lambda q: [q[0]])
+        start,
+        atwood_rates,
+        read,
+        lagrangian,
+        MujocoModel(ATWOOD_MODEL, lambda y: [y[0], y[0], 5 * y[0]], lambda q: [q[0]]),
     ),
     until="10",
     left_out="pymunk has no string over a pulley",

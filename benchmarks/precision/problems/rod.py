@@ -89,7 +89,9 @@ LONG = rod("rod-for-2000-s", "A rod let go from the level, after 2000 s", "90", 
 # 200 times as long: without what would take minutes.
 LONG = LONG._replace(
     peers={
-        **{name: LONG.peers[name] for name in ("scipy RK45", "scipy DOP853", "scipy LSODA", "heyoka", "sympy + DOP853")},
+        **{
+            name: LONG.peers[name] for name in ("scipy RK45", "scipy DOP853", "scipy LSODA", "heyoka", "sympy + DOP853")
+        },
         "scipy Radau": LONG.peers["scipy Radau"]._replace(settings=("1e-6",)),
         "MuJoCo RK4": LONG.peers["MuJoCo RK4"]._replace(settings=("1e-2", "1e-3")),
         "pymunk": LONG.peers["pymunk"]._replace(settings=("1e-2", "1e-3")),

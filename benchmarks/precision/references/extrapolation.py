@@ -32,7 +32,9 @@ def advance(rates: Rates, time: Any, state: list[Any], step: Any, tolerance: Any
         newest = [midpoint(rates, time, state, step, 2 * column)]
         for back, older in enumerate(row, start=1):
             ratio = mp.mpf(column) / (column - back)
-            newest.append([fine + (fine - rough) / (ratio**2 - 1) for fine, rough in zip(newest[-1], older, strict=True)])
+            newest.append(
+                [fine + (fine - rough) / (ratio**2 - 1) for fine, rough in zip(newest[-1], older, strict=True)]
+            )
         if row and max(abs(a - b) for a, b in zip(newest[-1], row[-1], strict=True)) < tolerance:
             return newest[-1]
         row = newest

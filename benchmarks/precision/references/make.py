@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterable
 from fractions import Fraction
 from pathlib import Path
 
 FILE = Path(__file__).with_name("references.json")
-WORKING, KEPT = 90, 60  # digits
+KEPT, GUARD = 60, 30  # digits, and more of them to work with
 
 
 def references() -> dict[str, tuple[Fraction, ...]]:
@@ -16,27 +17,27 @@ def references() -> dict[str, tuple[Fraction, ...]]:
     return {name: tuple(Fraction(value) for value in values) for name, values in kept.items()}
 
 
-def agreeing(name: str) -> list[str]:
-    """The reference of a problem, on which both routes agree; else an error."""
+def agreeing(name: str, kept: int = KEPT) -> list[str]:
+    """The reference of a problem to so many digits, on which both routes agree; else an error."""
     from mpmath import mp
 
     from ..problems import PROBLEMS
     from .routes import ROUTES
 
-    with mp.workdps(WORKING):
+    with mp.workdps(kept + GUARD):
         one, other = (route(PROBLEMS[name]) for route in ROUTES[name])
         for ours, theirs in zip(one, other, strict=True):
-            if abs(ours - theirs) > abs(ours) * mp.mpf(10) ** -KEPT:
-                raise ArithmeticError(f"{name}: {mp.nstr(ours, KEPT)} by one route, {mp.nstr(theirs, KEPT)} by the other")
-        return [mp.nstr(value, KEPT) for value in one]
+            if abs(ours - theirs) > abs(ours) * mp.mpf(10) ** -kept:
+                raise ArithmeticError(
+                    f"{name}: {mp.nstr(ours, kept)} by one route, {mp.nstr(theirs, kept)} by the other"
+                )
+        return [mp.nstr(value, kept) for value in one]
 
 
-def make() -> None:
-    """Calculate all references and write the file."""
-    from ..problems import PROBLEMS
-
-    made = {}
-    for name in PROBLEMS:
+def make(names: Iterable[str]) -> None:
+    """Calculate the references of some problems anew, and keep those of the others."""
+    made = json.loads(FILE.read_text(encoding="utf-8")) if FILE.exists() else {}
+    for name in names:
         made[name] = agreeing(name)
         print(f"{name}: both routes agree to {KEPT} digits", flush=True)
-    FILE.write_text(json.dumps(made, indent=2) + "\n", encoding="utf-8")
+        FILE.write_text(json.dumps(made, indent=2) + "\n", encoding="utf-8")
