@@ -10,6 +10,7 @@ from bisect import bisect_left, bisect_right
 from collections.abc import Sequence
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
@@ -127,6 +128,7 @@ def followed_until(walker: Walker, until: float, lookout: Lookout) -> tuple[Moti
         motion.add(piece)
         hit = lookout.first(piece)
         if hit is not None:
+            motion.pieces[-1] = replace(piece, length=hit.time - piece.start)
             walker.walk(piece, hit.time - piece.start)
             return motion, hit
         walker.walk(piece, piece.length)

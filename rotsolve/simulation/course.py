@@ -123,14 +123,8 @@ class Compiler(Struct, dict=True):
             lines = [*places, *((path(name), name, rising[name]) for name in free)]
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
-            return Course(
-                self.tape,
-                variables,
-                self._outputs([line for line in lines if line[1] in moving]),
-                self.letters,
-                facts,
-                moment,
-            )
+            outputs = self._outputs([line for line in lines if line[1] in moving])
+            return Course(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
 
     def _enter_givens(self) -> None:
         """The givens that have numbers."""
@@ -317,6 +311,11 @@ class Compiler(Struct, dict=True):
             if body.inertia is not None
             for name in body.inertia.letter.symbols()
             if name not in self.letters
+        }
+        self.inertias = {
+            name: self.tape.formula(formula, self.letters)
+            for name, formula in inertias.items()
+            if formula.symbols() <= set(self.letters)
         }
         written = [
             *newton.second_law(facts, ""),

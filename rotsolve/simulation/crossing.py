@@ -70,7 +70,7 @@ def passage(polynomial: Sequence[Scalar], low: float, high: float, side: int) ->
             high, above, below = middle, found, below / 2
         if not found:
             break
-    return high
+    return min(low, high, key=lambda time: abs(value(polynomial, time)))
 
 
 def sign(number: Scalar) -> int:

@@ -77,9 +77,7 @@ class Follower(Struct, dict=True):
                 return self.found
             states, times = part.last, part.ends
             if part.hit.kind == REACHED:
-                since = {
-                    item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)
-                }
+                since = {item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)}
             course, states = self._after(part.hit, course, states, times)
         if not self.found.ended:
             raise Unsettled(times[0])

@@ -32,7 +32,9 @@ def opening(arrangement: Arrangement, state: str) -> Arrangement:
             problem,
             bodies=tuple(body for body in problem.bodies if body.name in there),
             connections=arrangement.connections(state),
-            actions=tuple(replace(item, from_=None, to=None) for item in arrangement.actions(state)),
+            actions=tuple(
+                replace(item, from_=None, to=None) for item in arrangement.actions(state) if item.to != state
+            ),
             states=(first if state == first.name else State(first.name),),
             phases=(),
             events=(),

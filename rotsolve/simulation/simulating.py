@@ -20,57 +20,14 @@ from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.simulation.bounded import FLOAT_BITS, ROUNDING, Reading, Stretch, Tolerances, Unsettled
-from rotsolve.simulation.following import READING_BITS, Event, Follower
+from rotsolve.simulation.following import Follower
+from rotsolve.simulation.run import Run
 from rotsolve.simulation.series import Scalar
 from rotsolve.simulation.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 AIM = 1e-3  # tolerance of a step, of the accuracy asked for
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
-
-
-class Run(Struct):
-    """A motion in time. `names` are what can be told at any moment; every number comes with a bound that holds the true one."""
-
-    problem: Problem
-    until: float
-    accuracy: float
-    stretches: list[Stretch]
-    events: tuple[Event, ...] = ()
-    ended: str = ""  # why it was not followed to the end asked for
-    _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """What can be told at any moment: `rod.angle`, `block.velocity`, `string.tension`, …"""
-        return tuple(self.stretches[0].course.outputs)
-
-    def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
-        """Quantities at a time as balls that hold the true values."""
-        number = max(0, bisect_right([item.times[0] for item in self.stretches], time) - 1)
-        part = self.stretches[number]
-        wanted = tuple(name for name in (names or part.course.outputs) if name in part.course.outputs)
-        if (number, wanted) not in self._readings:
-            self._readings[number, wanted] = Reading(part.course, wanted)
-        with Precision(max(READING_BITS, 2 * part.bits)):
-            reading = self._readings[number, wanted]
-            found = reading.read(time, part.state(time))
-            direct = {item.name for item in part.course.variables}
-            others = [name for name in wanted if name not in direct]
-            if others:
-                middles = reading.read(time, part.middle(time))
-                for name, bound in zip(others, part.derived(time, others), strict=True):
-                    apart = arb(middles[name].mid(), bound + ROUNDING * abs(float(middles[name])))
-                    found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
-        return found
-
-    def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
-        """Values at a time, each with its bound, in SI units and radians."""
-        found = {}
-        for name, ball in self.balls(time, names).items():
-            value = float(ball.mid())
-            found[name] = (value, float(abs(ball - value).upper()))
-        return found
 
 
 def simulate(
@@ -136,6 +93,3 @@ def finer(tolerances: Tolerances, excess: float) -> Tolerances:
     if main >= FINEST and tolerances.bits == FLOAT_BITS:
         return Tolerances(main)
     return Tolerances(main, max(96, 32 + math.ceil(-math.log2(main))))
-
-
-__all__ = ["Event", "Run", "Unsolvable", "simulate"]

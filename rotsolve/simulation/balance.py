@@ -1,0 +1,177 @@
+"""Balance: energy and momentum of a motion against the work and impulse of its forces: a measure of how well the steps keep them.
+
+Energy is K + U, less the work W = ∫ P dt of all forces without a potential; momentum Σ m v, less the impulse ∫ Σ F dt. Neither tells
+the error of a motion, which may drift along itself; the bounds do.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from math import fsum
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
+from rotsolve.core.facts import BodyFacts, Force
+from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
+from rotsolve.core.vectors.heading import RIGHT, UP
+from rotsolve.principles import energy
+from rotsolve.simulation.bounded import Stretch
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.series import BALLS, Expansion, Scalar
+from rotsolve.simulation.tape import BITS
+
+LOOKS = 200  # moments of a stretch, at most, at which the balance is drawn where there are no integrals
+BALANCE_BITS = 128
+OFF = 1e-9  # part of the forces by which they may miss the rate of momentum, where not all of them are told
+NODES = (  # Gauss and Legendre's places and weights on −1 to 1, the positive half
+    (0.1488743389816312, 0.2955242247147529),
+    (0.4333953941292472, 0.2692667193099963),
+    (0.6794095682990244, 0.2190863625159821),
+    (0.8650633666889845, 0.1494513491505806),
+    (0.9739065285171717, 0.0666713443086881),
+)
+
+
+class Drift(Struct, frozen=True):
+    """The largest misfit of energy and of momentum, as a part of the largest that there was; None where not all is told."""
+
+    energy: float | None
+    momentum: float | None
+
+
+class Balance(Struct, frozen=True):
+    """A quantity, the rate at which it is fed, and the parts that tell its size: places on a tape.
+
+    `check` is what the rate must be at once, where it is known in another way.
+    """
+
+    value: int
+    rate: int
+    parts: tuple[int, ...]
+    check: int | None = None
+
+
+def drift(stretches: Sequence[Stretch]) -> Drift:
+    """The drift of energy and momentum over a whole motion."""
+    return Drift(*(largest(stretches, balances) for balances in (of_energy, of_momentum)))
+
+
+def largest(stretches: Sequence[Stretch], balances: Callable[[Course], Iterator[Balance]]) -> float | None:
+    """The largest misfit within a stretch, as a part of the largest size in all; None where the forces do not tell it."""
+    misfits, sizes = [0.0], [0.0]
+    for part in stretches:
+        with Precision(BITS):
+            found = list(balances(part.course))
+        for balance in found:
+            pair = misfit(balance, part)
+            if pair is None:
+                return None
+            misfits.append(pair[0])
+            sizes.append(pair[1])
+        if not found:
+            return None
+    return max(misfits) / max(sizes) if max(sizes) else max(misfits)
+
+
+def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
+    """By how much value − ∫ rate dt changes in a stretch, and the largest size; None where the rate is not what it must be."""
+    course = part.course
+    places = (balance.value, balance.rate, *balance.parts, *((balance.check,) if balance.check is not None else ()))
+    reading = Values(course, places)
+    fed = course.tape.constant(balance.rate) != 0
+    pieces = part.runs[0].pieces
+    pieces = pieces if fed else pieces[:: 1 + len(pieces) // LOOKS]
+    first, spent, worst, size = reading.at(part, part.times[0]), [0.0], 0.0, 0.0
+    with Precision(BALANCE_BITS):
+        for piece in pieces:
+            if fed:
+                half = piece.length / 2
+                for place, weight in NODES:
+                    for sign in (-1, 1):
+                        spent.append(
+                            half * weight * float(reading.at(part, piece.start + half * (1 + sign * place))[1])
+                        )
+            now = reading.at(part, piece.start + piece.length)
+            size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
+            worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
+            if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * (
+                abs(float(now[1])) + abs(float(now[-1]))
+            ):
+                return None
+    return worst, size
+
+
+class Values:
+    """Reads some places on a tape at moments of a stretch, by its main run."""
+
+    def __init__(self, course: Course, places: Sequence[int]) -> None:
+        self.places = places
+        self.letters = [course.letters[item.letter] for item in course.variables]
+        self.clock = course.letters[TIME]
+        self.expansion = Expansion(course.tape, places, BALLS)
+
+    def at(self, part: Stretch, time: float) -> list[Scalar]:
+        state = zip(self.letters, map(arb, part.middle(time)), strict=True)
+        self.expansion.begin({**dict(state), self.clock: arb(time)})
+        return [self.expansion.lists[place][0] for place in self.places]
+
+
+def of_energy(course: Course) -> Iterator[Balance]:
+    """K + U against the power of what has no potential; nothing where a turning shaft gives energy."""
+    bodies = course.facts.bodies
+    if any(body.sweep is not None for body in bodies):
+        return
+    kinetic = energy.kinetic(list(bodies))
+    heights = [
+        force.size * (risen(body, course) + force.arm.along(UP))
+        for body in bodies
+        for force in body.forces
+        if force.role == "weight"
+    ]
+    stored = [item.energy for item in course.facts.potentials]
+    holders = {item.owner for item in course.facts.potentials}
+    powers: list[Formula] = []
+    for body in bodies:
+        for item in body.acting:
+            if item.internal or item.role == "weight" or item.owner in holders:
+                continue
+            moving = isinstance(item, Force)
+            powers.append(
+                item.vector.dot(body.motion.velocity_of(item.arm)) if moving else item.torque * body.motion.spin
+            )
+    yield from told(course, [*kinetic, *heights, *stored], powers, kinetic)
+
+
+def risen(body: BodyFacts, course: Course) -> Formula:
+    """How high the reference point of a body is above some level that stays."""
+    motion, since = body.motion, GENERIC + course.moment.state
+    if motion.kind == "axis":
+        return ZERO
+    if motion.bend is not None:
+        return motion.bend.radius * motion.bend.outward.sin()
+    axis = "" if motion.heading is not None else "y"
+    gone = Symbol(SEPARATOR.join(("displacement", body.name, axis, since)))
+    return gone if motion.heading is None else gone * motion.heading.sin()
+
+
+def of_momentum(course: Course) -> Iterator[Balance]:
+    """Σ m v to the right and up against the sum of all forces, where these are all told."""
+    for axis in (RIGHT, UP):
+        parts = [body.mass * body.centre_velocity.along(axis) for body in course.facts.bodies]
+        forces = [force.vector.along(axis) for body in course.facts.bodies for force in body.forces]
+        rates = [body.mass * body.centre_acceleration.along(axis) for body in course.facts.bodies]
+        yield from told(course, parts, forces, parts, rates)
+
+
+def told(
+    course: Course, value: list[Formula], rate: list[Formula], parts: list[Formula], check: list[Formula] | None = None
+) -> Iterator[Balance]:
+    """A balance on the tape of a course, where all its letters are told."""
+    formulas = [total(value), total(rate), *parts, *([total(check)] if check is not None else [])]
+    if all(formula.symbols() <= set(course.letters) for formula in formulas):
+        places = [course.tape.formula(formula, course.letters) for formula in formulas]
+        last = places.pop() if check is not None else None
+        yield Balance(places[0], places[1], tuple(places[2:]), last)

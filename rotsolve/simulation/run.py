@@ -1,0 +1,70 @@
+"""Run: a motion that has been followed, and what can be read from it at any moment, each number with its bound."""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from functools import cached_property
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
+from rotsolve.scene.model import Problem
+from rotsolve.simulation.balance import Drift, drift
+from rotsolve.simulation.bounded import ROUNDING, Reading, Stretch
+from rotsolve.simulation.following import READING_BITS, Event
+from rotsolve.simulation.series import Scalar
+
+
+class Run(Struct, dict=True):
+    """A motion in time. `names` are what can be told at any moment; every number comes with a bound that holds the true one."""
+
+    problem: Problem
+    until: float
+    accuracy: float
+    stretches: list[Stretch]
+    events: tuple[Event, ...] = ()
+    ended: str = ""  # why it was not followed to the end asked for
+    _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
+
+    @property
+    def end(self) -> float:
+        """The time to which it was followed."""
+        return self.stretches[-1].ends[0]
+
+    @cached_property
+    def drift(self) -> Drift:
+        """How far energy and momentum are from what the forces make of them, as parts of the largest that there was."""
+        return drift(self.stretches)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """What can be told at any moment: `rod.angle`, `block.velocity`, `string.tension`, …"""
+        return tuple(self.stretches[0].course.outputs)
+
+    def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
+        """Quantities at a time as balls that hold the true values."""
+        number = max(0, bisect_right([item.times[0] for item in self.stretches], time) - 1)
+        part = self.stretches[number]
+        wanted = tuple(name for name in (names or part.course.outputs) if name in part.course.outputs)
+        if (number, wanted) not in self._readings:
+            self._readings[number, wanted] = Reading(part.course, wanted)
+        with Precision(max(READING_BITS, 2 * part.bits)):
+            reading = self._readings[number, wanted]
+            found = reading.read(time, part.state(time))
+            direct = {item.name for item in part.course.variables}
+            others = [name for name in wanted if name not in direct]
+            if others:
+                middles = reading.read(time, part.middle(time))
+                for name, bound in zip(others, part.derived(time, others), strict=True):
+                    apart = arb(middles[name].mid(), bound + ROUNDING * abs(float(middles[name])))
+                    found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
+        return found
+
+    def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
+        """Values at a time, each with its bound, in SI units and radians."""
+        found = {}
+        for name, ball in self.balls(time, names).items():
+            value = float(ball.mid())
+            found[name] = (value, float(abs(ball - value).upper()))
+        return found
