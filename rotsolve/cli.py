@@ -180,6 +180,70 @@ def solve(
     raise typer.Exit(code)
 
 
+def time_checked(text: str, option: str) -> float:
+    """A length of time in seconds, above zero."""
+    from rotsolve.simulation.simulating import seconds_of
+
+    try:
+        seconds = seconds_of(text)
+    except ValueError as error:
+        raise typer.BadParameter(
+            str(error).replace("moment; write t=2s", "time; write 10s"), param_hint=option
+        ) from None
+    if not 0 < seconds < float("inf"):
+        raise typer.BadParameter(f"{text!r} is not above zero", param_hint=option)
+    return seconds
+
+
+Scene = Annotated[str, typer.Argument(metavar="FILE", help="A scene; - reads one from standard input.")]
+Until = Annotated[str, typer.Option(metavar="TIME", help="Follow the motion so long.")]
+Step = Annotated[str | None, typer.Option(metavar="TIME", help="Time between two rows. [default: about ten rows]")]
+Accuracy = Annotated[
+    float,
+    typer.Option(metavar="X", min=1e-60, max=1e-2, help="Bound of each number, as a part of its largest size."),
+]
+Csv = Annotated[bool, typer.Option("--csv", help="Print all quantities with their bounds, separated by commas.")]
+Plot = Annotated[str | None, typer.Option(metavar="FILE", help="Draw the motion into a file, .svg or .png.")]
+
+
+@app.command()
+def simulate(
+    file: Scene,
+    until: Until = "10s",
+    step: Step = None,
+    accuracy: Accuracy = 1e-9,
+    csv: Csv = False,
+    plot: Plot = None,
+    settings: Settings = None,
+    width: Width = None,
+) -> None:
+    """Follow a scene in time, from its first state on.
+
+    \b
+    Examples:
+      rotsolve simulate problems/hinged/rod-30.yaml --until 5s
+      rotsolve simulate problems/hinged/rod-30.yaml --until 5s --step 0.1s --csv
+      rotsolve simulate problems/rolling/bowling-ball.yaml --until 3s --plot ball.svg
+
+    The equations of motion are those of the scene's own laws. Every digit shown is settled by the bound of its number.
+    """
+    if plot is not None and not plot.lower().endswith((".svg", ".png")):
+        raise typer.BadParameter(f"{plot!r} is no .svg or .png", param_hint="'--plot'")
+    if plot is not None and csv:
+        raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
+    seconds = time_checked(until, "'--until'")
+    between = time_checked(step, "'--step'") if step is not None else None
+    from rotsolve.simulation.command import Request, run
+
+    with orderly():
+        code = run(
+            Request(
+                file, seconds, accuracy, between, csv, plot, read_settings(settings or []), width or page_width(None)
+            )
+        )
+    raise typer.Exit(code)
+
+
 def page_width(output: str | None) -> int:
     """The terminal's columns where the page goes to one, 120 elsewhere and at most."""
     if output or not sys.stdout.isatty():

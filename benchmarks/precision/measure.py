@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import resource
+import signal
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -15,12 +16,13 @@ from statistics import median
 from time import perf_counter
 from typing import NamedTuple
 
-from .peers.ours import ways
-from .problem import Problem
+from .peers.ours import command, ways
+from .problem import FLOATS, Problem
+from .worker import LIMIT
 
 BENCHMARKS = Path(__file__).resolve().parent.parent
-LIMIT = 60.0  # seconds, after which a solve is given up
-SLOW = 4.0  # seconds, from which on one cold run is enough
+SLOW = 2.0  # seconds of the processor, from which on one cold run is enough
+STUCK = 600.0  # seconds by the clock, after which a process that does not even calculate is ended
 # An installed package has its bytecode; a checkout run with this variable set would be compiled anew in every process.
 KEEPING_BYTECODE = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
 
@@ -63,19 +65,30 @@ def used() -> float:
     return usage.ru_utime + usage.ru_stime
 
 
-def process(*arguments: str) -> tuple[Cost, str, str]:
-    """One worker: its cost, its output, and why it failed."""
+def worker(row: Row, *more: str) -> list[str]:
+    """A script in Python that solves with a peer."""
+    return [sys.executable, "-m", "precision.worker", row.problem, row.peer, row.setting, *more]
+
+
+def cold(problem: Problem, row: Row) -> list[str]:
+    """The whole process that is timed: our own command, a script for a peer."""
+    return command(problem, row.setting) if row.peer == "rotsolve" else worker(row)
+
+
+def process(command: list[str]) -> tuple[Cost, str, str]:
+    """One process: its cost, its output, and why it failed."""
     wall, cpu = perf_counter(), used()
-    command = [sys.executable, "-m", "precision.worker", *arguments]
     try:
         done = subprocess.run(
-            command, capture_output=True, text=True, check=False, timeout=LIMIT, cwd=BENCHMARKS, env=KEEPING_BYTECODE
+            command, capture_output=True, text=True, check=False, timeout=STUCK, cwd=BENCHMARKS, env=KEEPING_BYTECODE
         )
     except subprocess.TimeoutExpired:
-        return Cost(perf_counter() - wall, used() - cpu), "", f"given up after {LIMIT:.0f} s"
+        return Cost(perf_counter() - wall, used() - cpu), "", "stuck"
     cost = Cost(perf_counter() - wall, used() - cpu)
-    lines = done.stderr.strip().splitlines()
-    return cost, done.stdout, lines[-1] if done.returncode and lines else ""
+    if done.returncode == -signal.SIGXCPU:
+        return cost, "", f"given up after {LIMIT} s"
+    lines = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
+    return cost, done.stdout, lines[-1] if done.returncode else ""
 
 
 def installed(package: str) -> bool:
@@ -85,10 +98,10 @@ def installed(package: str) -> bool:
 
 def first_row(problem: Problem, reference: tuple[Fraction, ...], peer: str, setting: str) -> Row:
     """The answers of a peer and their errors, and what a further solve costs."""
-    cost, output, failed = process(problem.name, peer, setting, "again")
-    row = Row(problem.name, peer, setting, failed)
+    row = Row(problem.name, peer, setting)
+    cost, output, failed = process(worker(row, "again"))
     if failed:
-        return row._replace(colds=(cost,))
+        return row._replace(failed=failed, colds=(cost,))
     told = json.loads(output)
     claims = [answer if isinstance(answer, list) else (answer, "0") for answer in told["answers"]]
     values, bounds = zip(*claims, strict=True)
@@ -103,7 +116,7 @@ def first_row(problem: Problem, reference: tuple[Fraction, ...], peer: str, sett
         else (),
         drift=drift(problem, values),
         marginal=told["marginal"],
-        colds=(cost,) if cost.wall > SLOW else (),
+        colds=(cost,) if cost.cpu > SLOW else (),
     )
 
 
@@ -119,8 +132,6 @@ def drift(problem: Problem, values: tuple[str | float, ...]) -> float | None:
     """How far the energy at the end is from that at the start."""
     if problem.energy is None or problem.motion is None:
         return None
-    from .problem import FLOATS
-
     start = problem.motion.read(problem.motion.start(FLOATS), FLOATS.pi)
     return abs(problem.energy([float(value) for value in values]) - problem.energy(start))
 
@@ -134,6 +145,6 @@ def measure(problem: Problem, reference: tuple[Fraction, ...], rounds: int, leas
             rows += [first_row(problem, reference, peer, setting) for setting in settings]
     for _ in range(rounds):
         for index, row in enumerate(rows):
-            if not row.failed and not (row.colds and row.colds[0].wall > SLOW):
-                rows[index] = row._replace(colds=(*row.colds, process(row.problem, row.peer, row.setting)[0]))
+            if not row.failed and not (row.colds and row.colds[0].cpu > SLOW):
+                rows[index] = row._replace(colds=(*row.colds, process(cold(problem, row))[0]))
     yield from rows

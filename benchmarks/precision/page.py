@@ -7,10 +7,11 @@ from importlib.metadata import PackageNotFoundError, version
 
 from report import machine
 
-from .measure import LIMIT, Row
+from .measure import Row
 from .peers.ours import ways
 from .problem import Problem
 from .reach import figures, milliseconds
+from .worker import LIMIT
 
 PACKAGES = ("numpy", "scipy", "mpmath", "sympy", "heyoka", "mujoco", "pymunk")
 HEAD = """\
@@ -23,8 +24,9 @@ them best (angles from upright, where the rod starts next to it). Errors are aga
 routes agree that share nothing but the numbers of the problem (`--references` makes them anew): the largest error of the
 asked quantities, relative where a number is asked, absolute (rad, rad/s) where a state is. **Whole process** is the
 processor time (user and system) of a fresh process from start to exit, the median of {rounds} that took turns with all
-others; what else the machine does counts little so. **Clock** is the time that passed meanwhile, **one more** the processor time of a
-further solve in the same process. heyoka compiles on several processors at once. What takes longer than {limit} is given up.
+others, so that what else the machine does counts little: of ours the command `rotsolve solve` or `rotsolve simulate`, of the others a
+script in Python. **Clock** is the time that passed meanwhile, **one more** the processor time of a further solve in the same
+process; heyoka compiles on several processors at once. What takes longer than {limit} is given up.
 """
 
 
@@ -41,7 +43,7 @@ def versions() -> str:
 
 def section(problems: Sequence[Problem], rows: Sequence[Row], rounds: int, pictures: Sequence[str]) -> str:
     """The whole section in Markdown."""
-    head = HEAD.format(machine=machine(), versions=versions(), rounds=rounds, limit=f"{LIMIT:.0f} s")
+    head = HEAD.format(machine=machine(), versions=versions(), rounds=rounds, limit=f"{LIMIT} s")
     parts = [head, "### Targets\n", *targets(problems, rows), ""]
     parts += [f"![Run time against error]({name})\n" for name in pictures]
     parts.append("### All rows\n")

@@ -46,3 +46,18 @@ def progress(files: Sequence[str], done: int, stream: TextIO) -> Iterator[Iterat
                 bar.advance(task)
 
         yield rest()
+
+
+class Advance:
+    """A bar for one long calculation, told how much of it is done; it goes away at the end."""
+
+    def __init__(self, what: str, stream: TextIO) -> None:
+        self.bar = Progress(console=Console(file=stream), transient=True)
+        self.bar.start()
+        self.task = self.bar.add_task(escape(what), total=1.0)
+
+    def to(self, part: float) -> None:
+        self.bar.update(self.task, completed=part)
+
+    def done(self) -> None:
+        self.bar.stop()

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from bisect import bisect_right
 from functools import cached_property
+from math import inf
 
 from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.scene.model import Problem
-from rotsolve.simulation.balance import Drift, drift
-from rotsolve.simulation.bounded import ROUNDING, Reading, Stretch
-from rotsolve.simulation.following import READING_BITS, Event
-from rotsolve.simulation.series import Scalar
+from rotsolve.simulation.steps.balance import Drift, drift
+from rotsolve.simulation.steps.bounded import ROUNDING, Reading, Stretch
+from rotsolve.simulation.steps.following import READING_BITS, Event
+from rotsolve.simulation.tape.tape import Scalar
 
 
 class Run(Struct, dict=True):
@@ -25,12 +26,13 @@ class Run(Struct, dict=True):
     stretches: list[Stretch]
     events: tuple[Event, ...] = ()
     ended: str = ""  # why it was not followed to the end asked for
+    settled: float = inf  # the time to which its numbers are as accurate as asked
     _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
 
     @property
     def end(self) -> float:
         """The time to which it was followed."""
-        return self.stretches[-1].ends[0]
+        return min(self.settled, self.stretches[-1].ends[0])
 
     @cached_property
     def drift(self) -> Drift:
@@ -44,6 +46,7 @@ class Run(Struct, dict=True):
 
     def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
         """Quantities at a time as balls that hold the true values."""
+        self._check(time)
         number = max(0, bisect_right([item.times[0] for item in self.stretches], time) - 1)
         part = self.stretches[number]
         wanted = tuple(name for name in (names or part.course.outputs) if name in part.course.outputs)
@@ -60,6 +63,10 @@ class Run(Struct, dict=True):
                     apart = arb(middles[name].mid(), bound + ROUNDING * abs(float(middles[name])))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
         return found
+
+    def _check(self, time: float) -> None:
+        if not 0 <= time <= self.end:
+            raise ValueError(f"the motion was followed from 0 to {self.end:g} s, not to {time:g} s")
 
     def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
         """Values at a time, each with its bound, in SI units and radians."""

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import math
 import os
-from bisect import bisect_right
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
+from time import monotonic
 
-from msgspec import Struct, field
-
-from rotsolve.algebra.certified.ball import Precision, evaluate
-from rotsolve.algebra.flints import arb
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.arranged import arranged
@@ -19,15 +16,15 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
-from rotsolve.simulation.bounded import FLOAT_BITS, ROUNDING, Reading, Stretch, Tolerances, Unsettled
-from rotsolve.simulation.following import Follower
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.series import Scalar
-from rotsolve.simulation.taylor import Unbounded
+from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.steps.following import Event, Followed, Follower
+from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 AIM = 1e-3  # tolerance of a step, of the accuracy asked for
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
+PATIENCE = 60.0  # seconds after which it is not tried any finer
 
 
 def simulate(
@@ -35,28 +32,38 @@ def simulate(
     until: str | float = "10 s",
     accuracy: float = 1e-9,
     settings: Mapping[str, str] | None = None,
+    tell: Callable[[float], None] | None = None,
 ) -> Run:
     """Follow a scene in time from its first state: a path, or YAML text (text with a line break).
 
-    Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated.
+    `accuracy` is what the bound of each coordinate and speed may be, as a part of its largest size; `tell` is told how much is done.
+    Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated, ValueError for a time or accuracy that
+    is none.
     """
+    seconds = float(until) if isinstance(until, (int, float)) else seconds_of(until)
+    if not 0 < seconds < math.inf:
+        raise ValueError("the time to simulate must be above zero")
+    if not MOST_ACCURACY <= accuracy <= LEAST_ACCURACY:
+        raise ValueError(f"the accuracy must be between {MOST_ACCURACY:g} and {LEAST_ACCURACY:g}")
     if isinstance(source, str) and "\n" in source:
         problem = read_text(source, settings=settings or {})
     else:
         problem = read_file(Path(source), settings=settings or {})
-    seconds = float(until) if isinstance(until, (int, float)) else seconds_of(until)
-    return simulate_problem(problem, seconds, accuracy)
+    return simulate_problem(problem, seconds, accuracy, tell)
 
 
 def seconds_of(text: str) -> float:
+    """A time as it is written, in seconds."""
     return evaluate(read_moment(text).value, {}, digits=17).float
 
 
-def simulate_problem(problem: Problem, until: float, accuracy: float) -> Run:
+def simulate_problem(
+    problem: Problem, until: float, accuracy: float, tell: Callable[[float], None] | None = None
+) -> Run:
     """Follow a problem that has been read."""
     arrangement = arranged(problem)
     try:
-        return followed(arrangement, until, accuracy)
+        return followed(arrangement, until, accuracy, tell)
     except NotYet as error:
         span, help = error.span, error.help
         raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
@@ -64,27 +71,70 @@ def simulate_problem(problem: Problem, until: float, accuracy: float) -> Run:
         raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
-def followed(arrangement: Arrangement, until: float, accuracy: float) -> Run:
-    """Follow an arrangement; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked."""
-    tolerances = Tolerances(max(FINEST, AIM * accuracy))
+def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow an arrangement; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
+
+    When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
+    """
+    tolerances, best, start = Tolerances(max(FINEST, AIM * accuracy)), None, monotonic()
+
+    def going_on(part: float) -> None:
+        if monotonic() - start > PATIENCE:
+            raise TimeoutError
+        if tell is not None:
+            tell(part)
+
     while True:
-        found = Follower(arrangement, until, tolerances).followed()
+        try:
+            found = Follower(arrangement, until, tolerances, going_on).followed()
+        except (Unsettled, TimeoutError) as error:
+            if isinstance(error, Unsettled) and tolerances.main > FINEST * FINEST:
+                tolerances = finer(tolerances, 1e6)
+                continue
+            if best is None:
+                raise Unsettled(getattr(error, "time", 0.0)) from None
+            settled = settled_until(best.stretches, accuracy)
+            why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
+            return Run(arrangement.problem, until, accuracy, best.stretches, events_until(best, settled), why, settled)
         excess = worst(found.stretches) / accuracy
         if excess <= 1:
             return Run(arrangement.problem, until, accuracy, found.stretches, tuple(found.events), found.ended)
-        tolerances = finer(tolerances, excess)
+        tolerances, best = finer(tolerances, excess), found
 
 
-def worst(stretches: Sequence[Stretch]) -> float:
-    """The widest bound of a number of the state, as a part of its largest size."""
+def events_until(found: Followed, time: float) -> tuple[Event, ...]:
+    return tuple(event for event in found.events if event.time <= time)
+
+
+def sizes_of(stretches: Sequence[Stretch]) -> dict[str, float]:
+    """The largest size of each number of the state."""
     sizes: dict[str, float] = {}
-    bounds: dict[str, float] = {}
     for part in stretches:
         for number, item in enumerate(part.course.variables):
             own = max(abs(float(piece.polynomials[number][0])) for piece in part.runs[0].pieces)
             sizes[item.name] = max(sizes.get(item.name, 0.0), own, abs(float(part.last[0][number])))
-            bounds[item.name] = part.bounds[-1][number]
-    return max((bounds[name] / size for name, size in sizes.items() if size), default=0.0)
+    return sizes
+
+
+def excess_of(part: Stretch, bounds: Sequence[float], sizes: Mapping[str, float]) -> float:
+    """The widest of some bounds of the state, as a part of the size of its number."""
+    pairs = zip(part.course.variables, bounds, strict=True)
+    return max((bound / sizes[item.name] for item, bound in pairs if sizes[item.name]), default=0.0)
+
+
+def worst(stretches: Sequence[Stretch]) -> float:
+    """The widest bound of a number of the state at the end."""
+    return excess_of(stretches[-1], stretches[-1].bounds[-1], sizes_of(stretches))
+
+
+def settled_until(stretches: Sequence[Stretch], accuracy: float) -> float:
+    """The time up to which all bounds are as asked."""
+    sizes = sizes_of(stretches)
+    for part in stretches:
+        for piece, bounds in zip(part.runs[0].pieces, part.bounds, strict=True):
+            if excess_of(part, bounds, sizes) > accuracy:
+                return piece.start
+    return stretches[-1].ends[0]
 
 
 def finer(tolerances: Tolerances, excess: float) -> Tolerances:

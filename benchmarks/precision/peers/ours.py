@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from decimal import Decimal
 from pathlib import Path
 
@@ -15,6 +16,17 @@ Claim = tuple[str, str]  # a value and its bound
 def settings_of(problem: Problem) -> dict[str, str]:
     """The givens that a problem sets, as `--set` would."""
     return dict(text.split("=", 1) for text in problem.sets)
+
+
+def command(problem: Problem, setting: str) -> list[str]:
+    """The same on the command line, as anyone would type it."""
+    scene, sets = str(ROOT / problem.scene), [part for text in problem.sets for part in ("--set", text)]
+    if problem.simulated:
+        until = f"{problem.until}s"
+        asked = ["simulate", scene, "--until", until, "--step", until, "--accuracy", setting, "--csv"]
+    else:
+        asked = ["solve", scene, "--digits", setting, "--format", "json"]
+    return [sys.executable, "-m", "rotsolve", *asked, *sets]
 
 
 def solve(problem: Problem, setting: str) -> list[Claim]:

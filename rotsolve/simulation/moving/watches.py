@@ -22,9 +22,10 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.scene.model import Condition, Path, State
-from rotsolve.simulation.course import Course, refusal
-from rotsolve.simulation.series import needed
-from rotsolve.simulation.tape import ONE, Exact, Unwritable
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.moving.names import refusal
+from rotsolve.simulation.tape.series import needed
+from rotsolve.simulation.tape.tape import ONE, Exact, Unwritable
 
 PASSED = {"displacement": "position", "rotation": "angle", "turns": "angle"}  # what counts from the state before
 ZERO_THERE = {"slack": "tension", "leaves": "normal_force"}

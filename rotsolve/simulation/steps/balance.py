@@ -18,10 +18,10 @@ from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.principles import energy
-from rotsolve.simulation.bounded import Stretch
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.series import BALLS, Expansion, Scalar
-from rotsolve.simulation.tape import BITS
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.steps.bounded import Stretch
+from rotsolve.simulation.tape.series import BALLS, Expansion
+from rotsolve.simulation.tape.tape import BITS, Scalar
 
 LOOKS = 200  # moments of a stretch, at most, at which the balance is drawn where there are no integrals
 BALANCE_BITS = 128
@@ -84,7 +84,8 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     fed = course.tape.constant(balance.rate) != 0
     pieces = part.runs[0].pieces
     pieces = pieces if fed else pieces[:: 1 + len(pieces) // LOOKS]
-    first, spent, worst, size = reading.at(part, part.times[0]), [0.0], 0.0, 0.0
+    first, spent = reading.at(part, part.times[0]), [0.0]
+    worst = size = strongest = 0.0
     with Precision(BALANCE_BITS):
         for piece in pieces:
             if fed:
@@ -97,9 +98,8 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
             now = reading.at(part, piece.start + piece.length)
             size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
             worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
-            if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * (
-                abs(float(now[1])) + abs(float(now[-1]))
-            ):
+            strongest = max(strongest, abs(float(now[1])))
+            if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * max(strongest, size):
                 return None
     return worst, size
 
@@ -138,10 +138,10 @@ def of_energy(course: Course) -> Iterator[Balance]:
         for item in body.acting:
             if item.internal or item.role == "weight" or item.owner in holders:
                 continue
-            moving = isinstance(item, Force)
-            powers.append(
-                item.vector.dot(body.motion.velocity_of(item.arm)) if moving else item.torque * body.motion.spin
-            )
+            if isinstance(item, Force):
+                powers.append(item.vector.dot(body.motion.velocity_of(item.arm)))
+            else:
+                powers.append(item.torque * body.motion.spin)
     yield from told(course, [*kinetic, *heights, *stored], powers, kinetic)
 
 

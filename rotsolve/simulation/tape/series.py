@@ -9,17 +9,15 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping, Sequence
 from operator import mul
-from typing import Any
 
 from msgspec import Struct
 
 from rotsolve.algebra.flints import arb
-from rotsolve.simulation.tape import Exact, Operation, Tape
+from rotsolve.simulation.tape.elimination import Lists, Made, Series, solver_of
+from rotsolve.simulation.tape.tape import Exact, Operation, Scalar, Tape
 
-Scalar = Any  # float or arb
-Series = list[Scalar]
-Step = Callable[[int], None]  # appends the coefficient of this order
-OF_FLOAT = {
+Functions = Mapping[str, Callable[[Scalar], Scalar]]
+OF_FLOAT: Functions = {
     "sin": math.sin,
     "cos": math.cos,
     "exp": math.exp,
@@ -30,14 +28,14 @@ OF_FLOAT = {
     "abs": abs,
 }
 COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
-OF_BALL = {name: getattr(arb, name, abs) for name in OF_FLOAT}
+OF_BALL: Functions = {name: getattr(arb, name, abs) for name in OF_FLOAT}
 
 
 class Arithmetic(Struct, frozen=True):
     """Numbers to calculate with: how constants enter, and what functions give."""
 
     number: Callable[[Exact], Scalar]
-    functions: Mapping[str, Callable[[Scalar], Scalar]]
+    functions: Functions
 
 
 def nearest(number: Exact) -> float:
@@ -69,7 +67,7 @@ class Expansion:
         self.places = needed(tape, wanted)
         self.lists: dict[int, Series] = {place: [] for place in self.places}
         self.starts: list[Callable[[], None]] = []
-        self.steps: list[Step] = []
+        self.steps: list[Callable[[int], None]] = []
         solved: set[str] = set()
         for place in self.places:
             operation = tape.operations[place]
@@ -127,10 +125,6 @@ def needed(tape: Tape, wanted: Sequence[int]) -> list[int]:
 def partner(tape: Tape, place: int) -> int:
     """The cosine of a sine, and the other way round; they are written one after the other."""
     return place + 1 if tape.operations[place].kind == "sin" else place - 1
-
-
-Made = tuple[Callable[[], None], Step | None]  # what begins a series, and what appends to it; nothing to a constant's
-Lists = Mapping[int, Series]
 
 
 def number_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
@@ -255,90 +249,6 @@ def size_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmet
         own.append(abs(argument[0]))
 
     return start, lambda order: own.append(argument[order] if argument[0] > 0 else -argument[order])
-
-
-def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
-    """Linear equations A x = b: A₀ xₖ = bₖ − Σ Aⱼ xₖ₋ⱼ, j from 1, with A₀ factored once; what is constant in A drops out of the sum."""
-    block = tape.blocks[int(name)]
-    owns = [lists[place] for place in unknowns_of(tape, name)]
-    rows = [[lists[value] for value in row] for row in block.rows]
-    right = [lists[value] for value in block.right]
-    moving = [tape.constant(value) is None for value in block.right]
-    changing = [
-        [(own, lists[value]) for own, value in zip(owns, row, strict=True) if tape.constant(value) is None]
-        for row in block.rows
-    ]
-    lines = list(zip(right, moving, changing, strict=True))
-    held: list[Callable[[list[Scalar]], list[Scalar]]] = []
-
-    def start() -> None:
-        held[:] = [factored([[series[0] for series in row] for row in rows])]
-        for own, value in zip(owns, held[0]([series[0] for series in right]), strict=True):
-            own.append(value)
-
-    def step(order: int) -> None:
-        rest = []
-        for series, moves, pairs in lines:
-            total = series[order] if moves else 0
-            for own, coefficient in pairs:
-                total = total - sum(map(mul, own, coefficient[order:0:-1]))
-            rest.append(total)
-        for own, value in zip(owns, held[0](rest), strict=True):
-            own.append(value)
-
-    return start, step
-
-
-def unknowns_of(tape: Tape, name: str) -> list[int]:
-    """The places of the unknowns of a block, in their order."""
-    found = [
-        (int(item.numbers[0].p), place)
-        for place, item in enumerate(tape.operations)
-        if (item.kind, item.name) == ("unknown", name)
-    ]
-    return [place for _, place in sorted(found)]
-
-
-def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]]:
-    """What solves A x = b for this A: by elimination with the largest pivot of each column."""
-    size = len(table)
-    order = list(range(size))
-    for k in range(size):
-        best = max(range(k, size), key=lambda i: abs(float(table[i][k])))
-        table[k], table[best] = table[best], table[k]
-        order[k], order[best] = order[best], order[k]
-        for i in range(k + 1, size):
-            table[i][k] = table[i][k] / table[k][k]
-            for j in range(k + 1, size):
-                table[i][j] = table[i][j] - table[i][k] * table[k][j]
-
-    if size == 2:
-        return solver_of_two(table, order[0] == 1)
-
-    def solve(right: list[Scalar]) -> list[Scalar]:
-        found = [right[i] for i in order]
-        for i in range(size):
-            for j in range(i):
-                found[i] = found[i] - table[i][j] * found[j]
-        for i in reversed(range(size)):
-            for j in range(i + 1, size):
-                found[i] = found[i] - table[i][j] * found[j]
-            found[i] = found[i] / table[i][i]
-        return found
-
-    return solve
-
-
-def solver_of_two(table: list[list[Scalar]], turned: bool) -> Callable[[list[Scalar]], list[Scalar]]:
-    """The same for two unknowns, the commonest case, written out; `turned` where the rows have been exchanged."""
-    (a, b), (factor, d) = table
-
-    def solve(right: list[Scalar]) -> list[Scalar]:
-        first, second = (right[1], right[0]) if turned else right
-        y = (second - factor * first) / d
-        return [(first - b * y) / a, y]
-
-    return solve
 
 
 OPERATIONS: Mapping[str, Callable[..., Made]] = {

@@ -13,9 +13,9 @@ from collections.abc import Sequence
 from msgspec import Struct, field
 
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.series import Arithmetic, Expansion, Scalar
-from rotsolve.simulation.tape import ONE, ZERO
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.tape.series import Arithmetic, Expansion
+from rotsolve.simulation.tape.tape import ONE, ZERO, Scalar
 
 LEAST_ORDER, MOST_ORDER = 10, 150
 WINDOW = 6  # last coefficients that tell how fast all of them fall; of a symmetric motion most vanish
@@ -109,7 +109,7 @@ class Stepper:
             sizes = (abs(float(polynomial[k])) * before**k for k in range(3))
             size = max(sizes) or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
             longest = min(longest, *((size / end) ** (1 / k) for k, end in ends if end))
-        return longest * self.tolerance ** (1 / self.order)
+        return float(longest * self.tolerance ** (1 / self.order))
 
 
 def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:

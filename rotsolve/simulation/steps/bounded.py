@@ -7,7 +7,7 @@ steps and roundings leave out differs between the two, and grows in both as the 
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -15,11 +15,12 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
-from rotsolve.simulation.crossing import Hit, Lookout
-from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion, Scalar
-from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for
-from rotsolve.simulation.watches import Watch
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.moving.watches import Watch
+from rotsolve.simulation.steps.crossing import Hit, Lookout
+from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for
+from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.tape.tape import Scalar
 
 SAFETY = 3.0  # what the difference of the two runs is multiplied by
 COARSER = 10.0  # how much larger the tolerance of the second run is
@@ -101,7 +102,13 @@ def start_of(course: Course, tolerances: Tolerances) -> States:
 
 
 def stretch(
-    course: Course, times: Times, states: States, until: float, tolerances: Tolerances, watched: Sequence[Watch]
+    course: Course,
+    times: Times,
+    states: States,
+    until: float,
+    tolerances: Tolerances,
+    watched: Sequence[Watch],
+    tell: Callable[[float], None],
 ) -> Stretch:
     """Follow a course from a time on by both runs until something happens."""
     order = order_for(tolerances.main)
@@ -110,7 +117,7 @@ def stretch(
         for kind, time, state, coarser in zip(tolerances.arithmetics, times, states, (1.0, COARSER), strict=True):
             stepper = Stepper(course, kind, coarser * tolerances.main, order, [watch.place for watch in watched])
             walker = Walker(stepper, time, state, coarser > 1)
-            motion, hit = followed_until(walker, until, Lookout(watched))
+            motion, hit = followed_until(walker, until, Lookout(watched), tell)
             runs.append(motion)
             ends.append(walker.time)
             last.append(walker.state)
@@ -120,12 +127,15 @@ def stretch(
     return Stretch(course, tolerances.bits, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
 
 
-def followed_until(walker: Walker, until: float, lookout: Lookout) -> tuple[Motion, Hit | None]:
+def followed_until(
+    walker: Walker, until: float, lookout: Lookout, tell: Callable[[float], None]
+) -> tuple[Motion, Hit | None]:
     """The pieces of a motion until something happens, or to a time."""
     motion = Motion()
     while True:
         piece = walker.piece(until)
         motion.add(piece)
+        tell(walker.time / until)
         hit = lookout.first(piece)
         if hit is not None:
             motion.pieces[-1] = replace(piece, length=hit.time - piece.start)

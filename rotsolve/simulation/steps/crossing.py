@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 from msgspec import Struct
 
-from rotsolve.simulation.series import Scalar
-from rotsolve.simulation.taylor import Piece, value
-from rotsolve.simulation.watches import Watch
+from rotsolve.simulation.moving.watches import Watch
+from rotsolve.simulation.steps.taylor import Piece, value
+from rotsolve.simulation.tape.tape import Scalar
 
 SAMPLES = 8  # moments of a step at which the watched values are looked at
 HALVINGS = 200

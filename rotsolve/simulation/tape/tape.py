@@ -25,6 +25,7 @@ from rotsolve.algebra.formula import (
     Symbol,
 )
 
+Scalar = Any  # float or arb
 Exact = Any  # fmpq where the number is rational, else a narrow arb
 BITS = 640  # at which constants that are not rational are worked out
 CHAINED = ("exp", "log", "atan", "asin", "acos")  # their rate is that of the argument times another value of the tape
@@ -71,9 +72,11 @@ class Tape(Struct):
         return self.places[key]
 
     def number(self, value: Exact) -> int:
+        """A constant."""
         return self.write(Operation("number", (), (value,)))
 
     def letter(self, name: str) -> int:
+        """What changes by itself: a number of the state, or time."""
         return self.write(Operation("letter", name=name))
 
     def constant(self, place: int) -> Exact | None:
@@ -96,7 +99,8 @@ class Tape(Struct):
         if not kept:
             return self.number(constant)
         if vanishes(constant) and list(kept.values()) == [ONE]:
-            return next(iter(kept))
+            (place,) = kept
+            return place
         return self.write(Operation("sum", tuple(kept), (constant, *kept.values())))
 
     def add(self, *values: int) -> int:

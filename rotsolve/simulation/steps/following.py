@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import Struct, field
 
@@ -11,7 +11,11 @@ from rotsolve.algebra.flints import arb
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
-from rotsolve.simulation.bounded import (
+from rotsolve.simulation.moving.compiling import compiled
+from rotsolve.simulation.moving.course import Course
+from rotsolve.simulation.moving.opening import opening, standing
+from rotsolve.simulation.moving.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+from rotsolve.simulation.steps.bounded import (
     FLOAT_BITS,
     SAFETY,
     Reading,
@@ -24,11 +28,7 @@ from rotsolve.simulation.bounded import (
     start_of,
     stretch,
 )
-from rotsolve.simulation.course import Course, compiled
-from rotsolve.simulation.opening import opening, standing
-from rotsolve.simulation.series import Scalar
-from rotsolve.simulation.tape import Exact
-from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+from rotsolve.simulation.tape.tape import Exact, Scalar
 
 READING_BITS = 192
 CROWD = 2000  # events before a motion is given up
@@ -57,6 +57,7 @@ class Follower(Struct, dict=True):
     arrangement: Arrangement
     until: float
     tolerances: Tolerances
+    tell: Callable[[float], None] = lambda part: None  # is told which part has been followed
 
     def __post_init__(self) -> None:
         self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
@@ -71,7 +72,7 @@ class Follower(Struct, dict=True):
         since: dict[str, Exact] = {item.name: item.start for item in course.variables}
         while not self.found.ended and len(self.found.events) < CROWD:
             watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
-            part = stretch(course, times, states, self.until, self.tolerances, watched)
+            part = stretch(course, times, states, self.until, self.tolerances, watched, self.tell)
             self._enter(part)
             if part.hit is None:
                 return self.found

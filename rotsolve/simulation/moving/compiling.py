@@ -1,4 +1,4 @@
-"""Course: the equations of motion of a scene on a tape, compiled from the facts and laws that the solver uses.
+"""Compiling: the equations of motion of a scene on a tape, compiled from the facts and laws that the solver uses.
 
 The laws are written for a moment at which all places and speeds are letters. The rules tell all speeds by a few free ones, and the
 laws, linear in forces and accelerations, how these few change.
@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
+from functools import partial
 
 from msgspec import Struct
 
@@ -27,10 +28,12 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.principles import constraints, driven, newton
 from rotsolve.principles import rotation as turning
-from rotsolve.simulation.beginning import Beginning, beginning
-from rotsolve.simulation.linear import Contradictory, Linear, Row
-from rotsolve.simulation.series import needed, rough_value
-from rotsolve.simulation.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
+from rotsolve.simulation.moving.beginning import Beginning, beginning
+from rotsolve.simulation.moving.course import Course, Variable
+from rotsolve.simulation.moving.names import component_of, key, letters_in, path, refusal, said
+from rotsolve.simulation.tape.linear import Contradictory, Linear, Row
+from rotsolve.simulation.tape.series import rough_value
+from rotsolve.simulation.tape.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 
 RIGHT_ANGLE = PI / 2
 PLACES = (
@@ -44,33 +47,6 @@ PLACES = (
     "velocity",
     "angular_velocity",
 )
-
-
-class Variable(Struct, frozen=True):
-    """One number of the state of motion: its name, its letter, its first value, and the place of its rate on the tape.
-
-    An angle is counted from `origin` right angles, so that close to the vertical or level no digits are lost.
-    """
-
-    name: str
-    letter: str
-    start: Exact
-    rate: int
-    origin: int = 0
-
-
-class Course(Struct, frozen=True):
-    """A scene as it moves: a tape, the numbers of its state, and all that can be told of it by the state.
-
-    `outputs` are places on the tape by names; `letters` those of all letters of the laws.
-    """
-
-    tape: Tape
-    variables: tuple[Variable, ...]
-    outputs: Mapping[str, int]
-    letters: Mapping[str, int]
-    facts: Facts
-    moment: Instant
 
 
 class Compiler(Struct, dict=True):
@@ -197,10 +173,10 @@ class Compiler(Struct, dict=True):
         for name in bodies:
             driven_ = any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state))
             if not driven_ and moment.angle(name) is not None:
-                self._set_angle(name, self._at_first(lambda name=name: self.start.angle(name)))
+                self._set_angle(name, self._at_first(partial(self.start.angle, name)))
             orbit = moment.orbit(name)
             if orbit is not None and orbit.radius is not None:
-                self._set_angle(orbit.owner, self._at_first(lambda owner=orbit.owner: self.start.place("angle", owner)))
+                self._set_angle(orbit.owner, self._at_first(partial(self.start.place, "angle", orbit.owner)))
 
     def _set_angle(self, owner: str, value: Formula) -> None:
         letter = self._moment().ask("angle", owner)
@@ -240,7 +216,7 @@ class Compiler(Struct, dict=True):
                 and letter in self.registry.quantities
             ):
                 word = self.registry.quantities[letter].kind
-                self._enter(letter, self._at_first(lambda word=word, owner=stored.owner: self.start.place(word, owner)))
+                self._enter(letter, self._at_first(partial(self.start.place, word, stored.owner)))
                 yield f"{stored.owner}.{word}", letter, stored.rate
 
     def _ways(self, name: str, moment: Instant) -> Iterator[tuple[str, str, Formula]]:
@@ -357,43 +333,6 @@ class Compiler(Struct, dict=True):
                 found.setdefault(path(letter), place)
         followed = {letter for _, letter, _ in lines} | {TIME}
         return {name: place for name, place in found.items() if letters_in(self.tape, place) <= followed}
-
-
-def key(word: str, owner: str, when: str, component: str = "") -> str:
-    return SEPARATOR.join((word, owner, component, when))
-
-
-def letters_in(tape: Tape, *places: int) -> set[str]:
-    """The letters on which values rest."""
-    found = (tape.operations[place] for place in needed(tape, places))
-    return {operation.name for operation in found if operation.kind == "letter"}
-
-
-def component_of(letter: str) -> str:
-    return letter.split(SEPARATOR)[2]
-
-
-def path(letter: str) -> str:
-    """The name of a quantity as the scene language writes it: `block.velocity`, `pivot.force.x`, `string.block.tension`."""
-    word, owner, component, _ = letter.split(SEPARATOR)
-    if word == "tension" and component:
-        return f"{owner}.{component}.{word}"
-    return ".".join(filter(None, (owner, word, component)))
-
-
-def said(letter: str, registry: Registry) -> str:
-    """A quantity in words."""
-    return f"`{path(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
-
-
-def refusal(error: Unwritable, registry: Registry) -> NotYet:
-    """What can not be simulated, by its name."""
-    letter = str(error)
-    if letter in registry.quantities:
-        return NotYet(f"how `{path(letter)}` runs in time is not told")
-    if SEPARATOR not in letter and " " not in letter:
-        return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
-    return NotYet(f"{letter} is not simulated yet")
 
 
 def refuse_changing(facts: Facts) -> None:

@@ -1,0 +1,105 @@
+"""Command: `rotsolve simulate`: follow one scene, write its table, its numbers or its picture, and work out the exit code."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from time import monotonic
+from typing import Any
+
+from msgspec import Struct, field
+
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.render.layout import page
+from rotsolve.run import BAD, PATIENCE, SOLVED, UNSOLVED, coloured, internal_error, name_of, source
+from rotsolve.simulation.run import Run
+from rotsolve.simulation.showing.report import csv, lines, times_of
+from rotsolve.simulation.simulating import simulate
+
+
+class Request(Struct, frozen=True):
+    """What the command line asked for."""
+
+    file: str
+    until: float
+    accuracy: float
+    step: float | None = None
+    csv: bool = False
+    plot: str | None = None
+    settings: dict[str, str] = field(default_factory=dict)
+    width: int = 120
+
+
+def run(request: Request) -> int:
+    """Follow a scene and write what was asked for."""
+    name = name_of(request.file)
+    try:
+        with advancing(name) as tell:
+            found = simulate(source(request.file), request.until, request.accuracy, request.settings, tell)
+        return write(found, request)
+    except SceneError as error:
+        return refuse(error.render(), UNSOLVED if error.not_yet else BAD)
+    except Unsolvable as error:
+        return refuse(error.render(), UNSOLVED)
+    except UnicodeDecodeError:
+        return refuse(f"error: {name} is not UTF-8 text", BAD)
+    except OSError as error:
+        return refuse(f"error: cannot read {name}: {error.strerror or error}", BAD)
+    except Exception as error:
+        return refuse(internal_error(name, error), UNSOLVED)
+
+
+def refuse(message: str, code: int) -> int:
+    print(message, file=sys.stderr)
+    return code
+
+
+def write(found: Run, request: Request) -> int:
+    """The picture into its file, the numbers or the table to standard output."""
+    if request.plot is not None:
+        from rotsolve.simulation.showing.plot import NoPlots, plot
+
+        try:
+            plot(found, request.plot)
+        except NoPlots as error:
+            return refuse(f"error: {error}", BAD)
+        except OSError as error:
+            return refuse(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
+        return SOLVED
+    if request.csv:
+        for line in csv(found, times_of(found, request.step)):
+            print(line)
+        return SOLVED
+    written = list(lines(found, request.width, request.step))
+    if coloured():
+        from rotsolve.render.terminal import show
+
+        show(written, sys.stdout)
+    else:
+        sys.stdout.write(page(written))
+    return SOLVED
+
+
+@contextmanager
+def advancing(name: str) -> Iterator[Callable[[float], None]]:
+    """What tells how much of the motion has been followed: once it takes long, and on a terminal, by a bar."""
+    if not sys.stderr.isatty():
+        yield lambda part: None
+        return
+    start = monotonic()
+    bars: list[Any] = []
+
+    def tell(part: float) -> None:
+        if not bars and monotonic() - start > PATIENCE:
+            from rotsolve.render.terminal import Advance
+
+            bars.append(Advance(name, sys.stderr))
+        if bars:
+            bars[0].to(part)
+
+    try:
+        yield tell
+    finally:
+        for bar in bars:
+            bar.done()

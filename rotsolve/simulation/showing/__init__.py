@@ -1,0 +1,1 @@
+"""Showing: a motion as a table, as numbers, and as a picture."""

@@ -1,0 +1,1 @@
+"""Steps: a motion followed step by step, twice, through all that happens."""

@@ -1,0 +1,1 @@
+"""Tape: formulas as one list of operations, what they are worth, and linear equations on it."""
