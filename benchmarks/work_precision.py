@@ -44,7 +44,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Run time against error.")
     parser.add_argument("problems", nargs="*", metavar="PROBLEM", help=f"of {', '.join(PROBLEMS)} (all)")
     parser.add_argument("--quick", action="store_true", help="one setting for each peer, one round; writes nothing")
-    parser.add_argument("--rounds", type=int, default=3, help="how often each whole process runs (3)")
+    parser.add_argument("--rounds", type=int, default=2, help="how often each whole process runs (2)")
     parser.add_argument("--references", action="store_true", help="make the references anew, and stop")
     options = parser.parse_args()
     if unknown := [name for name in options.problems if name not in PROBLEMS]:

@@ -21,7 +21,6 @@ from .problem import FLOATS, Problem
 from .worker import LIMIT
 
 BENCHMARKS = Path(__file__).resolve().parent.parent
-SLOW = 2.0  # seconds of the processor, from which on one cold run is enough
 STUCK = 600.0  # seconds by the clock, after which a process that does not even calculate is ended
 # An installed package has its bytecode; a checkout run with this variable set would be compiled anew in every process.
 KEEPING_BYTECODE = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
@@ -116,7 +115,8 @@ def first_row(problem: Problem, reference: tuple[Fraction, ...], peer: str, sett
         else (),
         drift=drift(problem, values),
         marginal=told["marginal"],
-        colds=(cost,) if cost.cpu > SLOW else (),
+        # A script that solved only once, since that took long, was a whole process already.
+        colds=() if told["repeats"] or peer == "rotsolve" else (cost,),
     )
 
 
@@ -143,8 +143,9 @@ def measure(problem: Problem, reference: tuple[Fraction, ...], rounds: int, leas
         if installed(way.package):
             settings = way.settings[1:2] or way.settings if least else way.settings
             rows += [first_row(problem, reference, peer, setting) for setting in settings]
+    timed = [index for index, row in enumerate(rows) if not row.colds]
     for _ in range(rounds):
-        for index, row in enumerate(rows):
-            if not row.failed and not (row.colds and row.colds[0].cpu > SLOW):
-                rows[index] = row._replace(colds=(*row.colds, process(cold(problem, row))[0]))
+        for index in timed:
+            row = rows[index]
+            rows[index] = row._replace(colds=(*row.colds, process(cold(problem, row))[0]))
     yield from rows

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from .measure import Row
 from .problem import Problem
 
-LEVELS = (1e-6, 1e-9, 1e-12)
+LEVELS = {"1e-6": 1e-6, "1e-9": 1e-9, "1e-12": 1e-12}
 HUNDRED = 100
 
 
@@ -42,14 +42,14 @@ def best_of_scipy(rows: Sequence[Row], level: float) -> Row | None:
 def against_scipy(problem: Problem, rows: Sequence[Row]) -> Iterator[Figure]:
     """At each level: a run of ours with a smaller error in less time than the best of scipy."""
     ours = [row for row in rows if row.peer == "rotsolve" and not row.failed]
-    for level in LEVELS:
-        target = f"{problem.title}: smaller error in less time than the best of scipy at {level:.0e}"
+    for written, level in LEVELS.items():
+        target = f"{problem.title}: smaller error in less time than the best of scipy at {written}"
         theirs = best_of_scipy(rows, level)
         if theirs is None:
             continue
         better = [row for row in ours if row.error < theirs.error and row.error <= level]
         if not better:
-            yield Figure(target, f"no run of ours is as good as {told(theirs)}", False)
+            yield Figure(target, f"none of ours has a smaller error of at most {written}; {told(theirs)}", False)
             continue
         mine = min(better, key=lambda row: row.cpu)
         yield Figure(target, f"{told(mine)}; {told(theirs)}", mine.cpu < theirs.cpu)

@@ -9,6 +9,7 @@ from ..problem import FLOATS, Mathematics, Motion, Problem, Way
 
 TOLERANCES = ("1e-6", "1e-9", "1e-12", "2.3e-14")  # the last is the tightest that scipy accepts
 LONGEST = 0.1  # s, for a step of heyoka
+FEW = ("1e-6", "1e-12")  # for what is no motion at heart
 METHODS = ("RK45", "DOP853", "LSODA", "Radau")
 
 

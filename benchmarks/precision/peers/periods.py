@@ -8,7 +8,7 @@ from typing import Any
 
 from ..problem import FLOATS, Problem, Way
 from .engines import mujoco_start, pymunk_start
-from .integrators import LONGEST, METHODS, TOLERANCES, derived_rates, motion_of
+from .integrators import FEW, LONGEST, METHODS, derived_rates, motion_of
 
 TOO_LATE = 100.0  # s: no quarter of a period lasts so long
 SMALL_SWINGS = 4 / math.sqrt(9.8)  # 4/ω₀: T = (4/ω₀) K
@@ -138,12 +138,12 @@ def pymunk(problem: Problem, setting: str) -> list[float]:
 
 PERIODS = {
     "scipy ellipkm1": Way("scipy", "double", ("53 bits",), ellipkm1),
-    **{f"scipy {method}": Way("scipy", "rtol = atol", TOLERANCES, partial(scipy, method=method)) for method in METHODS},
+    **{f"scipy {method}": Way("scipy", "rtol = atol", FEW, partial(scipy, method=method)) for method in METHODS},
     "mpmath ellipk": Way("mpmath", "digits", ("15", "30", "50"), ellipk),
     "mpmath quad": Way("mpmath", "digits", ("15", "30"), quad),
     "sympy elliptic_k": Way("sympy", "digits", ("15", "30", "50"), elliptic_k),
-    "sympy + DOP853": Way("sympy", "rtol = atol", ("1e-6", "1e-9", "1e-12"), sympy),
-    "heyoka": Way("heyoka", "tol", ("1e-6", "1e-9", "1e-12", "2.2e-16"), heyoka),
-    "MuJoCo RK4": Way("mujoco", "step", ("1e-2", "1e-3", "1e-4"), mujoco),
-    "pymunk": Way("pymunk", "step", ("1e-2", "1e-3", "1e-4"), pymunk),
+    "sympy + DOP853": Way("sympy", "rtol = atol", FEW, sympy),
+    "heyoka": Way("heyoka", "tol", ("1e-6", "2.2e-16"), heyoka),
+    "MuJoCo RK4": Way("mujoco", "step", ("1e-2", "1e-3"), mujoco),
+    "pymunk": Way("pymunk", "step", ("1e-2", "1e-4"), pymunk),
 }
