@@ -81,18 +81,30 @@ def energy_drift(rows: Sequence[Row]) -> Figure:
 
 
 def bounds(rows: Sequence[Row]) -> Iterator[Figure]:
-    """Every number of ours with the bound that it claims."""
-    pairs = [pair for row in rows if row.peer == "rotsolve" for pair in zip(row.errors, row.bounds, strict=True)]
+    """Every simulated number with the bound that it claims."""
+    pairs = claims(rows)
     held = sum(error <= bound for error, bound in pairs)
-    yield Figure(
-        "every number's bound holds its true error", f"{held} of {len(pairs)}", bool(pairs) and held == len(pairs)
-    )
+    yield Figure("every simulated number's bound holds its true error", f"{held} of {len(pairs)}", held == len(pairs))
     # A number that happens to be exact has no ratio.
     ratios = sorted(bound / error for error, bound in pairs if error)
     if ratios:
         near = sum(ratio <= HUNDRED for ratio in ratios)
         figure = f"{near} of {len(ratios)}; median {ratios[len(ratios) // 2]:.0f} ×, largest {ratios[-1]:.0f} ×"
         yield Figure("… and is at most 100 × the true error", figure, near == len(ratios))
+
+
+def digits(rows: Sequence[Row]) -> Figure:
+    """Every number that was solved for, to half a unit of its last digit."""
+    pairs = claims(rows)
+    right = sum(error <= bound for error, bound in pairs)
+    return Figure(
+        "every printed digit of what is solved is right", f"{right} of {len(pairs)} numbers", right == len(pairs)
+    )
+
+
+def claims(rows: Sequence[Row]) -> list[tuple[float, float]]:
+    """The error and the bound of each number of ours."""
+    return [pair for row in rows if row.peer == "rotsolve" for pair in zip(row.errors, row.bounds, strict=True)]
 
 
 def figures(problems: Sequence[Problem], rows: Sequence[Row]) -> Iterator[Figure]:
@@ -104,4 +116,7 @@ def figures(problems: Sequence[Problem], rows: Sequence[Row]) -> Iterator[Figure
         if own := [row for row in rows if row.problem == name]:
             yield figure(own)
     names = {problem.name for problem in simulated}
-    yield from bounds([row for row in rows if row.problem in names])
+    if names:
+        yield from bounds([row for row in rows if row.problem in names])
+    if len(names) < len(problems):
+        yield digits([row for row in rows if row.problem not in names])

@@ -7,7 +7,7 @@ from typing import Any
 from ..peers.engines import MUJOCO
 from ..peers.integrators import INTEGRATORS
 from ..peers.linear import LINEAR
-from ..problem import Mathematics, Motion, MujocoModel, Problem, Rates, State
+from ..problem import Mathematics, Motion, MujocoModel, Problem, Rates, State, Way
 
 LIGHT, HEAVY = "1", "1.000000000001"  # kg, on a disc of 2 kg and 0.2 m
 ATWOOD_MODEL = f"""
@@ -58,13 +58,18 @@ def lagrangian(sympy: Any, places: Any, speeds: Any) -> Any:
     return (light + heavy + 1) * speeds[0] ** 2 / 2 + (heavy - light) * sympy.Rational(98, 10) * places[0]
 
 
+def fewer(way: Way) -> Way:
+    """Every other setting of a way with many: here they say the same."""
+    return way._replace(settings=way.settings[::2]) if len(way.settings) > 2 else way
+
+
 NEARLY_EQUAL = Problem(
     name="nearly-equal-masses",
     title="An Atwood machine whose masses differ by a part in 10¹²: the way after 10 s",
     scene="benchmarks/scenes/nearly-equal-masses.yaml",
     asks=("x",),
     unit="m",
-    peers={name: way._replace(settings=way.settings[::2]) for name, way in (INTEGRATORS | MUJOCO).items()},
+    peers={name: fewer(way) for name, way in (INTEGRATORS | MUJOCO).items()},
     motion=Motion(
         start,
         atwood_rates,
