@@ -22,8 +22,8 @@ from rotsolve.solution import Solution, Trace
 class Digits:
     """A third, to any number of digits."""
 
-    def text(self, digits: int) -> str:
-        return "0." + "3" * digits
+    def figures(self, digits: int) -> tuple[str, int]:
+        return "0." + "3" * digits, digits
 
 
 def derivation(title: str, number: str) -> Derivation:

@@ -15,7 +15,6 @@ sys.path.append(str(ROOT / "benchmarks"))
 from costs import processes  # noqa: E402
 from costs.machines import MACHINES, chain, page  # noqa: E402
 from costs.tables import above, below, exponent, share, table  # noqa: E402
-
 from rotsolve import solve  # noqa: E402
 
 

@@ -28,7 +28,7 @@ def plot(run: Run, path: str) -> None:
     panels = panels_of(names)
     figure = Figure(figsize=(9, 1.2 + 2.1 * len(panels)), layout="constrained")
     figure.suptitle(run.problem.title or run.problem.file, color=INK, fontsize=13, x=0.02, ha="left")
-    axes = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
+    axes: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
     times = [run.end * k / (POINTS - 1) for k in range(POINTS)]
     found = [run.at(time, names) for time in times]
     colours = {

@@ -1,0 +1,82 @@
+"""The section of docs/benchmarks.md: what was measured and how, the targets, the pictures and all rows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from importlib.metadata import PackageNotFoundError, version
+
+from report import machine
+
+from .measure import Row
+from .peers.ours import ways
+from .problem import Problem
+from .reach import figures, milliseconds
+from .worker import LIMIT
+
+PACKAGES = ("numpy", "scipy", "mpmath", "sympy", "heyoka", "mujoco", "pymunk")
+HEAD = """\
+## Run time against error
+
+`python benchmarks/work_precision.py`, {machine}; {versions}.
+
+Each problem is a scene that rotsolve reads, and the same in plain mathematics for the others, in the variables that suit
+them best (angles from upright, where the rod starts next to it). Errors are against references of 60 digits, on which two
+routes agree that share nothing but the numbers of the problem (`--references` makes them anew): the largest error of the
+asked quantities, relative where a number is asked, absolute (rad, rad/s) where a state is. **Whole process** is the
+processor time (user and system) of a fresh process from start to exit, the median of {rounds} that took turns with all
+others, so that what else the machine does counts little: of ours the command `rotsolve solve` or `rotsolve simulate`, of the others a
+script in Python. **Clock** is the time that passed meanwhile, **one more** the processor time of a further solve in the same
+process; heyoka compiles on several processors at once. What takes longer than {limit} is given up.
+"""
+
+
+def versions() -> str:
+    """`scipy 1.17.1, …`, and what is not installed."""
+    found = []
+    for package in PACKAGES:
+        try:
+            found.append(f"{package} {version(package)}")
+        except PackageNotFoundError:
+            found.append(f"{package} not installed: its rows are missing")
+    return ", ".join(found)
+
+
+def section(problems: Sequence[Problem], rows: Sequence[Row], rounds: int, pictures: Sequence[str]) -> str:
+    """The whole section in Markdown."""
+    head = HEAD.format(machine=machine(), versions=versions(), rounds=rounds, limit=f"{LIMIT} s")
+    parts = [head, "### Targets\n", *targets(problems, rows), ""]
+    parts += [f"![Run time against error]({name})\n" for name in pictures]
+    parts.append("### All rows\n")
+    for problem in problems:
+        parts += [*table(problem, [row for row in rows if row.problem == problem.name]), ""]
+    return "\n".join(parts)
+
+
+def targets(problems: Sequence[Problem], rows: Sequence[Row]) -> Iterator[str]:
+    """A table of all targets."""
+    yield "| target | measured | met |"
+    yield "| --- | --- | --- |"
+    for figure in figures(problems, rows):
+        yield f"| {figure.target} | {figure.figure} | {'yes' if figure.met else '**no**'} |"
+
+
+def table(problem: Problem, rows: Sequence[Row]) -> Iterator[str]:
+    """The rows of a problem, folded."""
+    known = ways(problem)
+    with_drift = any(row.drift is not None for row in rows)
+    yield f"<details><summary>{problem.title}</summary>\n"
+    yield f"`{problem.scene}`{''.join(f' --set &quot;{text}&quot;' for text in problem.sets)}, in {problem.unit}.\n"
+    if problem.left_out:
+        yield f"Not here: {problem.left_out}.\n"
+    yield f"| who | setting | error | claimed | whole process | clock | one more |{' drift |' if with_drift else ''}"
+    yield f"| --- | --- | --- | --- | --- | --- | --- |{' --- |' if with_drift else ''}"
+    for row in rows:
+        start = f"| {row.peer} | {known[row.peer].setting} {row.setting} |"
+        if row.failed:
+            yield f"{start} {row.failed} | | | | |{' |' if with_drift else ''}"
+            continue
+        claimed = f"{max(row.bounds):.1e}" if row.bounds else ""
+        times = " | ".join(milliseconds(seconds) for seconds in (row.cpu, row.wall, row.marginal))
+        drift = f" {row.drift:.1e} |" if with_drift else ""
+        yield f"{start} {row.error:.1e} | {claimed} | {times} |{drift}"
+    yield "\n</details>"

@@ -1,0 +1,17 @@
+"""The problems, in the order in which they are printed."""
+
+from __future__ import annotations
+
+from .driven_pulley import DRIVEN_PULLEY
+from .period import PERIOD_60, PERIOD_170, PERIOD_179
+from .pulleys import MASS_RATIO, NEARLY_EQUAL
+from .rod import LONG, ROD, UPRIGHT
+from .two_rods import TWO_RODS
+
+PROBLEMS = {
+    problem.name: problem
+    for problem in (
+        *(ROD, UPRIGHT, TWO_RODS, DRIVEN_PULLEY, LONG),
+        *(PERIOD_60, PERIOD_170, PERIOD_179, NEARLY_EQUAL, MASS_RATIO),
+    )
+}

@@ -1,0 +1,67 @@
+"""Run time against error: rotsolve beside scipy, mpmath, sympy, heyoka, MuJoCo and pymunk, against references of 60 digits.
+
+    pip install -e '.[bench]'
+    python benchmarks/work_precision.py [--quick] [--rounds N] [--references] [PROBLEM ...]
+
+A whole run writes its section of docs/benchmarks.md and two pictures beside it; a quick one, with one setting for each peer, or
+one of chosen problems, only prints. `--references` makes the references anew, by two routes that must agree.
+"""
+
+from __future__ import annotations
+
+import argparse
+
+from precision.measure import Row, measure
+from precision.page import section, targets, versions
+from precision.picture import draw
+from precision.problem import Problem
+from precision.problems import PROBLEMS
+from precision.reach import milliseconds
+from precision.references.make import make, references
+from report import DOCS, machine, write_section
+
+PICTURES = {"work-precision.svg": True, "work-precision-warm.svg": False}  # whole processes, or one more solve
+
+
+def run(problems: list[Problem], rounds: int, quick: bool) -> list[Row]:
+    """Measure the problems, and print each row when its problem is done."""
+    rows: list[Row] = []
+    kept = references()
+    for problem in problems:
+        print(f"\n{problem.title}", flush=True)
+        for row in measure(problem, kept[problem.name], rounds, quick):
+            rows.append(row)
+            told = (
+                row.failed
+                or f"error {row.error:.1e}  whole process {milliseconds(row.cpu)}  one more {milliseconds(row.marginal)}"
+            )
+            print(f"  {row.peer:16} {row.setting:8} {told}", flush=True)
+    return rows
+
+
+def main() -> None:
+    """Measure, print, and write what a whole run found."""
+    parser = argparse.ArgumentParser(description="Run time against error.")
+    parser.add_argument("problems", nargs="*", metavar="PROBLEM", help=f"of {', '.join(PROBLEMS)} (all)")
+    parser.add_argument("--quick", action="store_true", help="one setting for each peer, one round; writes nothing")
+    parser.add_argument("--rounds", type=int, default=2, help="how often each whole process runs (2)")
+    parser.add_argument("--references", action="store_true", help="make the references anew, and stop")
+    options = parser.parse_args()
+    if unknown := [name for name in options.problems if name not in PROBLEMS]:
+        parser.error(f"no problem {', '.join(unknown)}; there are {', '.join(PROBLEMS)}")
+    if options.references:
+        make(options.problems or PROBLEMS)
+        return
+    chosen = [PROBLEMS[name] for name in options.problems or PROBLEMS]
+    rounds = 1 if options.quick else max(1, options.rounds)
+    print(f"{machine()}; {versions()}")
+    rows = run(chosen, rounds, options.quick)
+    print("\n" + "\n".join(targets(chosen, rows)))
+    if not options.quick and not options.problems:
+        for name, whole in PICTURES.items():
+            draw(chosen, rows, DOCS / name, whole)
+        write_section("work_precision", section(chosen, rows, rounds, list(PICTURES)))
+
+
+if __name__ == "__main__":
+    main()
