@@ -24,6 +24,7 @@ from rotsolve.simulation.tape.tape import BITS, ONE, Scalar
 
 LOOKS = 400  # moments of a stretch at which the balance is drawn; where it takes integrals, its first steps
 BALANCE_BITS = 128
+CLOSE = 1e-14  # how well two halves of an integral make the whole
 OFF = 1e-9  # part of the forces by which they may miss the rate of momentum, where not all of them are told
 NODES = (  # Gauss and Legendre's places and weights on −1 to 1, the positive half
     (0.1488743389816312, 0.2955242247147529),
@@ -88,10 +89,7 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     with Precision(max(BALANCE_BITS, part.bits)):
         for piece in pieces:
             if fed:
-                half = piece.length / 2
-                for place, weight in NODES:
-                    for sign in (-1, 1):
-                        spent.append(half * weight * float(reading.at(piece.start + half * (1 + sign * place))[1]))
+                spent.append(reading.fed(piece.start, piece.length))
             now = reading.at(piece.start + piece.length)
             size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
             worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
@@ -110,6 +108,20 @@ class Values:
         self.letters = [course.letters[item.letter] for item in course.variables]
         self.clock, self.one = course.letters[TIME], arithmetic.number(ONE)
         self.expansion = Expansion(course.tape, places, arithmetic)
+
+    def fed(self, start: float, length: float, halvings: int = 6) -> float:
+        """∫ rate dt over a time, halved until both halves make the whole."""
+        half = length / 2
+        whole, parts = self._gauss(start, length), (self._gauss(start, half), self._gauss(start + half, half))
+        if not halvings or abs(whole - sum(parts)) <= CLOSE * max(abs(whole), *map(abs, parts)):
+            return fsum(parts)
+        return self.fed(start, half, halvings - 1) + self.fed(start + half, half, halvings - 1)
+
+    def _gauss(self, start: float, length: float) -> float:
+        """∫ rate dt by ten moments."""
+        half = length / 2
+        moments = ((weight, start + half * (1 + sign * place)) for place, weight in NODES for sign in (-1, 1))
+        return half * fsum(weight * float(self.at(moment)[1]) for weight, moment in moments)
 
     def at(self, time: float) -> list[Scalar]:
         state = dict(zip(self.letters, self.part.middle(time), strict=True))
@@ -156,7 +168,9 @@ def risen(body: BodyFacts, course: Course) -> Formula:
 
 
 def of_momentum(course: Course) -> Iterator[Balance]:
-    """Σ m v to the right and up against the sum of all forces, where these are all told."""
+    """Σ m v to the right and up against the sum of all forces, where these are all told and nothing is carried round."""
+    if any(body.sweep is not None for body in course.facts.bodies):
+        return
     for axis in (RIGHT, UP):
         parts = [body.mass * body.centre_velocity.along(axis) for body in course.facts.bodies]
         forces = [force.vector.along(axis) for body in course.facts.bodies for force in body.forces]
