@@ -117,7 +117,9 @@ def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> 
 
 @pytest.mark.parametrize("path", FILES, ids=name)
 def test_only_known_packages_are_imported(path: Path) -> None:
-    known = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "matplotlib"} | set(sys.stdlib_module_names)
+    known = {"rotsolve", "sympy", "typer", "yaml", "rich", "flint", "msgspec", "matplotlib"} | set(
+        sys.stdlib_module_names
+    )
     assert {module.partition(".")[0] for module, _ in imports(tree(path), late=True)} <= known
 
 

@@ -34,6 +34,11 @@ class Run(Struct, dict=True):
         """The time to which it was followed."""
         return min(self.settled, self.stretches[-1].ends[0])
 
+    @property
+    def rounded(self) -> bool:
+        """Whether the roundings of floats matter as much as what the steps leave out."""
+        return self.stretches[0].tolerances.rounded
+
     @cached_property
     def drift(self) -> Drift:
         """How far energy and momentum are from what the forces make of them, as parts of the largest that there was."""
@@ -72,6 +77,7 @@ class Run(Struct, dict=True):
         """Values at a time, each with its bound, in SI units and radians."""
         found = {}
         for name, ball in self.balls(time, names).items():
-            value = float(ball.mid())
-            found[name] = (value, float(abs(ball - value).upper()))
+            with Precision(READING_BITS):
+                value = float(ball.mid())
+                found[name] = (value, float(abs(ball - value).upper()))
         return found

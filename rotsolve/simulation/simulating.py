@@ -17,7 +17,7 @@ from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.steps.bounded import FLOAT_BITS, ROUNDED, Stretch, Tolerances, Unsettled
 from rotsolve.simulation.steps.following import Event, Followed, Follower
 from rotsolve.simulation.steps.taylor import Unbounded
 
@@ -76,7 +76,7 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
-    tolerances, best, start = Tolerances(max(FINEST, AIM * accuracy)), None, monotonic()
+    tolerances, best, start = first_tolerances(accuracy), None, monotonic()
 
     def going_on(part: float) -> None:
         if monotonic() - start > PATIENCE:
@@ -100,6 +100,16 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
         if excess <= 1:
             return Run(arrangement.problem, until, accuracy, found.stretches, tuple(found.events), found.ended)
         tolerances, best = finer(tolerances, excess), found
+
+
+def first_tolerances(accuracy: float) -> Tolerances:
+    """What is tried first: floats, where they can give what is asked at all."""
+    return Tolerances(max(FINEST, AIM * accuracy)) if accuracy >= ROUNDED else in_balls(AIM * accuracy)
+
+
+def in_balls(tolerance: float) -> Tolerances:
+    """A tolerance, with as many bits as it takes."""
+    return Tolerances(tolerance, max(96, 40 + math.ceil(-math.log2(tolerance))))
 
 
 def events_until(found: Followed, time: float) -> tuple[Event, ...]:
@@ -142,4 +152,4 @@ def finer(tolerances: Tolerances, excess: float) -> Tolerances:
     main = tolerances.main / (10 * excess)
     if main >= FINEST and tolerances.bits == FLOAT_BITS:
         return Tolerances(main)
-    return Tolerances(main, max(96, 32 + math.ceil(-math.log2(main))))
+    return in_balls(main)

@@ -35,6 +35,7 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
+from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 

@@ -29,6 +29,7 @@ from rotsolve.motion.instant import Instant
 from rotsolve.principles import constraints, driven, newton
 from rotsolve.principles import rotation as turning
 from rotsolve.simulation.moving.beginning import Beginning, beginning
+from rotsolve.simulation.moving.consistent import check_rules
 from rotsolve.simulation.moving.course import Course, Variable
 from rotsolve.simulation.moving.names import component_of, key, letters_in, path, refusal, said
 from rotsolve.simulation.tape.linear import Contradictory, Linear, Row
@@ -100,7 +101,9 @@ class Compiler(Struct, dict=True):
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
             outputs = self._outputs([line for line in lines if line[1] in moving])
-            return Course(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
+            course = Course(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
+            check_rules(course)
+            return course
 
     def _enter_givens(self) -> None:
         """The givens that have numbers."""
@@ -239,7 +242,7 @@ class Compiler(Struct, dict=True):
     def _speeds(self, bodies: list[str], moment: Instant, facts: Facts) -> list[str]:
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
         letters = [speed for name in bodies for speed, _ in self._pairs(moment, name)]
-        names = {letter.name for letter in letters if isinstance(letter, Symbol)}
+        names = {letter.name for letter in letters if isinstance(letter, Symbol) and SEPARATOR in letter.name}
         equations = (*constraints.for_velocities(facts, ""), *driven.rates(facts, ""))
         rows = self._rows((item.left - item.right for item in equations), names)
         free: list[str] = []

@@ -144,6 +144,8 @@ def passed(path: Path, value: Formula, course: Course, since: Mapping[str, Exact
     variable = next((item for item in course.variables if item.name == name), None)
     if variable is None or name not in since:
         return None
+    if not told(course, value):
+        return None
     sense = course.moment.sense(path.owner) if path.quantity != "displacement" else 1
     wanted = course.tape.formula(2 * PI * value if path.quantity == "turns" else value, course.letters)
     gone = course.tape.sum([(course.letters[variable.letter], ONE), (course.tape.number(since[name]), -ONE)])

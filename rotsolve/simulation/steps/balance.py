@@ -12,19 +12,19 @@ from math import fsum
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
-from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.principles import energy
 from rotsolve.simulation.moving.course import Course
-from rotsolve.simulation.steps.bounded import Stretch
-from rotsolve.simulation.tape.series import BALLS, Expansion
-from rotsolve.simulation.tape.tape import BITS, Scalar
+from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch
+from rotsolve.simulation.tape.series import BALLS, FLOATS, Expansion
+from rotsolve.simulation.tape.tape import BITS, ONE, Scalar
 
-LOOKS = 200  # moments of a stretch, at most, at which the balance is drawn where there are no integrals
+LOOKS = 400  # moments of a stretch at which the balance is drawn; where it takes integrals, its first steps
 BALANCE_BITS = 128
+CLOSE = 1e-14  # how well two halves of an integral make the whole
 OFF = 1e-9  # part of the forces by which they may miss the rate of momentum, where not all of them are told
 NODES = (  # Gauss and Legendre's places and weights on −1 to 1, the positive half
     (0.1488743389816312, 0.2955242247147529),
@@ -80,22 +80,17 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     """By how much value − ∫ rate dt changes in a stretch, and the largest size; None where the rate is not what it must be."""
     course = part.course
     places = (balance.value, balance.rate, *balance.parts, *((balance.check,) if balance.check is not None else ()))
-    reading = Values(course, places)
+    reading = Values(part, places)
     fed = course.tape.constant(balance.rate) != 0
     pieces = part.runs[0].pieces
-    pieces = pieces if fed else pieces[:: 1 + len(pieces) // LOOKS]
-    first, spent = reading.at(part, part.times[0]), [0.0]
+    pieces = pieces[:LOOKS] if fed else pieces[:: 1 + len(pieces) // LOOKS]
+    first, spent = reading.at(part.times[0]), [0.0]
     worst = size = strongest = 0.0
-    with Precision(BALANCE_BITS):
+    with Precision(max(BALANCE_BITS, part.bits)):
         for piece in pieces:
             if fed:
-                half = piece.length / 2
-                for place, weight in NODES:
-                    for sign in (-1, 1):
-                        spent.append(
-                            half * weight * float(reading.at(part, piece.start + half * (1 + sign * place))[1])
-                        )
-            now = reading.at(part, piece.start + piece.length)
+                spent.append(reading.fed(piece.start, piece.length))
+            now = reading.at(piece.start + piece.length)
             size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
             worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
             strongest = max(strongest, abs(float(now[1])))
@@ -105,17 +100,32 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
 
 
 class Values:
-    """Reads some places on a tape at moments of a stretch, by its main run."""
+    """Reads some places on a tape at moments of a stretch, by its main run, in its own numbers."""
 
-    def __init__(self, course: Course, places: Sequence[int]) -> None:
-        self.places = places
+    def __init__(self, part: Stretch, places: Sequence[int]) -> None:
+        course, self.part, self.places = part.course, part, places
+        arithmetic = FLOATS if part.bits == FLOAT_BITS else BALLS
         self.letters = [course.letters[item.letter] for item in course.variables]
-        self.clock = course.letters[TIME]
-        self.expansion = Expansion(course.tape, places, BALLS)
+        self.clock, self.one = course.letters[TIME], arithmetic.number(ONE)
+        self.expansion = Expansion(course.tape, places, arithmetic)
 
-    def at(self, part: Stretch, time: float) -> list[Scalar]:
-        state = zip(self.letters, map(arb, part.middle(time)), strict=True)
-        self.expansion.begin({**dict(state), self.clock: arb(time)})
+    def fed(self, start: float, length: float, halvings: int = 6) -> float:
+        """∫ rate dt over a time, halved until both halves make the whole."""
+        half = length / 2
+        whole, parts = self._gauss(start, length), (self._gauss(start, half), self._gauss(start + half, half))
+        if not halvings or abs(whole - sum(parts)) <= CLOSE * max(abs(whole), *map(abs, parts)):
+            return fsum(parts)
+        return self.fed(start, half, halvings - 1) + self.fed(start + half, half, halvings - 1)
+
+    def _gauss(self, start: float, length: float) -> float:
+        """∫ rate dt by ten moments."""
+        half = length / 2
+        moments = ((weight, start + half * (1 + sign * place)) for place, weight in NODES for sign in (-1, 1))
+        return half * fsum(weight * float(self.at(moment)[1]) for weight, moment in moments)
+
+    def at(self, time: float) -> list[Scalar]:
+        state = dict(zip(self.letters, self.part.middle(time), strict=True))
+        self.expansion.begin({**state, self.clock: self.one * time})
         return [self.expansion.lists[place][0] for place in self.places]
 
 
@@ -158,7 +168,9 @@ def risen(body: BodyFacts, course: Course) -> Formula:
 
 
 def of_momentum(course: Course) -> Iterator[Balance]:
-    """Σ m v to the right and up against the sum of all forces, where these are all told."""
+    """Σ m v to the right and up against the sum of all forces, where these are all told and nothing is carried round."""
+    if any(body.sweep is not None for body in course.facts.bodies):
+        return
     for axis in (RIGHT, UP):
         parts = [body.mass * body.centre_velocity.along(axis) for body in course.facts.bodies]
         forces = [force.vector.along(axis) for body in course.facts.bodies for force in body.forces]

@@ -1,7 +1,9 @@
 """Bounded: a motion followed twice, so that the difference tells how far each number may be from the true one.
 
-The second run takes longer steps and rounds its data and its state more coarsely, so that it is surely farther from the truth: what the
-steps and roundings leave out differs between the two, and grows in both as the motion makes it grow.
+As long as the steps leave out more than the roundings, the second run takes steps so fine that it may pass for the truth. Where floats
+are at their end, nothing finer is to be had; then its steps are coarser too, so that it is surely farther from the truth. Its data and
+its state are always rounded more coarsely than those of the main run, so that roundings show in the difference as well; what both leave
+out grows in both as the motion makes it grow.
 """
 
 from __future__ import annotations
@@ -18,17 +20,26 @@ from rotsolve.core.registry import TIME
 from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.watches import Watch
 from rotsolve.simulation.steps.crossing import Hit, Lookout
-from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for
+from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for, value
 from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
 from rotsolve.simulation.tape.tape import Scalar
 
-SAFETY = 3.0  # what the difference of the two runs is multiplied by
-COARSER = 10.0  # how much larger the tolerance of the second run is
-ROUNDING = 2.0**-51  # of a number: what dense output may add
+ROUNDING = 2.0**-51  # of the terms of a polynomial: what working it out may add
 LOOKS = 64  # moments at which quantities that are no numbers of the state are compared
 FLOAT_BITS = 53
+SAFETY = 6.0  # what the difference of the two runs is multiplied by: roundings may happen to go the same way in both
+ROUNDED = 4e-15  # tolerance of a step below which roundings of floats matter as much
+COARSER, FINER = 3.0, 50.0  # how much larger or smaller the tolerance of the second run is
 States = tuple[list[Scalar], list[Scalar]]  # of the two runs
 Times = tuple[float, float]
+
+
+class Way(Struct, frozen=True):
+    """How one run goes: the tolerance of its steps, its numbers, and whether it rounds coarsely on purpose."""
+
+    tolerance: float
+    numbers: Arithmetic
+    coarse: bool = False
 
 
 class Tolerances(Struct, frozen=True):
@@ -38,15 +49,24 @@ class Tolerances(Struct, frozen=True):
     bits: int = FLOAT_BITS
 
     @property
-    def arithmetics(self) -> tuple[Arithmetic, Arithmetic]:
-        return (FLOATS, COARSE_FLOATS) if self.bits == FLOAT_BITS else (BALLS, BALLS)
+    def rounded(self) -> bool:
+        """Whether the roundings of floats leave out as much as the steps."""
+        return self.bits == FLOAT_BITS and self.main < ROUNDED
+
+    @property
+    def ways(self) -> tuple[Way, Way]:
+        """The main run, and the one with which it is compared."""
+        other = COARSER * self.main if self.rounded else self.main / FINER
+        if self.bits == FLOAT_BITS:
+            return Way(self.main, FLOATS), Way(other, COARSE_FLOATS, True)
+        return Way(self.main, BALLS), Way(other, BALLS)
 
 
 class Stretch(Struct):
     """A part of a motion along which the equations stay the same: the two runs, when each ends, and the bounds of the state so far."""
 
     course: Course
-    bits: int
+    tolerances: Tolerances
     times: Times
     runs: tuple[Motion, Motion]
     ends: Times
@@ -54,6 +74,11 @@ class Stretch(Struct):
     hit: Watch | None = None
     bounds: list[list[float]] = field(default_factory=list)
     spread: dict[str, list[float]] = field(default_factory=dict)
+
+    @property
+    def bits(self) -> int:
+        """The bits of its numbers."""
+        return self.tolerances.bits
 
     def middle(self, time: float) -> list[Scalar]:
         """The numbers of the state by the main run."""
@@ -63,9 +88,13 @@ class Stretch(Struct):
         """The numbers of the state as balls that hold the true ones."""
         main = self.runs[0]
         number = min(max(0, bisect_right(main.starts, time) - 1), len(self.bounds) - 1)
-        found = []
-        for middle, bound in zip(self.middle(time), self.bounds[number], strict=True):
-            found.append(arb(middle, bound + ROUNDING * abs(float(middle)) if self.bits == FLOAT_BITS else bound))
+        piece, found = main.piece_at(time), []
+        others = self.runs[1].piece_at(time).at(time)
+        for k, (middle, polynomial) in enumerate(zip(piece.at(time), piece.polynomials, strict=True)):
+            bound = max(self.bounds[number][k], SAFETY * abs(float(middle - others[k])))
+            if self.bits == FLOAT_BITS:
+                bound += ROUNDING * value([abs(term) for term in polynomial], abs(time - piece.start))
+            found.append(arb(middle, bound))
         return found
 
     def derived(self, time: float, names: Sequence[str]) -> list[float]:
@@ -83,7 +112,9 @@ class Stretch(Struct):
                 rows.append({name: max(rows[-1][name], gaps[name]) for name in fresh})
             self.spread.update({name: [row[name] for row in rows[1:]] for name in fresh})
         number = min(bisect_left(times, time) + 1, len(times))
-        return [self.spread[name][number] for name in names]
+        reading = Reading(self.course, names)
+        here = [reading.read(time, run.piece_at(time).at(time)) for run in (main, other)]
+        return [max(self.spread[name][number], SAFETY * abs(float(here[0][name] - here[1][name]))) for name in names]
 
 
 class Unsettled(ValueError):
@@ -97,7 +128,7 @@ class Unsettled(ValueError):
 def start_of(course: Course, tolerances: Tolerances) -> States:
     """The first state of both runs."""
     with Precision(tolerances.bits):
-        first, second = ([kind.number(item.start) for item in course.variables] for kind in tolerances.arithmetics)
+        first, second = ([way.numbers.number(item.start) for item in course.variables] for way in tolerances.ways)
         return first, second
 
 
@@ -111,12 +142,12 @@ def stretch(
     tell: Callable[[float], None],
 ) -> Stretch:
     """Follow a course from a time on by both runs until something happens."""
-    order = order_for(tolerances.main)
     runs, ends, last, hits = [], [], [], []
+    places = [watch.place for watch in watched]
     with Precision(tolerances.bits):
-        for kind, time, state, coarser in zip(tolerances.arithmetics, times, states, (1.0, COARSER), strict=True):
-            stepper = Stepper(course, kind, coarser * tolerances.main, order, [watch.place for watch in watched])
-            walker = Walker(stepper, time, state, coarser > 1)
+        for way, time, state in zip(tolerances.ways, times, states, strict=True):
+            stepper = Stepper(course, way.numbers, way.tolerance, order_for(way.tolerance), places)
+            walker = Walker(stepper, time, state, way.coarse)
             motion, hit = followed_until(walker, until, Lookout(watched), tell)
             runs.append(motion)
             ends.append(walker.time)
@@ -124,7 +155,7 @@ def stretch(
             hits.append(hit.watch if hit is not None else None)
     if hits[0] != hits[1]:
         raise Unsettled(min(ends))
-    return Stretch(course, tolerances.bits, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
+    return Stretch(course, tolerances, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
 
 
 def followed_until(
@@ -147,7 +178,7 @@ def followed_until(
 
 
 def measure(found: Stretch, before: Sequence[float]) -> None:
-    """The bounds at each step of the main run: the largest difference of the two runs so far, times `SAFETY`."""
+    """The bounds at each step of the main run: the largest difference of the two runs so far, and some more for safety."""
     main, other = found.runs
     largest = list(before)
     for piece in main.pieces:

@@ -56,7 +56,7 @@ def value(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
 
 def order_for(tolerance: float) -> int:
     """The order at which a tolerance costs least, by measurement."""
-    return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.5 * math.log(tolerance)) + 6))
+    return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.65 * math.log(tolerance)) + 5))
 
 
 class Stepper:

@@ -224,8 +224,10 @@ class Tape(Struct):
                 return result
             case Quotient(above, below):
                 return self.over(self.formula(above, letters), self.formula(below, letters))
-            case Power(base, Number(exponent)):
-                return self.power(self.formula(base, letters), exponent)
+            case Power(base, exponent):
+                number = self.constant(self.formula(exponent, letters))
+                if isinstance(number, fmpq):
+                    return self.power(self.formula(base, letters), Fraction(int(number.p), int(number.q)))
             case Call(name, (argument,)):
                 return self.function(name, self.formula(argument, letters))
             case Call("atan2", (above, below)):
@@ -261,7 +263,7 @@ def number_to(number: Exact, exponent: Fraction) -> Exact:
     ball = arb(number)
     if ball < 0:
         raise Unwritable("the root of a negative number")
-    return ball.sqrt() ** (2 * exponent.numerator) if exponent.denominator == 2 else ball ** arb(rational(exponent))
+    return ball.sqrt() ** exponent.numerator if exponent.denominator == 2 else ball ** arb(rational(exponent))
 
 
 def function_of(name: str, number: Exact) -> Exact:

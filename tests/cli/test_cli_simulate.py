@@ -1,0 +1,68 @@
+"""`rotsolve simulate`: its table, its numbers, its picture, and what it refuses."""
+
+from __future__ import annotations
+
+import csv
+import importlib.util
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SCENE = "problems/hinged/rod-30.yaml"
+EXPECTED = Path(__file__).parent / "expected" / "simulate-rod.txt"
+
+
+def simulate(*arguments: str) -> subprocess.CompletedProcess[str]:
+    command = [sys.executable, "-m", "rotsolve", "simulate", *arguments]
+    environment = {**os.environ, "PYTHONPATH": str(ROOT), "NO_COLOR": "1"}
+    return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=120, check=False)
+
+
+def test_the_table_at_eighty_columns() -> None:
+    """`REWRITE_EXPECTED=1 pytest tests/cli` writes the expected file anew."""
+    ran = simulate(SCENE, "--until", "2s", "--width", "80")
+    assert (ran.returncode, ran.stderr) == (0, "")
+    if os.environ.get("REWRITE_EXPECTED"):
+        EXPECTED.write_text(ran.stdout, encoding="utf-8")
+    told, _, _ = ran.stdout.partition("\nAccuracy\n")
+    assert told == EXPECTED.read_text(encoding="utf-8").partition("\nAccuracy\n")[0]
+    assert max(map(len, ran.stdout.splitlines())) <= 80
+
+
+def test_numbers_with_their_bounds() -> None:
+    ran = simulate(SCENE, "--until", "1s", "--step", "0.25s", "--csv")
+    rows = list(csv.DictReader(ran.stdout.splitlines()))
+    assert [float(row["time"]) for row in rows] == [0, 0.25, 0.5, 0.75, 1]
+    assert all(0 <= float(row["rod.angle bound"]) < 1e-8 for row in rows)
+    assert float(rows[0]["rod.angular_acceleration"]) == pytest.approx(-12.7305734356)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "code", "words"),
+    [
+        ((SCENE, "--until", "3kg"), 2, "is no time"),
+        ((SCENE, "--until", "0s"), 2, "is not above zero"),
+        ((SCENE, "--plot", "rod.pdf"), 2, "is no .svg or .png"),
+        ((SCENE, "--plot", "rod.svg", "--csv"), 2, "either a picture or numbers"),
+        ((SCENE, "--accuracy", "2"), 2, "not in the range"),
+        (("nowhere.yaml",), 2, "read `nowhere.yaml`: No such file"),
+        (("problems/swings/swinging-rod.yaml",), 1, "the angle of `rod` at first is not told"),
+    ],
+)
+def test_what_is_refused(arguments: tuple[str, ...], code: int, words: str) -> None:
+    ran = simulate(*arguments)
+    assert ran.returncode == code and words in " ".join(ran.stderr.split()) and "Traceback" not in ran.stderr
+
+
+@pytest.mark.parametrize("kind", ["svg", "png"])
+def test_a_picture_is_drawn_or_its_package_named(tmp_path: Path, kind: str) -> None:
+    path = tmp_path / f"rod.{kind}"
+    ran = simulate(SCENE, "--until", "1s", "--plot", str(path))
+    if importlib.util.find_spec("matplotlib") is None:
+        assert (ran.returncode, ran.stderr) == (2, "error: drawing takes matplotlib: pip install 'rotsolve[plot]'\n")
+    else:
+        assert ran.returncode == 0 and path.stat().st_size > 1000

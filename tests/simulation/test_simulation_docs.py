@@ -1,0 +1,39 @@
+"""docs/simulate.md: its example prints what it shows, and its Python runs."""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from rotsolve import cli
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs" / "simulate.md"
+
+
+def test_the_example_prints_what_it_shows(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    """`REWRITE_EXPECTED=1 pytest tests/simulation` writes the text anew. The figures of the last section depend on the machine's sine."""
+    monkeypatch.chdir(ROOT)
+    text = PAGE.read_text(encoding="utf-8")
+    found = re.search(r"```sh\nrotsolve (.*?)\n```\n\n```text\n(.*?)```", text, re.DOTALL)
+    assert found is not None
+    with pytest.raises(SystemExit) as left:
+        cli.main(shlex.split(found[1]))
+    printed = capsys.readouterr().out
+    if os.environ.get("REWRITE_EXPECTED"):
+        PAGE.write_text(text[: found.start(2)] + printed + text[found.end(2) :], encoding="utf-8")
+        return
+    assert left.value.code == 0
+    assert printed.partition("\nAccuracy\n")[0] == found[2].partition("\nAccuracy\n")[0]
+
+
+def test_the_python_of_the_page_runs(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(ROOT)
+    (code,) = re.findall(r"```python\n(.*?)```", PAGE.read_text(encoding="utf-8"), re.DOTALL)
+    names: dict[str, object] = {}
+    exec(code, names)
+    assert 0 <= names["bound"] < 1e-11  # type: ignore[operator]
