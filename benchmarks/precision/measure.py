@@ -17,7 +17,7 @@ from time import perf_counter
 from typing import NamedTuple
 
 from .peers.ours import command, ways
-from .problem import FLOATS, Problem
+from .problem import FLOATS, Problem, Way
 from .worker import LIMIT
 
 BENCHMARKS = Path(__file__).resolve().parent.parent
@@ -90,9 +90,9 @@ def process(command: list[str]) -> tuple[Cost, str, str]:
     return cost, done.stdout, lines[-1] if done.returncode else ""
 
 
-def installed(package: str) -> bool:
-    """Whether a package can be imported here."""
-    return find_spec(package) is not None
+def installed(way: Way) -> bool:
+    """Whether all that a way needs can be imported here."""
+    return all(find_spec(package) is not None for package in way.packages)
 
 
 def first_row(problem: Problem, reference: tuple[Fraction, ...], peer: str, setting: str) -> Row:
@@ -140,7 +140,7 @@ def measure(problem: Problem, reference: tuple[Fraction, ...], rounds: int, leas
     """All rows of a problem; `least` takes the second setting of each peer alone. The cold runs take turns."""
     rows = []
     for peer, way in ways(problem).items():
-        if installed(way.package):
+        if installed(way):
             settings = way.settings[1:2] or way.settings if least else way.settings
             rows += [first_row(problem, reference, peer, setting) for setting in settings]
     timed = [index for index, row in enumerate(rows) if not row.colds]

@@ -66,9 +66,9 @@ class PymunkModel(NamedTuple):
 
 
 class Way(NamedTuple):
-    """How a peer answers: with which package, at which settings, by which function."""
+    """How a peer answers: with which packages, at which settings, by which function."""
 
-    package: str  # what must be importable
+    packages: tuple[str, ...]  # what must be importable
     setting: str  # what the settings are: `rtol = atol`, `digits`, `step`
     settings: tuple[str, ...]
     solve: Callable[[Problem, str], list[Any]]  # the asked quantities, as text or as floats; imports its package itself

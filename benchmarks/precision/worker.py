@@ -10,7 +10,7 @@ from time import process_time
 from .peers.ours import ways
 from .problems import PROBLEMS
 
-LIMIT = 30  # seconds of the processor, after which the system ends the process
+LIMIT = 15  # seconds of the processor, after which the system ends the process
 SLOW = 1.5  # seconds, from which on a solve is not repeated
 ENOUGH, MOST = 0.3, 1000  # seconds, and further solves, after which their mean time is known well enough
 

@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import re
+import subprocess
+import sys
 from fractions import Fraction
+from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
@@ -64,6 +68,15 @@ def test_a_peer_comes_close_to_the_reference(name: str, peer: str) -> None:
     with mp.workdps(15):
         (value,) = PROBLEMS[name].peers[peer].solve(PROBLEMS[name], "30")
     assert abs(Fraction(value) / references()[name][0] - 1) < Fraction(10) ** -25
+
+
+def test_a_quick_run_prints_rows_and_targets_and_says_what_is_not_installed() -> None:
+    command = [sys.executable, str(ROOT / "benchmarks" / "work_precision.py"), "--quick", "mass-ratio-1e12"]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert re.search(r"mpmath lu_solve +30 +error 1.2e-37", done.stdout)
+    assert "| every printed digit of what is solved is right | 1 of 1 numbers | yes |" in done.stdout
+    assert ("scipy not installed" in done.stdout) == (find_spec("scipy") is None)
 
 
 def test_the_best_of_scipy_is_the_fastest_that_is_good_enough() -> None:

@@ -60,6 +60,6 @@ def pymunk_start(problem: Problem) -> tuple[PymunkModel, Any, list[Any]]:
     return kind, space, kind.build(pm, space, motion.start(FLOATS))
 
 
-MUJOCO = {"MuJoCo RK4": Way("mujoco", "step", ("1e-2", "1e-3", "1e-4"), mujoco)}
-PYMUNK = {"pymunk": Way("pymunk", "step", ("1e-2", "1e-3", "1e-4", "1e-5"), pymunk)}
+MUJOCO = {"MuJoCo RK4": Way(("mujoco",), "step", ("1e-2", "1e-3", "1e-4"), mujoco)}
+PYMUNK = {"pymunk": Way(("pymunk",), "step", ("1e-2", "1e-3", "1e-4", "1e-5"), pymunk)}
 ENGINES = MUJOCO | PYMUNK

@@ -83,8 +83,11 @@ def derived_rates(motion: Motion) -> Any:
 
 
 INTEGRATORS = {
-    **{f"scipy {method}": Way("scipy", "rtol = atol", TOLERANCES, partial(scipy, method=method)) for method in METHODS},
-    "mpmath odefun": Way("mpmath", "digits", ("15", "30"), mpmath),
-    "heyoka": Way("heyoka", "tol", ("1e-6", "1e-9", "1e-12", "2.2e-16"), heyoka),
-    "sympy + DOP853": Way("sympy", "rtol = atol", ("1e-6", "1e-9", "1e-12"), sympy),
+    **{
+        f"scipy {method}": Way(("scipy",), "rtol = atol", TOLERANCES, partial(scipy, method=method))
+        for method in METHODS
+    },
+    "mpmath odefun": Way(("mpmath",), "digits", ("15", "30"), mpmath),
+    "heyoka": Way(("heyoka",), "tol", ("1e-6", "1e-9", "1e-12", "2.2e-16"), heyoka),
+    "sympy + DOP853": Way(("sympy", "scipy"), "rtol = atol", ("1e-6", "1e-9", "1e-12"), sympy),
 }

@@ -100,10 +100,10 @@ def mujoco(problem: Problem, setting: str) -> list[float]:
 
 
 LINEAR = {
-    "numpy.linalg": Way("numpy", "double", ("53 bits",), numpy),
-    "scipy.linalg": Way("scipy", "double", ("53 bits",), scipy),
-    "mpmath lu_solve": Way("mpmath", "digits", ("15", "30", "50"), mpmath),
-    "sympy solve": Way("sympy", "digits", ("15", "30", "50"), sympy),
-    "sympy mechanics": Way("sympy", "double", ("53 bits",), mechanics),
-    "MuJoCo": Way("mujoco", "step", ("1e-2", "1e-4"), mujoco),
+    "numpy.linalg": Way(("numpy",), "double", ("53 bits",), numpy),
+    "scipy.linalg": Way(("scipy",), "double", ("53 bits",), scipy),
+    "mpmath lu_solve": Way(("mpmath",), "digits", ("15", "30", "50"), mpmath),
+    "sympy solve": Way(("sympy",), "digits", ("15", "30", "50"), sympy),
+    "sympy mechanics": Way(("sympy", "numpy"), "double", ("53 bits",), mechanics),
+    "MuJoCo": Way(("mujoco",), "step", ("1e-2", "1e-4"), mujoco),
 }

@@ -61,7 +61,7 @@ def simulate(problem: Problem, setting: str) -> list[Claim]:
 def ways(problem: Problem) -> dict[str, Way]:
     """All who answer a problem, ours first."""
     if problem.simulated:
-        ours = Way("rotsolve", "accuracy", ("1e-6", "1e-9", "1e-12", "1e-15", "1e-20"), simulate)
+        ours = Way(("rotsolve",), "accuracy", ("1e-6", "1e-9", "1e-12", "1e-15", "1e-20"), simulate)
     else:
-        ours = Way("rotsolve", "digits", ("6", "10", "15", "30", "50"), solve)
+        ours = Way(("rotsolve",), "digits", ("6", "10", "15", "30", "50"), solve)
     return {"rotsolve": ours, **problem.peers}

@@ -137,13 +137,13 @@ def pymunk(problem: Problem, setting: str) -> list[float]:
 
 
 PERIODS = {
-    "scipy ellipkm1": Way("scipy", "double", ("53 bits",), ellipkm1),
-    **{f"scipy {method}": Way("scipy", "rtol = atol", FEW, partial(scipy, method=method)) for method in METHODS},
-    "mpmath ellipk": Way("mpmath", "digits", ("15", "30", "50"), ellipk),
-    "mpmath quad": Way("mpmath", "digits", ("15", "30"), quad),
-    "sympy elliptic_k": Way("sympy", "digits", ("15", "30", "50"), elliptic_k),
-    "sympy + DOP853": Way("sympy", "rtol = atol", FEW, sympy),
-    "heyoka": Way("heyoka", "tol", ("1e-6", "2.2e-16"), heyoka),
-    "MuJoCo RK4": Way("mujoco", "step", ("1e-2", "1e-3"), mujoco),
-    "pymunk": Way("pymunk", "step", ("1e-2", "1e-4"), pymunk),
+    "scipy ellipkm1": Way(("scipy",), "double", ("53 bits",), ellipkm1),
+    **{f"scipy {method}": Way(("scipy",), "rtol = atol", FEW, partial(scipy, method=method)) for method in METHODS},
+    "mpmath ellipk": Way(("mpmath",), "digits", ("15", "30", "50"), ellipk),
+    "mpmath quad": Way(("mpmath",), "digits", ("15", "30"), quad),
+    "sympy elliptic_k": Way(("sympy",), "digits", ("15", "30", "50"), elliptic_k),
+    "sympy + DOP853": Way(("sympy", "scipy"), "rtol = atol", FEW, sympy),
+    "heyoka": Way(("heyoka",), "tol", ("1e-6", "2.2e-16"), heyoka),
+    "MuJoCo RK4": Way(("mujoco",), "step", ("1e-2", "1e-3"), mujoco),
+    "pymunk": Way(("pymunk",), "step", ("1e-2", "1e-4"), pymunk),
 }

@@ -130,6 +130,9 @@ OWN: dict[str, Callable[[Problem, str], list[Any]]] = {
     "sympy + DOP853": sympy,
 }
 STICKING = {
-    **{f"scipy {method}": Way("scipy", "rtol = atol", TOLERANCES, partial(scipy, method=method)) for method in METHODS},
+    **{
+        f"scipy {method}": Way(("scipy",), "rtol = atol", TOLERANCES, partial(scipy, method=method))
+        for method in METHODS
+    },
     **{name: INTEGRATORS[name]._replace(solve=solve) for name, solve in OWN.items()},
 }

@@ -70,14 +70,14 @@ def by_extrapolation(problem: Problem) -> list[Any]:
         rates = slipping(maths(), sense)
         while time < until:
             step = min(longest, until - time)
-            after = extrapolation.advance(rates, time, state, step, tolerance)
+            after, _ = extrapolation.advance(rates, time, state, step, tolerance)
             if sense * after[1] <= 0:
 
                 def speed(length: Any, time: Any = time, state: list[Any] = state) -> Any:
-                    return extrapolation.advance(rates, time, state, length, tolerance)[1]
+                    return extrapolation.advance(rates, time, state, length, tolerance)[0][1]
 
                 step = root(speed, mp.mpf(LOOK) / 100, step)
-                return time + step, extrapolation.advance(rates, time, state, step, tolerance), True
+                return time + step, extrapolation.advance(rates, time, state, step, tolerance)[0], True
             time, state = time + step, after
         return until, state, False
 
