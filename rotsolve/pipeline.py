@@ -26,6 +26,8 @@ from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
 from rotsolve.solution import Solution, Trace
 
+MOST_DIGITS = 1000
+
 
 def solve(
     source: str | os.PathLike[str],
@@ -48,6 +50,8 @@ def solve(
 
 def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, at: str | None = None) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
+    if not 1 <= digits <= MOST_DIGITS:
+        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     arrangement = arranged(problem)
