@@ -13,7 +13,7 @@ from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
 from trials.case import Case
 from trials.draw import Draw
-from trials.scene import Scene, changed, read, written
+from trials.scene import Scene, changed, read
 
 UNITS = {
     "number": "", "angle": "deg", "length": "m", "mass": "kg", "time": "s", "velocity": "m/s", "acceleration": "m/s^2",
@@ -315,10 +315,7 @@ def altered(draw: Draw) -> Case:
     if draw.often(0.3) and "bodies" in result:
         builder = Builder(draw)
         builder.scene = result
-        builder.roles = {name: "block" for name in result["bodies"]}
+        builder.roles = dict.fromkeys(result["bodies"], "block")
         builder.links = {}
         result = {**result, "find": {**result["find"], "extra": builder.question()}}
     return Case(result)
-
-
-__all__ = ["altered", "built", "written"]

@@ -41,8 +41,12 @@ def extreme(term: Term, start: str, end: str, history: History, beside: Beside |
     for interval in history.arrangement.timeline.between(start, end):
         if interval.event is None:
             found += candidates(term, interval, history, beside)
+
+    def compared(one: Candidate, other: Candidate) -> int:
+        return beside.side(one.value - other.value)
+
     pick = max if term.modifier == "largest" else min
-    best = pick(found, key=cmp_to_key(lambda one, other: beside.side(one.value - other.value)))
+    best: Candidate = pick(found, key=cmp_to_key(compared))
     name = f"{term.modifier} {spoken(term.path.quantity)}"
     if best.moment is None:
         meaning = history.reader(best.state).meaning(term.path, term)
