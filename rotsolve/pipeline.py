@@ -30,6 +30,8 @@ from rotsolve.solution import Solution, Trace
 if TYPE_CHECKING:
     from rotsolve.inquiry.validity import Validity
 
+MOST_DIGITS = 1000
+
 
 def solve(
     source: str | os.PathLike[str],
@@ -53,6 +55,8 @@ def solve(
 
 def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, at: str | None = None) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
+    if not 1 <= digits <= MOST_DIGITS:
+        raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     with stage("arrange", whole=True):

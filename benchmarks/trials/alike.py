@@ -33,112 +33,18 @@ QUANTITY = re.compile(
 )
 NAMED = ("bodies", "surfaces", "connections", "actions", "states", "events", "phases")
 MIRRORED = {"axle", "string", "contact", "rolls", "friction", "hinge", "gear", "belt", "crossed", "inside"}
+SAID = """
+start end center rim top bottom cm level slope wall left right up down all any none at rest time turns moves
+ground ceiling mean total size of about along by integration where which is in from to during on unknown
+lost change largest smallest above below mass inertia gyration count parts points holes balance steady true false
+clockwise counterclockwise tangential normal radial net gravity sticks slips slack taut leaves x y z r phi
+"""
+TABLES = (SHAPES, CONNECTIONS, ACTIONS, EVENTS, SURFACES)
 WORDS = {
-    *(
-        word
-        for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS, SURFACES)
-        for item in table
-        for word in item.word.split()
-    ),
-    *(
-        word
-        for table in (SHAPES, CONNECTIONS, ACTIONS, EVENTS, SURFACES)
-        for item in table
-        for word, _ in keys_of(item)
-    ),
+    *SAID.split(),
+    *(word for table in TABLES for item in table for word in item.word.split()),
+    *(word for table in TABLES for item in table for word, _ in keys_of(item)),
     *(kind.word for kind in QUANTITIES),
-    *(
-        [
-            "start",
-            "end",
-            "center",
-            "rim",
-            "top",
-            "bottom",
-            "cm",
-            "level",
-            "slope",
-            "wall",
-            "left",
-            "right",
-            "up",
-            "down",
-            "all",
-            "any",
-            "none",
-            "at",
-            "rest",
-            "time",
-            "turns",
-            "moves",
-        ]
-    ),
-    *(
-        [
-            "ground",
-            "ceiling",
-            "mean",
-            "total",
-            "size",
-            "of",
-            "about",
-            "along",
-            "by",
-            "integration",
-            "where",
-            "which",
-            "is",
-            "in",
-            "from",
-            "to",
-            "during",
-            "on",
-            "unknown",
-        ]
-    ),
-    *(
-        [
-            "lost",
-            "change",
-            "largest",
-            "smallest",
-            "above",
-            "below",
-            "mass",
-            "inertia",
-            "gyration",
-            "count",
-            "parts",
-            "points",
-            "holes",
-            "balance",
-            "steady",
-            "true",
-            "false",
-        ]
-    ),
-    *(
-        [
-            "clockwise",
-            "counterclockwise",
-            "tangential",
-            "normal",
-            "radial",
-            "net",
-            "gravity",
-            "sticks",
-            "slips",
-            "slack",
-            "taut",
-            "leaves",
-            "rest",
-            "x",
-            "y",
-            "z",
-            "r",
-            "phi",
-        ]
-    ),
 }
 
 

@@ -13,7 +13,7 @@ from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
 from trials.case import Case
 from trials.draw import Draw
-from trials.scene import Scene, changed, read, written
+from trials.scene import Scene, changed, read
 
 UNITS = {
     "number": "", "angle": "deg", "length": "m", "mass": "kg", "time": "s", "velocity": "m/s", "acceleration": "m/s^2",
@@ -319,6 +319,3 @@ def altered(draw: Draw) -> Case:
         builder.links = {}
         result = {**result, "find": {**result["find"], "extra": builder.question()}}
     return Case(result)
-
-
-__all__ = ["altered", "built", "written"]

@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
+from itertools import pairwise
 
 from mpmath import atan, cos, ellipk, exp, mp, mpf, sin, sqrt, tan
 
@@ -279,7 +280,7 @@ def chains() -> Iterator[Case]:
             connections[f"axle{number}"] = {"axle": name}
             system.body(mpf(number) / 2, mpf(1))
         links = ["left", *names, "right"]
-        for number, pair in enumerate(zip(links[:-1], links[1:], strict=True)) if count > 40 else ():
+        for number, pair in enumerate(pairwise(links)) if count > 40 else ():
             connections[f"cord{number}"] = {"string": list(pair)}
         if count <= 40:
             connections["cord"] = {"string": links}

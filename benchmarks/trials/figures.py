@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
-from mpmath import floor, log10, mpf
+from mpmath import floor, log10, mpf, nstr
 
 from trials.draw import exactly
 from trials.outcome import Printed
@@ -42,10 +40,4 @@ def short(text: str, digits: int) -> bool:
 
 
 def shown(true: mpf) -> str:
-    from mpmath import nstr
-
     return str(nstr(true, 25))
-
-
-def as_fraction(text: str) -> Fraction:
-    return Fraction(text)

@@ -21,7 +21,8 @@ def read(text: str) -> Scene:
 
 def written(scene: Scene) -> str:
     """The YAML text of a scene, one line for each body, connection and question."""
-    return yaml.dump(scene, default_flow_style=None, sort_keys=False, allow_unicode=True, width=10**6)
+    text: str = yaml.dump(scene, default_flow_style=None, sort_keys=False, allow_unicode=True, width=10**6)
+    return text
 
 
 def changed(node: Any, change: Callable[[str], str]) -> Any:

@@ -28,7 +28,9 @@ def entries(scene: Scene) -> Iterator[Path]:
     """Everything that can be left out: questions first, then actions, states' lines and the rest."""
     for section in ("find", "actions", "states", "connections", "bodies", "given", "surfaces", "events"):
         part = scene.get(section)
-        for name in list(part) if isinstance(part, dict) else ():
+        if not isinstance(part, dict):
+            continue
+        for name in list(part):
             yield (section, name)
             if section in ("states", "bodies") and isinstance(part[name], dict):
                 for word in part[name]:

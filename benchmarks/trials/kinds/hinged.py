@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import cos, mp, mpf, sign, sin, sqrt
+from mpmath import cos, mpf, sin, sqrt
 
 from trials.case import Case, G, letters, scene
 from trials.draw import Draw, Value, radians
@@ -114,6 +114,3 @@ def ladder(draw: Draw) -> Case:
     case.ask("N", "foot.normal_force", M.x * G * (1 - 3 * cos(angle) ** 2 / 4))
     case.ask("P", "head.normal_force", 3 * M.x * G * sin(angle) * cos(angle) / 4)
     return case
-
-
-__all__ = ["falls", "held", "ladder", "mp", "released", "sign"]

@@ -47,7 +47,7 @@ def on_slope(draw: Draw) -> Case:
 
 def pulled(draw: Draw) -> Case:
     """A spool pulled by the thread on its hub, at an angle."""
-    M, I, R, r, F, phi = (
+    M, inertia, R, r, F, phi = (
         draw.size("kg"),
         draw.size("kg m^2", 0.01, 1.0),
         draw.size("m", 0.1, 0.9),
@@ -58,14 +58,14 @@ def pulled(draw: Draw) -> Case:
     case = Case(
         scene(
             "Spool pulled by its thread",
-            given=letters(M=M, I=I, R=R, r=r, F=F, phi=phi),
+            given=letters(M=M, I=inertia, R=R, r=r, F=F, phi=phi),
             surfaces={"floor": "level"},
             bodies={"spool": {"mass": "M", "inertia": "I", "radii": {"flange": "R", "hub": "r"}, "moves": "right"}},
             connections={"base": {"rolls": ["spool.flange", "floor"]}},
             actions={"thread": {"force": "F", "on": "spool.hub", "direction": "phi", "under": "true"}},
         )
     )
-    pace = F.x * (cos(radians(phi)) - r.x / R.x) / (M.x + I.x / R.x**2)
+    pace = F.x * (cos(radians(phi)) - r.x / R.x) / (M.x + inertia.x / R.x**2)
     case.ask("a", "spool.acceleration", pace)
     case.ask("f", "size of base.friction_force", abs(M.x * pace - F.x * cos(radians(phi))))
     case.ask("N", "base.normal_force", M.x * G - F.x * sin(radians(phi)))

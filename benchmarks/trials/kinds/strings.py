@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import Any
 
 from mpmath import cos, mpf, sin
 
@@ -60,7 +61,7 @@ class Block:
             self.given[f"mu_{name}"] = friction.text
             self.static = self.kinetic = friction.x * self.normal
 
-    def enter(self, bodies: dict[str, object], surfaces: dict[str, object], connections: dict[str, object]) -> None:
+    def enter(self, bodies: dict[str, Any], surfaces: dict[str, Any], connections: dict[str, Any]) -> None:
         bodies[self.name] = {"mass": f"m_{self.name}", "moves": self.moves}
         if self.place == "hangs":
             return
@@ -76,7 +77,11 @@ def train(draw: Draw, wheels: int | None = None) -> Case:
     """Two blocks tied by a string that runs over wheels, with friction and couples."""
     count = draw.chance.choice((1, 1, 1, 2, 3)) if wheels is None else wheels
     ends = Block(draw, "one", True), Block(draw, "two", False)
-    given, bodies, surfaces, connections, actions = {**ends[0].given, **ends[1].given}, {}, {}, {}, {}
+    given: dict[str, str] = {**ends[0].given, **ends[1].given}
+    bodies: dict[str, Any] = {}
+    surfaces: dict[str, Any] = {}
+    connections: dict[str, Any] = {}
+    actions: dict[str, Any] = {}
     system = Train()
     resisting = mpf(0)
     for end in ends:
@@ -251,18 +256,13 @@ def double_atwood(draw: Draw) -> Case:
 
 def yoyo(draw: Draw) -> Case:
     """A body that unwinds from its thread, on a rim or a hub."""
-    M, R, r, I = draw.size("kg"), draw.size("m", 0.02, 0.5), draw.size("m", 0.01, 0.5), draw.size("kg m^2", 0.001, 1.0)
+    M, R, r = draw.size("kg"), draw.size("m", 0.02, 0.5), draw.size("m", 0.01, 0.5)
+    given, end, inertia, radius = letters(M=M, R=R), "yoyo", M.x * R.x**2 / 2, R.x
+    body: dict[str, Any] = {"shape": "cylinder", "mass": "M", "radius": "R", "moves": "down"}
     if draw.often(0.5):
-        given, body, end = letters(M=M, R=R), {"shape": "cylinder", "mass": "M", "radius": "R", "moves": "down"}, "yoyo"
-        inertia, radius = M.x * R.x**2 / 2, R.x
-    else:
-        given = letters(M=M, I=I, r=r)
-        body, end, inertia, radius = (
-            {"mass": "M", "inertia": "I", "radii": {"hub": "r"}, "moves": "down"},
-            "yoyo.hub",
-            I.x,
-            r.x,
-        )
+        own = draw.size("kg m^2", 0.001, 1.0)
+        given, end, inertia, radius = letters(M=M, I=own, r=r), "yoyo.hub", own.x, r.x
+        body = {"mass": "M", "inertia": "I", "radii": {"hub": "r"}, "moves": "down"}
     pace = M.x * G / (M.x + inertia / radius**2)
     case = Case(
         scene("Yo-yo", given=given, bodies={"yoyo": body}, connections={"thread": {"string": ["ceiling", end]}})

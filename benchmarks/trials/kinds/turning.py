@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from mpmath import exp, floor, log, mp, mpf
+from mpmath import log, mp, mpf
 
 from trials.case import Case, G, Train, letters, scene
 from trials.draw import Draw
@@ -74,21 +74,21 @@ def speeded(draw: Draw) -> Case:
 
 def dragged(draw: Draw) -> Case:
     """A flywheel slowed by a torque that goes by its speed."""
-    I, c, w, share = draw.size("kg m^2"), draw.size("N m s", 0.01, 1.0), draw.size("rad/s"), draw.share()
+    inertia, c, w, share = draw.size("kg m^2"), draw.size("N m s", 0.01, 1.0), draw.size("rad/s"), draw.share()
     case = Case(
         scene(
             "Flywheel in oil",
             gravity="none",
-            given={**letters(I=I, c=c, w=w), "s": share.text},
+            given={**letters(I=inertia, c=c, w=w), "s": share.text},
             bodies={"wheel": {"inertia": "I"}},
             connections={"axle": {"axle": "wheel"}},
             actions={"oil": {"couple": "-c*wheel.angular_velocity", "on": "wheel"}},
             states={"off": {"wheel.angular_velocity": "w"}, "later": {"wheel.angular_velocity": "s*w"}},
         )
     )
-    case.ask("alpha", "wheel.angular_acceleration at off", -c.x * w.x / I.x)
-    case.ask("t", "time from off to later", -log(share.x) * I.x / c.x)
-    case.ask("n", "wheel.turns from off to later", I.x * w.x * (1 - share.x) / (2 * mp.pi * c.x))
+    case.ask("alpha", "wheel.angular_acceleration at off", -c.x * w.x / inertia.x)
+    case.ask("t", "time from off to later", -log(share.x) * inertia.x / c.x)
+    case.ask("n", "wheel.turns from off to later", inertia.x * w.x * (1 - share.x) / (2 * mp.pi * c.x))
     return case
 
 
@@ -137,6 +137,3 @@ def pieces(draw: Draw) -> Case:
     case.ask("J", "clock.inertia", about - mass * height**2)
     case.ask("k", "clock.gyration about clock.O", mp.sqrt(about / mass))
     return case
-
-
-__all__ = ["dragged", "exp", "floor", "gears", "pieces", "reversed_turn", "speeded"]

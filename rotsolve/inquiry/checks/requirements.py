@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Call, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Requirement
@@ -41,6 +41,8 @@ def requirements(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
                 yield Check(words)
             elif sign < 0:
                 yield Check(objection(need, place, inquiry, letters), False)
+            elif sign == 0 and not demanded(need, place, inquiry):
+                yield Check(verge(need, place, inquiry, letters), None)
 
 
 def judged(need: Requirement, inquiry: Inquiry, aside: Inquiry) -> tuple[Settling, Formula | None]:
@@ -89,6 +91,25 @@ def objection(need: Requirement, state: str, inquiry: Inquiry, letters: Letters)
     relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
+
+
+def demanded(need: Requirement, state: str, inquiry: Inquiry) -> bool:
+    """Whether the scene itself asks for the verge: `touch: leaves` at that state, `x where touch.normal_force = 0`."""
+    arrangement = inquiry.history.arrangement
+    lines = [line for line in arrangement.timeline.state(state).conditions if line.word]
+    lines += [find.where for find in arrangement.problem.finds if find.where is not None]
+    paths = [line.path for line in lines]
+    paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
+    return need.left - need.right == ZERO or any(path is not None and path.owner == need.owner for path in paths)
+
+
+def verge(need: Requirement, state: str, inquiry: Inquiry, letters: Letters) -> Words:
+    """A requirement that only just holds: "N = 0 for touch at top: the least change decides whether ball leaves the loop"."""
+    names = lettered(need, inquiry, letters)
+    left, right = (side.substitute(names) for side in (need.left, need.right))
+    moment = f" at {spoken(state)}" if state else ""
+    happens = need.otherwise if " " in need.otherwise else f"{spoken(need.owner)} {need.otherwise}"
+    return (left, " = ", right, f" for {spoken(need.owner)}{moment}: the least change decides whether {happens}")
 
 
 def lettered(need: Requirement, inquiry: Inquiry, letters: Letters) -> dict[str, Formula]:

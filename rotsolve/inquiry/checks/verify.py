@@ -10,6 +10,7 @@ from rotsolve.inquiry.checks.dimensions import dimensions
 from rotsolve.inquiry.checks.limits import limits
 from rotsolve.inquiry.checks.requirements import requirements
 from rotsolve.inquiry.checks.second_law import second_law
+from rotsolve.inquiry.checks.verges import nudged
 from rotsolve.inquiry.compose import Letters
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID
@@ -23,6 +24,7 @@ def checks(inquiry: Inquiry, letters: Letters) -> tuple[Check, ...]:
         *dimensions(inquiry),
         *limits(inquiry),
         *requirements(inquiry, letters),
+        *nudged(inquiry),
     )
 
 

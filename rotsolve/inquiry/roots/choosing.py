@@ -45,6 +45,8 @@ class RootChoice(Struct, frozen=True):
             real, dropped = moved, ("the root 0 is the start itself",)
         if len(real) == 1:
             return Choice(real[0][0], dropped)
+        if all(self.numbers.side(roots[index] - roots[real[0][0]]) == 0 for index, _ in real[1:]):
+            return Choice(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
             real = [real[place] for place in stable]
