@@ -29,11 +29,12 @@ def second_law(inquiry: Inquiry, letters: Letters) -> Iterator[Check]:
         and depends(answered, inquiry)
     ]
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
+        unused = [answered for answered in pending if law not in families(answered, inquiry)]
+        if not unused:
+            continue
         other = Inquiry(inquiry.history, families_for(law), spare=True, confirming=True)
         agreed = []
-        for answered in list(pending):
-            if law in families(answered, inquiry):
-                continue
+        for answered in unused:
             formula = again(other, answered)
             if formula is None or not independent(other, law):
                 continue
