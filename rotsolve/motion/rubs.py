@@ -32,6 +32,11 @@ class Rub(Struct, frozen=True):
             return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
         return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
 
+    @property
+    def name(self) -> str:
+        """What it is, whatever the state from which it is looked at."""
+        return self.key.partition("@")[0]
+
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
         """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
         if self.pair is not None:

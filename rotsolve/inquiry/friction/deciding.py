@@ -7,7 +7,7 @@ the other, with the senses that strings and joints allow; it moves the way in wh
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from itertools import product
 
 from msgspec import Struct
@@ -40,13 +40,16 @@ class Decision(Struct, frozen=True):
     numbered: int = 0  # equations numbered so far
 
 
-def decide(arrangement: Arrangement) -> Decision:
-    """The modes of all contacts with a coefficient of friction and of all wheels on rubbing axles."""
+def decide(arrangement: Arrangement, at_rest: Collection[str] = ()) -> Decision:
+    """The modes of all contacts with a coefficient of friction and of all wheels on rubbing axles.
+
+    `at_rest` are the names of those that are known not to slip at the start, where their speeds are numbers that have been rounded.
+    """
     modes: dict[str, str] = {}
     sections: list[Section] = []
     number = 1
     for rub in rubs(arrangement):
-        moving = sense_at_start(arrangement, rub, modes)
+        moving = 0 if rub.name in at_rest else sense_at_start(arrangement, rub, modes)
         if moving:
             modes[rub.key] = rub.mode(moving)
     for group in together(arrangement, [rub for rub in rubs(arrangement) if rub.key not in modes]):

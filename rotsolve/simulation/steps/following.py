@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.core.registry import TIME
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
 from rotsolve.simulation.moving.compiling import compiled
 from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.opening import opening, standing
-from rotsolve.simulation.moving.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, watches
+from rotsolve.simulation.moving.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, place_of, told, watches
 from rotsolve.simulation.steps.bounded import (
     FLOAT_BITS,
     SAFETY,
@@ -28,6 +29,7 @@ from rotsolve.simulation.steps.bounded import (
     start_of,
     stretch,
 )
+from rotsolve.simulation.tape.series import BALLS, Expansion
 from rotsolve.simulation.tape.tape import Exact, Scalar
 
 READING_BITS = 192
@@ -83,19 +85,19 @@ class Follower(Struct, dict=True):
             before, watch = course, part.hit.watch
             for _ in part.hit.also:
                 self._rearranged(self.ahead.pop(0))
-            course, states = self._after(watch, course, states, times)
+            course, states = self._after(watch, part, states, times)
             sides = part.sides if course is before else ({}, {})
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
 
-    def decided(self, scene: Arrangement) -> dict[str, str]:
+    def decided(self, scene: Arrangement, at_rest: Collection[str] = ()) -> dict[str, str]:
         """Which contacts stick and which slip, decided as for any scene that starts so."""
         if not rubs(scene):
             return {}
         from rotsolve.inquiry.friction import decide
 
-        return decide(scene).modes
+        return decide(scene, at_rest).modes
 
     def _enter(self, part: Stretch) -> None:
         """A part that has been followed, with what ends it; bounds never shrink from one part to the next."""
@@ -112,8 +114,9 @@ class Follower(Struct, dict=True):
                 state = watch.what if watch.kind == REACHED else ""
                 self.found.events.append(Event(part.ends[0], bound, watch.what, state))
 
-    def _after(self, hit: Watch, course: Course, states: States, times: Times) -> tuple[Course, States]:
-        """The course that follows an event, and the states of both runs in its numbers."""
+    def _after(self, hit: Watch, part: Stretch, states: States, times: Times) -> tuple[Course, States]:
+        """The course that follows an event at the end of a part, and the states of both runs in its numbers."""
+        course = part.course
         if hit.kind == BREAKS:
             self.found.ended = f"{hit.what}: what comes after that is not followed"
         if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._rearranged(self.ahead.pop(0))):
@@ -122,12 +125,25 @@ class Follower(Struct, dict=True):
             self.modes = {**self.modes, hit.rub.key: hit.mode}
         else:
             numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
-            self.modes = self.decided(standing(self.scene, times[0], numbers))
+            self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part))
         following = compiled(self.scene, self.modes, course)
         first, second = (
             self._carried(course, following, state, time) for state, time in zip(states, times, strict=True)
         )
         return following, (first, second)
+
+    def _at_rest(self, part: Stretch) -> set[str]:
+        """What rubs without slipping at the end of a part, as far as its numbers tell."""
+        course, time = part.course, part.ends[0]
+        slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.arrangement)}
+        with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
+            places = {name: place_of(course, slip) for name, slip in slips.items() if slip and told(course, slip)}
+            expansion = Expansion(course.tape, list(places.values()), BALLS)
+            state = {
+                course.letters[item.letter]: ball for item, ball in zip(course.variables, part.state(time), strict=True)
+            }
+            expansion.begin({**state, course.letters[TIME]: arb(time)})
+            return {name for name, place in places.items() if expansion.lists[place][0].contains(0)}
 
     def _rearranged(self, state: State) -> bool:
         """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
