@@ -9,6 +9,7 @@ from msgspec import Struct, field
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
+from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.model import State
@@ -74,7 +75,13 @@ class Follower(Struct, dict=True):
         since: dict[str, Exact] = {item.name: item.start for item in course.variables}
         sides: Sequence[Mapping[Watch, int]] = ({}, {})
         while not self.found.ended and len(self.found.events) < CROWD:
-            watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
+            try:
+                watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
+            except NotYet as error:
+                if not self.found.stretches:
+                    raise
+                self.found.ended = str(error)
+                break
             part = stretch(course, times, states, self.until, self.tolerances, watched, sides, self.tell)
             self._enter(part)
             if part.hit is None:
