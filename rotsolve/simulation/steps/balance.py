@@ -85,13 +85,14 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
     pieces = part.runs[0].pieces
     pieces = pieces[:LOOKS] if fed else pieces[:: 1 + len(pieces) // LOOKS]
     first, spent = reading.at(part.times[0]), [0.0]
-    worst = size = strongest = 0.0
+    own = slice(2, 2 + len(balance.parts))
+    size, worst, strongest = sum(abs(float(part)) for part in first[own]), 0.0, 0.0
     with Precision(max(BALANCE_BITS, part.bits)):
         for piece in pieces:
             if fed:
                 spent.append(reading.fed(piece.start, piece.length))
             now = reading.at(piece.start + piece.length)
-            size = max(size, sum(abs(float(value)) for value in now[2 : 2 + len(balance.parts)]))
+            size = max(size, sum(abs(float(value)) for value in now[own]))
             worst = max(worst, abs(float(now[0] - first[0]) - fsum(spent)))
             strongest = max(strongest, abs(float(now[1])))
             if balance.check is not None and abs(float(now[-1] - now[1])) > OFF * max(strongest, size):
