@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import argparse
 import json
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -70,7 +71,11 @@ def main() -> None:
     if told.measure:
         print(json.dumps(measured(told.measure)))
         return
-    text = page([PARTS[name](told) for name in told.only])
+    parts = []
+    for name in told.only:
+        print(f"measuring {name} …", file=sys.stderr, flush=True)
+        parts.append(PARTS[name](told))
+    text = page(parts)
     print(text)
     if not (told.quick or told.print) and told.only == list(PARTS):
         write_section("cost", text)

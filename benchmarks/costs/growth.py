@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import resource
 import sys
 from collections.abc import Callable, Sequence
+from pathlib import Path
 from time import process_time
 
 from costs.clock import best
@@ -47,7 +49,10 @@ def measure(kind: str, size: int) -> dict[str, float]:
 
 
 def peak() -> float:
-    """The most memory that this process has had, in MiB."""
+    """The most memory that this process has had, in MiB; the system's own count begins with what the process was started from."""
+    status = Path("/proc/self/status")
+    if status.exists():
+        return int(re.findall(r"^VmHWM:\s+(\d+) kB$", status.read_text(encoding="ascii"), re.MULTILINE)[0]) / 1024
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / (1024 if sys.platform != "darwin" else 1024**2)
 
 
@@ -63,6 +68,7 @@ def part(quick: bool) -> Part:
     long, wide = grown("chain", chains), grown("page", pages)
     late = [index for index, size in enumerate(chains) if size >= ASYMPTOTIC]
     power = exponent([chains[index] for index in late], [long[index]["solve"] for index in late])
+    memory = exponent([chains[index] for index in late], [long[index]["memory"] for index in late])
     reading = exponent(pages[1:], [one["read"] for one in wide[1:]])
     ratio = wide[-1]["solve"] / wide[1]["solve"]
     text = "\n\n".join(
@@ -70,7 +76,7 @@ def part(quick: bool) -> Part:
             "Two blocks on one string over a chain of pulleys, the acceleration asked; processor time in ms, memory in MiB above "
             "that of a small scene.",
             table(("pulleys", "read", "solve", "render", "memory", "equations"), rows(chains, long)),
-            f"From {ASYMPTOTIC} pulleys on the time to solve grows with the power {power:.2f} of their number.",
+            f"From {ASYMPTOTIC} pulleys on the time to solve grows with the power {power:.2f} of their number, memory with {memory:.2f}.",
             "A page of independent scenes (a block on a disc), the acceleration in the first asked; `solve` is the best of 5 once read.",
             table(("scenes", "read", "solve", "render", "memory", "equations"), rows(pages, wide)),
             f"Reading grows with the power {reading:.2f}; solving takes {ratio:.1f} × as long for {pages[-1]} scenes as for {pages[1]}.",

@@ -102,6 +102,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
             f"{share([row.sympy for row in solved], 0.9):.2f} ×; `--help` {found[HELP].bare:.1f} × and {found[HELP].sympy:.2f} ×.",
             "Imports by package, mean over the files, in ms with the cost of `-X importtime` itself:",
             table(("package", "ms"), list(by_package(packages))),
+            before_work(list(spent.values())),
             "Stages by `--profile` in ms, `start` being the interpreter and the command line:",
             table(("file", "× bare", "× sympy", *OF_RUN), [row(name, found[name], spent[name]) for name in commands]),
         ]
@@ -115,6 +116,12 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
             below("`--help`, × bare interpreter", found[HELP].bare, 8, "{:.1f}"),
         ),
     )
+
+
+def before_work(spent: Sequence[Mapping[str, float]]) -> str:
+    """How much of a cold solve is not solving."""
+    shares = [(one["start"] + one["import"]) / sum(one.values()) for one in spent]
+    return f"Starting and importing take {median(shares):.0%} of the processor time of a file (median): that is what holds the ratios up."
 
 
 def by_package(packages: Sequence[Counter[str]]) -> Iterator[tuple[str, str]]:

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import coefficients, equal, is_zero, simplify
-from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_linear, solve_system
+from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_all, solve_linear, solve_system
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.formula import (
@@ -411,3 +411,28 @@ def test_logarithms_are_put_together_where_that_is_shorter(left: str, right: str
     found = one_logarithm(parse(left), simplify)
     assert found == parse(right) if left == right else equal(found, parse(right), POSITIVE)
     assert sum(isinstance(node, Call) and node.function == "log" for node in found.walk()) == 1
+
+
+def test_all_unknowns_at_once_are_those_one_by_one() -> None:
+    equations, unknowns = [parse(text) for text in ATWOOD], ["a", "T1", "T2", "alpha"]
+    found = solve_all(equations, unknowns, ORDER, POSITIVE)
+    assert found == {name: solve_system(equations, unknowns, name, ORDER, POSITIVE) for name in unknowns}
+
+
+@pytest.mark.parametrize(
+    ("equations", "error"),
+    [
+        (("x+y-1", "2*x+2*y-2"), "y is not settled|x is not settled"),
+        (("x+y-1", "x-y", "2*x-3"), "contradicts the others"),
+        (("x*y-1", "x-y"), "not linear"),
+        (("sin(x)+y", "x-y"), "not linear in x"),
+    ],
+)
+def test_systems_that_do_not_settle_all_unknowns_are_refused(equations: tuple[str, ...], error: str) -> None:
+    with pytest.raises((Singular, NotLinear), match=error):
+        solve_all([parse(text) for text in equations], ["x", "y"])
+
+
+def test_an_equation_that_says_nothing_new_does_no_harm() -> None:
+    found = solve_all([parse("x+y-m"), parse("x-y"), parse("2*x+2*y-2*m")], ["x", "y"])
+    assert all(is_zero(value - parse("m/2")) for value in found.values())

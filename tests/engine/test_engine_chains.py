@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from time import process_time
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from rotsolve import solve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.history import History
@@ -253,3 +256,40 @@ def test_pulleys_that_hang_from_pulleys(top: Node) -> None:
     machine = Machine()
     hang(machine, top, "q", "")
     machine.check()
+
+
+def wheels(number: int, *, alike: bool) -> str:
+    """Two blocks on a string over a row of wheels, all alike or each of its own size."""
+    names = [f"w{place}" for place in range(1, number + 1)]
+    sizes = {name: ("I", "R") if alike else (f"I{name}", f"R{name}") for name in names}
+    letters = dict.fromkeys(
+        pair for sizes_ in sizes.values() for pair in zip(sizes_, ("2 kg m^2", "5 cm"), strict=True)
+    )
+    given = ", ".join(f"{letter}: {value}" for letter, value in letters)
+    bodies = "".join(
+        f"  {name}: {{inertia: {inertia}, radius: {radius}}}\n" for name, (inertia, radius) in sizes.items()
+    )
+    axles = "".join(f"  axle{name}: {{axle: {name}}}\n" for name in names)
+    return (
+        f"given: {{m: 2 kg, M: 3 kg, {given}}}\nbodies:\n  left: {{mass: m, moves: up}}\n{bodies}  right: {{mass: M, moves: down}}\n"
+        f"connections:\n{axles}  rope: {{string: [left, {', '.join(names)}, right]}}\nfind: {{a: left.acceleration}}\n"
+    )
+
+
+def test_an_answer_that_no_page_would_hold_is_never_told_by_itself() -> None:
+    solution = solve(wheels(11, alike=False))
+    answer = solution.answers["a"]
+    assert answer.formula is not None and answer.float is not None
+    numbers = {one.name: one.value for one in solution.problem.givens if one.value is not None}
+    assert evaluate(answer.formula, numbers).float == pytest.approx(answer.float, rel=1e-12)  # so it holds givens alone
+
+
+def test_the_time_of_a_chain_grows_no_faster_than_the_square_of_its_length() -> None:
+    def spent(number: int) -> float:
+        text = wheels(number, alike=True)
+        start = process_time()
+        solve(text)
+        return process_time() - start
+
+    spent(2)
+    assert spent(40) < 16 * spent(10)
