@@ -265,8 +265,8 @@ def part(limit: float, runs: int = RUNS) -> Part:
     head = ("ms", *(f"{machine.name}, {size}" for machine, size in zip(MACHINES, sizes, strict=True)))
     text = (
         f"All unknowns of a scene from the same linear equations, processor time in ms, best of {runs} runs (fewer where "
-        f"they are long); given up after {limit:g} s, which makes ratios lower bounds. Lagrange and Kane give the accelerations "
-        f"alone.\n\n{table(head, rows)}"
+        f"they are long); given up after {limit:g} s, which makes ratios lower bounds. "
+        f"Lagrange and Kane give the accelerations alone.\n\n{table(head, rows)}"
     )
     return Part("Symbolic solving", text, tuple(targets(times, sizes, limit)))
 

@@ -63,7 +63,12 @@ class Arrangement(Struct, frozen=True, dict=True):
 
     def laid(self, name: str) -> bool:
         """Whether a body lays itself out along a surface."""
-        return any(item.lays(self.bodies[name]) for item in self.problem.connections)
+        return name in self._laid
+
+    @cached_property
+    def _laid(self) -> frozenset[str]:
+        named = ((item, ref.owner) for item in self.problem.connections for ref in item.touches())
+        return frozenset(name for item, name in named if name in self.bodies and item.lays(self.bodies[name]))
 
     def body(self, name: str, state: str) -> Body:
         """A body with the mass, size and moment of inertia that it has at a state."""

@@ -15,7 +15,8 @@ from rotsolve.scene.keys import varying
 def check_values(arrangement: Arrangement) -> None:
     """A value that varies speaks of a body that moves as it is said to, and that is tied to the body on which it acts."""
     for state in arrangement.timeline.states:
-        arrangement.present(state.name)  # refuses data that a body can not take on
+        if state.conditions:
+            arrangement.present(state.name)  # refuses own data of bodies that can not be so
         items = arrangement.connections(state.name)
         for host in {arrangement.host(owner, state.name): None for item in items for owner, *_ in item.prescribes()}:
             arrangement.drives(host, state.name)  # refuses what can not be driven so
