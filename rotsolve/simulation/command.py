@@ -30,14 +30,15 @@ class Request(Struct, frozen=True):
     plot: str | None = None
     settings: dict[str, str] = field(default_factory=dict)
     width: int = 120
+    certified: bool = False
 
 
 def run(request: Request) -> int:
     """Follow a scene and write what was asked for."""
     try:
         with advancing(name_of(request.file)) as tell:
-            scene = source(request.file, piped((request.file,)))
-            found = simulate(scene, request.until, request.accuracy, request.settings, tell)
+            scene, certified = source(request.file, piped((request.file,))), request.certified
+            found = simulate(scene, request.until, request.accuracy, request.settings, tell, certified=certified)
     except Exception as error:
         failed = failure(request.file, error)
         return refuse(failed.message, failed.code)

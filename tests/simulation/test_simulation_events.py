@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve import Unsolvable, simulate
-from scenes import DRIVEN_PULLEY, PENDULUM, SHAKEN, SLIDING
+from scenes import DRIVEN_PULLEY, PENDULUM, SHAKEN, SLIDING, TWO_RODS
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
 
@@ -98,6 +98,14 @@ def test_a_block_leaves_a_dome_where_its_weight_no_longer_bends_its_way() -> Non
     angle, bound = run.at(run.end)["touch.angle"]
     late = run.events[-1].bound * run.at(run.end)["block.velocity"][0] / 3
     assert abs(math.sin(angle) - (2 / 3 + 2**2 / (3 * 9.8 * 3))) <= bound + late + 1e-15
+
+
+def test_two_rods_end_where_a_far_finer_run_ends() -> None:
+    run, fine = simulate(TWO_RODS, 10, 1e-8), simulate(TWO_RODS, 10, 1e-14)
+    exact = fine.at(10)
+    for name, (value, bound) in run.at(10).items():
+        assert abs(value - exact[name][0]) <= bound + exact[name][1]
+    assert max(bound for name, (_, bound) in run.at(10).items() if name.endswith(".angle")) < 1e-8
 
 
 def test_what_can_not_be_simulated_is_refused_by_name() -> None:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.elements.connections.contacts.rubbing import Rubbing
@@ -66,13 +66,3 @@ def beginning(arrangement: Arrangement, modes: Mapping[str, str]) -> Beginning:
     first = arrangement.timeline.states[0].name
     stated = Statements(Fixed(arrangement, registry, modes)).take()
     return Beginning(Instant(arrangement, registry, first, False, modes), tuple(stated))
-
-
-def speed_letters(value: Formula) -> set[str]:
-    """The letters of speeds in a formula."""
-    return {
-        name for name in value.symbols() if name.startswith(("velocity" + SEPARATOR, "angular_velocity" + SEPARATOR))
-    }
-
-
-__all__ = ["ZERO", "Beginning", "Symbol", "beginning", "speed_letters"]
