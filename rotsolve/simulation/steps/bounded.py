@@ -9,7 +9,7 @@ out grows in both as the motion makes it grow.
 from __future__ import annotations
 
 from bisect import bisect_left, bisect_right
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -71,7 +71,8 @@ class Stretch(Struct):
     runs: tuple[Motion, Motion]
     ends: Times
     last: States
-    hit: Watch | None = None
+    hit: Hit | None = None
+    sides: tuple[dict[Watch, int], ...] = ({}, {})  # the last signs of what is watched
     bounds: list[list[float]] = field(default_factory=list)
     spread: dict[str, list[float]] = field(default_factory=dict)
 
@@ -139,23 +140,36 @@ def stretch(
     until: float,
     tolerances: Tolerances,
     watched: Sequence[Watch],
+    sides: Sequence[Mapping[Watch, int]],
     tell: Callable[[float], None],
 ) -> Stretch:
     """Follow a course from a time on by both runs until something happens."""
-    runs, ends, last, hits = [], [], [], []
+    runs, ends, last, hits, told = [], [], [], [], []
     places = [watch.place for watch in watched]
     with Precision(tolerances.bits):
-        for way, time, state in zip(tolerances.ways, times, states, strict=True):
+        for way, time, state, signs in zip(tolerances.ways, times, states, sides, strict=True):
             stepper = Stepper(course, way.numbers, way.tolerance, order_for(way.tolerance), places)
             walker = Walker(stepper, time, state, way.coarse)
-            motion, hit = followed_until(walker, until, Lookout(watched), tell)
+            lookout = Lookout(watched, signs)
+            motion, hit = followed_until(walker, until, lookout, tell)
             runs.append(motion)
             ends.append(walker.time)
             last.append(walker.state)
-            hits.append(hit.watch if hit is not None else None)
-    if hits[0] != hits[1]:
+            hits.append(hit)
+            told.append(lookout.told())
+    if (hits[0] and hits[0].watch) != (hits[1] and hits[1].watch):
         raise Unsettled(min(ends))
-    return Stretch(course, tolerances, times, (runs[0], runs[1]), (ends[0], ends[1]), (last[0], last[1]), hits[0])
+    first, second = zip(runs, ends, last, strict=True)
+    return Stretch(
+        course,
+        tolerances,
+        times,
+        (first[0], second[0]),
+        (first[1], second[1]),
+        (first[2], second[2]),
+        hits[0],
+        tuple(told),
+    )
 
 
 def followed_until(

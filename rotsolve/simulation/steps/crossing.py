@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from msgspec import Struct
 
-from rotsolve.simulation.moving.watches import Watch
+from rotsolve.simulation.moving.watches import REACHED, Watch
 from rotsolve.simulation.steps.taylor import Piece, value
 from rotsolve.simulation.tape.tape import Scalar
 
@@ -20,14 +20,19 @@ class Hit(Struct, frozen=True):
 
     watch: Watch
     time: float
+    also: tuple[Watch, ...] = ()  # states of the scene that are reached at once
 
 
 class Lookout:
     """Looks at the watched values along the pieces of a motion; a piece is so short that they hardly bend in it."""
 
-    def __init__(self, watched: Sequence[Watch]) -> None:
+    def __init__(self, watched: Sequence[Watch], sides: Mapping[Watch, int]) -> None:
         self.watched = watched
-        self.sides = [0] * len(watched)  # the last sign that each had
+        self.sides = [sides.get(watch, 0) for watch in watched]  # the last sign that each had
+
+    def told(self) -> dict[Watch, int]:
+        """The last signs, for what goes on from here with the same equations."""
+        return dict(zip(self.watched, self.sides, strict=True))
 
     def first(self, piece: Piece) -> Hit | None:
         """The first moment in a piece at which one of the values passes zero."""
@@ -38,7 +43,12 @@ class Lookout:
         hits = [
             Hit(watch, piece.start + time) for watch, time in zip(self.watched, found, strict=True) if time is not None
         ]
-        return min(hits, key=lambda hit: hit.time, default=None)
+        if not hits:
+            return None
+        first = min(hits, key=lambda hit: hit.time)
+        near = first.time + CLEAR * piece.length
+        also = (hit.watch for hit in hits if hit.time <= near and hit.watch.kind == REACHED != first.watch.kind)
+        return Hit(first.watch, first.time, tuple(also))
 
     def _passage(self, number: int, times: Sequence[float], polynomial: Sequence[Scalar]) -> float | None:
         """When one value passes zero, seen by its signs at some times since the start of the piece."""

@@ -70,16 +70,21 @@ class Follower(Struct, dict=True):
         course = compiled(self.scene, self.modes)
         states, times = start_of(course, self.tolerances), (0.0, 0.0)
         since: dict[str, Exact] = {item.name: item.start for item in course.variables}
+        sides: Sequence[Mapping[Watch, int]] = ({}, {})
         while not self.found.ended and len(self.found.events) < CROWD:
             watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
-            part = stretch(course, times, states, self.until, self.tolerances, watched, self.tell)
+            part = stretch(course, times, states, self.until, self.tolerances, watched, sides, self.tell)
             self._enter(part)
             if part.hit is None:
                 return self.found
             states, times = part.last, part.ends
-            if part.hit.kind == REACHED:
+            if part.hit.watch.kind == REACHED or part.hit.also:
                 since = {item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)}
-            course, states = self._after(part.hit, course, states, times)
+            before, watch = course, part.hit.watch
+            for _ in part.hit.also:
+                self._rearranged(self.ahead.pop(0))
+            course, states = self._after(watch, course, states, times)
+            sides = part.sides if course is before else ({}, {})
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
@@ -101,10 +106,11 @@ class Follower(Struct, dict=True):
         with Precision(self.tolerances.bits):
             measure(part, [before[item.name] for item in part.course.variables])
         self.found.stretches.append(part)
-        if part.hit is not None and part.hit.kind != TURNS:
-            bound = SAFETY * abs(part.ends[0] - part.ends[1]) + 4 * 2.0**-52 * part.ends[0]
-            state = part.hit.what if part.hit.kind == REACHED else ""
-            self.found.events.append(Event(part.ends[0], bound, part.hit.what, state))
+        bound = SAFETY * abs(part.ends[0] - part.ends[1]) + 4 * 2.0**-52 * part.ends[0]
+        for watch in (part.hit.watch, *part.hit.also) if part.hit is not None else ():
+            if watch.kind != TURNS:
+                state = watch.what if watch.kind == REACHED else ""
+                self.found.events.append(Event(part.ends[0], bound, watch.what, state))
 
     def _after(self, hit: Watch, course: Course, states: States, times: Times) -> tuple[Course, States]:
         """The course that follows an event, and the states of both runs in its numbers."""
