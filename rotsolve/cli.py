@@ -202,6 +202,7 @@ Accuracy = Annotated[
     float,
     typer.Option(metavar="X", min=1e-60, max=1e-2, help="Bound of each number, as a part of its largest size."),
 ]
+Proved = Annotated[bool, typer.Option("--certified", help="Prove the bounds; it ends where something may happen.")]
 Csv = Annotated[bool, typer.Option("--csv", help="Print all quantities with their bounds, separated by commas.")]
 Plot = Annotated[str | None, typer.Option(metavar="FILE", help="Draw the motion into a file, .svg or .png.")]
 
@@ -212,6 +213,7 @@ def simulate(
     until: Until = "10s",
     step: Step = None,
     accuracy: Accuracy = 1e-9,
+    certified: Proved = False,
     csv: Csv = False,
     plot: Plot = None,
     settings: Settings = None,
@@ -236,11 +238,9 @@ def simulate(
     from rotsolve.simulation.command import Request, run
 
     with orderly():
-        code = run(
-            Request(
-                file, seconds, accuracy, between, csv, plot, read_settings(settings or []), width or page_width(None)
-            )
-        )
+        chosen = read_settings(settings or [])
+        columns = width or page_width(None)
+        code = run(Request(file, seconds, accuracy, between, csv, plot, chosen, columns, certified))
     raise typer.Exit(code)
 
 

@@ -29,6 +29,7 @@ class Request(Struct, frozen=True):
     plot: str | None = None
     settings: dict[str, str] = field(default_factory=dict)
     width: int = 120
+    certified: bool = False
 
 
 def run(request: Request) -> int:
@@ -36,7 +37,8 @@ def run(request: Request) -> int:
     name = name_of(request.file)
     try:
         with advancing(name) as tell:
-            found = simulate(source(request.file), request.until, request.accuracy, request.settings, tell)
+            scene, certified = source(request.file), request.certified
+            found = simulate(scene, request.until, request.accuracy, request.settings, tell, certified=certified)
         return write(found, request)
     except SceneError as error:
         return refuse(error.render(), UNSOLVED if error.not_yet else BAD)

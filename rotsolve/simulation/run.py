@@ -62,7 +62,7 @@ class Run(Struct, dict=True):
             found = reading.read(time, part.state(time))
             direct = {item.name for item in part.course.variables}
             others = [name for name in wanted if name not in direct]
-            if others:
+            if others and not part.proved:
                 middles = reading.read(time, part.middle(time))
                 for name, bound in zip(others, part.derived(time, others), strict=True):
                     apart = arb(middles[name].mid(), bound + ROUNDING * abs(float(middles[name])))

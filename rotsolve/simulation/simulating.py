@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path
 from time import monotonic
 
@@ -16,14 +17,18 @@ from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.read import read_file, read_text
+from rotsolve.simulation.moving.compiling import compiled
+from rotsolve.simulation.moving.watches import watches
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.steps.bounded import FLOAT_BITS, ROUNDED, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.steps.enclosing import enclosed
 from rotsolve.simulation.steps.following import Event, Followed, Follower
 from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 AIM = 1e-3  # tolerance of a step, of the accuracy asked for
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
+FIRST_BITS = 128  # beyond those of the accuracy, with which a proof is tried first
 PATIENCE = 60.0  # seconds after which it is not tried any finer
 
 
@@ -33,10 +38,13 @@ def simulate(
     accuracy: float = 1e-9,
     settings: Mapping[str, str] | None = None,
     tell: Callable[[float], None] | None = None,
+    *,
+    certified: bool = False,
 ) -> Run:
     """Follow a scene in time from its first state: a path, or YAML text (text with a line break).
 
     `accuracy` is what the bound of each coordinate and speed may be, as a part of its largest size; `tell` is told how much is done.
+    `certified` bounds are proved, at a price in time; such a motion ends where something may happen.
     Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated, ValueError for a time or accuracy that
     is none.
     """
@@ -49,7 +57,7 @@ def simulate(
         problem = read_text(source, settings=settings or {})
     else:
         problem = read_file(Path(source), settings=settings or {})
-    return simulate_problem(problem, seconds, accuracy, tell)
+    return simulate_problem(problem, seconds, accuracy, tell, certified)
 
 
 def seconds_of(text: str) -> float:
@@ -58,12 +66,16 @@ def seconds_of(text: str) -> float:
 
 
 def simulate_problem(
-    problem: Problem, until: float, accuracy: float, tell: Callable[[float], None] | None = None
+    problem: Problem,
+    until: float,
+    accuracy: float,
+    tell: Callable[[float], None] | None = None,
+    certified: bool = False,
 ) -> Run:
     """Follow a problem that has been read."""
     arrangement = arranged(problem)
     try:
-        return followed(arrangement, until, accuracy, tell)
+        return (proved if certified else followed)(arrangement, until, accuracy, tell)
     except NotYet as error:
         span, help = error.span, error.help
         raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
@@ -100,6 +112,32 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
         if excess <= 1:
             return Run(arrangement.problem, until, accuracy, found.stretches, tuple(found.events), found.ended)
         tolerances, best = finer(tolerances, excess), found
+
+
+def proved(arrangement: Arrangement, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow an arrangement in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
+    follower, start = Follower(arrangement, until, Tolerances(accuracy)), monotonic()
+    course = compiled(follower.scene, follower.modes)
+    watched = watches(course, follower.modes, None, {})
+
+    def going_on(part: float) -> None:
+        if monotonic() - start > PATIENCE:
+            raise TimeoutError
+        if tell is not None:
+            tell(part)
+
+    bits = FIRST_BITS + math.ceil(-math.log2(accuracy))
+    while True:
+        with suppress(Unbounded):
+            try:
+                part, why = enclosed(course, until, bits, watched, going_on)
+            except TimeoutError:
+                said = f"its numbers are not certified to {accuracy:g} within {PATIENCE:g} s of calculation"
+                raise NotYet(said, help="follow it for a shorter time, or without --certified") from None
+            sizes = sizes_of([part])
+            if excess_of(part, [float(number.rad()) for number in part.last[0]], sizes) <= accuracy:
+                return Run(arrangement.problem, until, accuracy, [part], (), why)
+        bits *= 2
 
 
 def first_tolerances(accuracy: float) -> Tolerances:
