@@ -1,10 +1,10 @@
 """Run time against error: rotsolve beside scipy, mpmath, sympy, heyoka, MuJoCo and pymunk, against references of 60 digits.
 
     pip install -e '.[bench]'
-    python benchmarks/work_precision.py [--quick] [--rounds N] [--references] [PROBLEM ...]
+    python benchmarks/work_precision.py [--quick] [--rounds N] [--write] [--references] [PROBLEM ...]
 
 A whole run writes its section of docs/benchmarks.md and two pictures beside it; a quick one, with one setting for each peer, or
-one of chosen problems, only prints. `--references` makes the references anew, by two routes that must agree.
+one of chosen problems, only prints, unless `--write` is said. `--references` makes the references anew, by two routes that must agree.
 """
 
 from __future__ import annotations
@@ -43,8 +43,9 @@ def main() -> None:
     """Measure, print, and write what a whole run found."""
     parser = argparse.ArgumentParser(description="Run time against error.")
     parser.add_argument("problems", nargs="*", metavar="PROBLEM", help=f"of {', '.join(PROBLEMS)} (all)")
-    parser.add_argument("--quick", action="store_true", help="one setting for each peer, one round; writes nothing")
+    parser.add_argument("--quick", action="store_true", help="one setting for each peer, one round")
     parser.add_argument("--rounds", type=int, default=2, help="how often each whole process runs (2)")
+    parser.add_argument("--write", action="store_true", help="write the section of docs/benchmarks.md after any run")
     parser.add_argument("--references", action="store_true", help="make the references anew, and stop")
     options = parser.parse_args()
     if unknown := [name for name in options.problems if name not in PROBLEMS]:
@@ -57,7 +58,7 @@ def main() -> None:
     print(f"{machine()}; {versions()}")
     rows = run(chosen, rounds, options.quick)
     print("\n" + "\n".join(targets(chosen, rows)))
-    if not options.quick and not options.problems:
+    if options.write or not (options.quick or options.problems):
         for name, whole in PICTURES.items():
             draw(chosen, rows, DOCS / name, whole)
         write_section("work_precision", section(chosen, rows, rounds, list(PICTURES)))

@@ -10,6 +10,7 @@ from report import machine
 from .measure import Row
 from .peers.ours import ways
 from .problem import Problem
+from .problems import PROBLEMS
 from .reach import figures, milliseconds
 from .worker import LIMIT
 
@@ -17,7 +18,7 @@ PACKAGES = ("numpy", "scipy", "mpmath", "sympy", "heyoka", "mujoco", "pymunk")
 HEAD = """\
 ## Run time against error
 
-`python benchmarks/work_precision.py`, {machine}; {versions}.
+`python benchmarks/work_precision.py`, {machine}; {versions}. Of {whole} problems {part} were run.
 
 Each problem is a scene that rotsolve reads, and the same in plain mathematics for the others, in the variables that suit
 them best (angles from upright, where the rod starts next to it). Errors are against references of 60 digits, on which two
@@ -43,7 +44,14 @@ def versions() -> str:
 
 def section(problems: Sequence[Problem], rows: Sequence[Row], rounds: int, pictures: Sequence[str]) -> str:
     """The whole section in Markdown."""
-    head = HEAD.format(machine=machine(), versions=versions(), rounds=rounds, limit=f"{LIMIT} s")
+    head = HEAD.format(
+        machine=machine(),
+        versions=versions(),
+        rounds=rounds,
+        limit=f"{LIMIT} s",
+        whole=len(PROBLEMS),
+        part=len(problems),
+    )
     parts = [head, "### Targets\n", *targets(problems, rows), ""]
     parts += [f"![Run time against error]({name})\n" for name in pictures]
     parts.append("### All rows\n")
