@@ -135,7 +135,7 @@ def mirrored(scene: Scene) -> Scene | None:
     if any(name in SIDES for key in NAMED for name in scene.get(key, {})):
         return None
     result = {key: part if key in ("title", "given", "find") else named(part, SIDES) for key, part in scene.items()}
-    for item in result["connections"].values():
+    for item in result.get("connections", {}).values():
         if "string" in item:
             item["string"] = item["string"][::-1]
     return result

@@ -42,6 +42,7 @@ TRIG = (*SIN_COS, "tan")
 INVERSE = ("asin", "acos", "atan", "atan2")
 MULTIPLE_LIMIT = 24  # multiples of an angle beyond which sin(37 x) stays as it is
 CONSTANT_LIMIT = 12  # multiples of a base angle beyond which constants such as sin(37π/180) stay as they are
+POWER_LIMIT = 1000  # powers of a base beyond which exp(4001 x/1000) stays as it is
 
 
 class Rewriter:
@@ -211,6 +212,8 @@ class Rewriter:
             n = int(value * share)
             if isinstance(term, Call) and term.function == "log" and share == 1:
                 base = term.arguments[0]
+            elif abs(n) > POWER_LIMIT:
+                base, n = call("exp", angles.combination({term: value})), 1
             else:
                 base = call("exp", angles.combination({term: Fraction(1, share)}))
             result = multiply(result, base if n == 1 else Power(base, Number(Fraction(n))))

@@ -8,7 +8,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.connections import String, Weld
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Joins
-from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.scene.model import Body, PointRef, Problem
 
 
@@ -19,7 +19,8 @@ def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:
         for ref in item.touches() if item.bodily else ():
             if ref.owner not in bodies:
                 raise Unsolvable(f"`{item.word}` joins bodies, and `{ref.owner}` is none", span=ref.span)
-            if item.rimmed and rim_radius(bodies[ref.owner], ref.point) is None:
+            body = bodies[ref.owner]
+            if item.rimmed and rim_radius(body, ref.point) is None and "rim" not in shape_of(body).points:
                 raise Unsolvable(f"`{ref.owner}` has no radius on which a {item.word} could run", span=ref.span)
         if not isinstance(item, String):
             check_distinct(item.touches(), bodies)

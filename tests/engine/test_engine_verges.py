@@ -1,0 +1,185 @@
+"""What rounding, absolute tolerances and unbounded work did wrong: numbers of any size, on any edge, are judged by certified signs."""
+
+from __future__ import annotations
+
+import time
+from fractions import Fraction
+
+import pytest
+
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.pipeline import solve
+from rotsolve.render.voice import figures
+
+SET_DOWN = """
+given: {{M: {mass} kg, R: {length} m, w: {spin} rad/s, mu: 0.3, g: {gravity} m/s^2}}
+surfaces: {{floor: level}}
+bodies: {{cylinder: {{shape: cylinder, mass: M, radius: R, moves: right, turns: clockwise}}}}
+connections: {{grip: {{contact: [cylinder, floor], friction: mu}}}}
+states: {{set: {{cylinder.velocity: 0, cylinder.angular_velocity: w}}, rolling: {{grip: rolls}}}}
+find: {{t: time from set to rolling, v: cylinder.velocity at rolling}}
+"""
+
+
+@pytest.mark.parametrize("mass", ["1e-12", "1", "1e12"])
+@pytest.mark.parametrize(("length", "time_"), [(1, 1), (10**12, 10**-9), (10**-12, 10**7)])
+def test_a_spinning_cylinder_slips_in_any_units(mass: str, length: float, time_: float) -> None:
+    """A speed below 1e-12 m/s was taken for rest: the cylinder was said to roll at once."""
+    size, tick = Fraction(length).limit_denominator(10**13), Fraction(time_).limit_denominator(10**13)
+    text = SET_DOWN.format(
+        mass=mass, length=f"{float(size)!r}", spin=f"{float(20 / tick)!r}", gravity=f"{float(10 * size / tick**2)!r}"
+    )
+    solution = solve(text)
+    v, t = solution.answers["v"], solution.answers["t"]
+    assert v.float == pytest.approx(float(20 / 3 * size / tick)) and t.float == pytest.approx(
+        float(Fraction(20, 9) * tick)
+    )
+
+
+def test_small_masses_contradict_nothing() -> None:
+    """Differences of floats said that F − M g = M a can not hold where M is small beside 1."""
+    solution = solve("given: {M: 1e-14 kg, L: 1e11 m, F: 3e-9 N}\n" + "\n".join((
+        "bodies: {rod: {shape: rod, mass: M, length: L}}",
+        "connections: {pin: {hinge: rod.start}}",
+        "actions: {push: {force: F, on: rod.end, direction: tangential}}",
+        "states: {now: {rod.angle: 0 deg, at rest: all}}",
+        "find: {alpha: rod.angular_acceleration, F_y: pin.force.y}\n",
+    )))  # fmt: skip
+    assert solution.answers["alpha"].float == pytest.approx(3 * 3e-9 / (1e-14 * 1e11) - 3 * 9.8 / 2e11)
+
+
+@pytest.mark.parametrize(("turning", "farthest"), [("1e-5 rad/s", "2.500e-19"), ("3 rad/s", "2.250e-8")])
+def test_a_wheel_that_turns_back_at_once_has_gone_a_little_way(turning: str, farthest: str) -> None:
+    """A reversal within 1e-9 of the phase was taken for its start."""
+    solution = solve(f"""
+given: {{w: {turning}, a: 2e8 rad/s^2, T: 4e11 s}}
+bodies: {{wheel: {{inertia: 1 kg m^2}}}}
+connections: {{axle: {{axle: wheel, angular_acceleration: -a}}}}
+states: {{start: {{wheel.angle: 0, wheel.angular_velocity: w}}, end: {{time: T}}}}
+find: {{most: largest wheel.angle from start to end}}
+""")
+    assert Fraction(solution.answers["most"].value or "0") == Fraction(farthest)
+
+
+def test_friction_is_judged_beyond_the_figures_of_a_float() -> None:
+    scene = """
+given: {{F: {force} N}}
+surfaces: {{floor: level}}
+bodies: {{block: {{mass: 2 kg, moves: right}}}}
+connections: {{base: {{contact: [block, floor], friction: 0.5}}}}
+actions: {{pull: {{force: F, on: block, direction: right}}}}
+states: {{now: at rest}}
+find: {{a: block.acceleration}}
+"""
+    assert solve(scene.format(force="9.8000000000000000000000002")).answers["a"].value == "1e-25"
+    stays = solve(scene.format(force="9.8"))
+    assert stays.answers["a"].value == "0"
+    assert any("least change decides whether base slips" in str(check.words) for check in stays.checks)
+
+
+REFUSED = {
+    "bodies: {w: {shape: disc}}\nconnections: {a: {axle: w}, k: {weld: [w, w]}}\n": "`w` is connected to itself",
+    "bodies: {w: {shape: disc}, v: {}}\nconnections: {k: {weld: [w, v]}, l: {weld: [v, w]}}\n": "are joined already",
+    "bodies: {w: {shape: disc}}\nconnections: {a: {axle: w}, k: {gear: [ground, w]}}\n": "`gear` joins bodies",
+    "bodies: {w: {shape: disc}}\nconnections: {k: {weld: [w, ground]}}\n": "`weld` joins bodies",
+    "bodies: {w: {shape: disc}, b: {mass: 1 kg}}\nconnections: {a: {axle: w}, k: {gear: [w, b]}}\n": "has no radius on which",
+    "bodies: {a: {moves: left}, b: {moves: left}}\nconnections: {k: {contact: [a, b]}, l: {contact: [b, a]}}\n": "on each other",
+    "bodies: {w: {shape: rectangle, mass: 1 kg}}\n": "sides",
+    "bodies: {w: {shape: triangle, mass: 1 kg}}\n": "its `sides` or its `corners`",
+}
+
+
+@pytest.mark.parametrize(("text", "message"), REFUSED.items(), ids=REFUSED.values())
+def test_what_can_not_be_joined_is_refused(text: str, message: str) -> None:
+    """These ended in an endless loop or a traceback."""
+    name = text.split("{", 1)[1].split(":")[0]
+    with pytest.raises((SceneError, Unsolvable), match=message):
+        solve(f"{text}find: {{x: {name}.angular_acceleration}}\n")
+
+
+def test_a_wall_as_thin_as_you_like_is_a_wall() -> None:
+    solution = solve("""
+given: {r: 0.99999999999999999999 m, R: 1 m}
+bodies: {t: {shape: annulus, mass: 1 kg, radii: {inner: r, outer: R}}}
+find: {I: t.inertia}
+""")
+    assert solution.answers["I"].value == "1.000"
+
+
+@pytest.mark.parametrize(("after", "speed"), [("1000 s", "1.523e-433"), ("1e4 s", "3.406e-4342"), ("1e9 s", None)])
+def test_a_number_may_be_as_small_as_it_likes(after: str, speed: str | None) -> None:
+    """Beyond 4300 decades Python refused to write the number; beyond 100000 it is said to be so."""
+    solution = solve(
+        f"""
+gravity: none
+given: {{T: {after}}}
+bodies: {{wheel: {{inertia: 0.5 kg m^2}}}}
+connections: {{axle: {{axle: wheel}}}}
+actions: {{oil: {{couple: -c*wheel.angular_velocity, on: wheel}}}}
+states: {{off: {{wheel.angular_velocity: 30 rad/s}}, end: {{time: T}}}}
+find: {{u: wheel.angular_velocity at end}}
+""".replace("given: {", "given: {c: 0.5 N m s, ")
+    )
+    answer = solution.answers["u"]
+    assert answer.value == (speed or None)
+    if speed is None:
+        assert "beyond 10^±100000" in figures(answer.answer.value, 4)[1]
+
+
+def test_what_only_just_happens_is_said_to_be_so() -> None:
+    thrown = solve("""
+given: {u: 9.8 m/s, h: 4.9 m}
+bodies: {ball: {mass: 2 kg, moves: up}}
+states: {start: {ball.velocity: u}, top: {ball.displacement: h}}
+find: {t: time from start to top}
+""")
+    assert "the roots coincide: it is only just reached" in str(thrown)
+    upright = solve("""
+bodies: {rod: {shape: rod, mass: 2 kg, length: 1 m}}
+connections: {pin: {hinge: rod.start}}
+states: {up: {rod.angle: 90 deg, at rest: all}, level: {rod.angle: 0 deg}}
+find: {w: rod.angular_velocity at level}
+""")
+    assert "nothing moves rod from rest at up: the least push decides" in str(upright)
+
+
+def test_an_integral_takes_bounded_work() -> None:
+    """A needle that swings through 1e-19 rad: the quadrature took minutes."""
+    start = time.process_time()
+    solution = solve("""
+gravity: none
+given: {I: 0.002 kg m^2, D: 7.9e-5 N m, omega0: 2.6e-20 rad/s}
+bodies: {needle: {inertia: I}}
+connections: {pin: {axle: needle}}
+actions: {field: {couple: -D*sin(needle.rotation), on: needle}}
+states: {rest: {needle.angular_velocity: omega0}, back: {needle.rotation: largest}}
+find: {t: time from rest to back}
+""")
+    assert solution.answers["t"].value is None
+    assert "no finite value was found within the highest precision" in " ".join(str(solution).split())
+    assert time.process_time() - start < 20
+
+
+def test_exponentials_of_unlike_numbers_stay_apart() -> None:
+    """Powers of a common base with ten-figure exponents ended the whole process."""
+    solution = solve(
+        """
+given: {m: 80 kg, k: 6.4576739841e-8 N s^2/m^2, h: 200 m}
+bodies: {jumper: {mass: m, moves: down}}
+actions: {air: {force: -k*jumper.velocity^2, on: jumper, direction: down}}
+states: {start: at rest, deep: {jumper.displacement: h}}
+find: {v: jumper.velocity at deep, a: jumper.acceleration at deep}
+""",
+        digits=30,
+    )
+    assert solution.answers["v"].float == pytest.approx(62.60990, rel=1e-6)
+
+
+def test_a_gear_needs_a_rim_and_not_its_number() -> None:
+    solution = solve("""
+bodies: {w: {shape: disc, mass: 1 kg}, v: {shape: disc, mass: 2 kg}}
+connections: {a: {axle: w}, b: {axle: v}, k: {gear: [w, v]}}
+actions: {m: {couple: 2 N m, on: w}}
+find: {x: w.angular_acceleration}
+""")
+    assert solution.answers["x"].formula is not None
