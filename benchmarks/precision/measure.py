@@ -86,8 +86,9 @@ def process(command: list[str]) -> tuple[Cost, str, str]:
     cost = Cost(perf_counter() - wall, used() - cpu)
     if done.returncode == -signal.SIGXCPU:
         return cost, "", f"given up after {LIMIT} s"
-    lines = done.stderr.strip().splitlines() or [f"exit code {done.returncode}"]
-    return cost, done.stdout, lines[-1] if done.returncode else ""
+    # Of a traceback the line that names the error: what is indented says where.
+    lines = [line for line in done.stderr.splitlines() if line.strip() and not line.startswith(" ")]
+    return cost, done.stdout, (lines or [f"exit code {done.returncode}"])[-1] if done.returncode else ""
 
 
 def installed(way: Way) -> bool:
