@@ -34,6 +34,7 @@ from rotsolve.simulation.tape.series import BALLS, Expansion
 from rotsolve.simulation.tape.tape import Exact, Scalar
 
 READING_BITS = 192
+STEPS_LEAVE_OUT = 100.0  # times their tolerance: how far an event may be from its moment by what the steps leave out
 CROWD = 2000  # events before a motion is given up
 
 
@@ -132,25 +133,32 @@ class Follower(Struct, dict=True):
             self.modes = {**self.modes, hit.rub.key: hit.mode}
         else:
             numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
-            self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part))
+            self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part, hit))
         following = compiled(self.scene, self.modes, course)
         first, second = (
             self._carried(course, following, state, time) for state, time in zip(states, times, strict=True)
         )
         return following, (first, second)
 
-    def _at_rest(self, part: Stretch) -> set[str]:
-        """What rubs without slipping at the end of a part, as far as its numbers tell."""
-        course, time = part.course, part.ends[0]
-        slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.arrangement)}
+    def _at_rest(self, part: Stretch, hit: Watch) -> set[str]:
+        """What rubs without slipping at the end of a part: what has just stopped, and what slips no more by all that its numbers tell."""
+        first, last = self._slips(part, part.runs[0].pieces[-1].start), self._slips(part, part.ends[0])
+        left_out = STEPS_LEAVE_OUT * self.tolerances.main
+        resting = {name for name, slip in last.items() if abs(slip).lower() <= left_out * abs(first[name]).upper()}
+        return resting | ({hit.rub.name} if hit.rub is not None else set())
+
+    def _slips(self, part: Stretch, time: float) -> dict[str, Scalar]:
+        """How fast all that rubs slips at a moment, where the laws tell it."""
+        course = part.course
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
+            slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.arrangement)}
             places = {name: place_of(course, slip) for name, slip in slips.items() if slip and told(course, slip)}
             expansion = Expansion(course.tape, list(places.values()), BALLS)
             state = {
                 course.letters[item.letter]: ball for item, ball in zip(course.variables, part.state(time), strict=True)
             }
             expansion.begin({**state, course.letters[TIME]: arb(time)})
-            return {name for name, place in places.items() if expansion.lists[place][0].contains(0)}
+            return {name: expansion.lists[place][0] for name, place in places.items()}
 
     def _rearranged(self, state: State) -> bool:
         """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
