@@ -28,6 +28,8 @@ from trials.scene import Scene, read, written
 from trials.shrink import shrunk
 from trials.trial import Result, drawn, run
 
+HEAD = "## Right figures: `python benchmarks/stress.py`"
+
 
 @dataclass
 class Tally:
@@ -151,7 +153,7 @@ def main() -> None:
     rows = [tried(family) for family in FAMILIES]
     tally = Tally()
     random_scenes(options, tally)
-    page = "\n\n".join((machine(), family_table(rows), scene_table(tally), summary(tally), cost_of_answers()))
+    page = "\n\n".join((HEAD, machine(), family_table(rows), scene_table(tally), summary(tally), cost_of_answers()))
     print(page)
     if options.write:
         write_section("stress", page)
