@@ -54,9 +54,9 @@ class Driven(Connection, frozen=True):
         return self.held() if self.friction_torque is not None else ()
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
-        if self.driven and not self.fixed_points():
-            span = self.held()[-1].span
-            raise Unsolvable(f"`{self.name}` drives one moving body against another: not solved yet", span=span)
+        if (self.driven or self.friction_torque is not None) and not self.fixed_points():
+            does = "drives one moving body" if self.driven else "rubs with a friction torque of one moving body"
+            raise Unsolvable(f"`{self.name}` {does} against another: not solved yet", span=self.held()[-1].span)
         for word in TURNING:
             value = getattr(self, word)
             if value is not None:

@@ -1,4 +1,4 @@
-"""Bounded: a motion followed twice, so that the difference tells how far each number may be from the true one.
+"""Bounded: a motion followed more than once, so that the difference tells how far each number may be from the true one.
 
 As long as the steps leave out more than the roundings, the second run takes steps so fine that it may pass for the truth. Where floats
 are at their end, nothing finer is to be had; then its steps are coarser too, so that it is surely farther from the truth. Its data and
@@ -24,14 +24,14 @@ from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for,
 from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
 from rotsolve.simulation.tape.tape import Scalar
 
-ROUNDING = 2.0**-51  # of the terms of a polynomial: what working it out may add
+ROUNDING = 2.0**-49  # of the terms of a polynomial: what working it out may add
 LOOKS = 64  # moments at which quantities that are no numbers of the state are compared
 FLOAT_BITS = 53
 SAFETY = 6.0  # what the difference of the two runs is multiplied by: roundings may happen to go the same way in both
 ROUNDED = 4e-15  # tolerance of a step below which roundings of floats matter as much
-COARSER, FINER = 3.0, 50.0  # how much larger or smaller the tolerance of the second run is
-States = tuple[list[Scalar], list[Scalar]]  # of the two runs
-Times = tuple[float, float]
+COARSER, FINER = (3.0, 1.7), 50.0  # how much larger or smaller the tolerances of the other runs are
+States = tuple[list[Scalar], ...]  # of all runs
+Times = tuple[float, ...]
 
 
 class Way(Struct, frozen=True):
@@ -54,25 +54,26 @@ class Tolerances(Struct, frozen=True):
         return self.bits == FLOAT_BITS and self.main < ROUNDED
 
     @property
-    def ways(self) -> tuple[Way, Way]:
-        """The main run, and the one with which it is compared."""
-        other = COARSER * self.main if self.rounded else self.main / FINER
+    def ways(self) -> tuple[Way, ...]:
+        """The main run, and those with which it is compared: two where roundings count, since one may happen to come out the same."""
+        if self.rounded:
+            return Way(self.main, FLOATS), *(Way(times * self.main, COARSE_FLOATS, True) for times in COARSER)
         if self.bits == FLOAT_BITS:
-            return Way(self.main, FLOATS), Way(other, COARSE_FLOATS, True)
-        return Way(self.main, BALLS), Way(other, BALLS)
+            return Way(self.main, FLOATS), Way(self.main / FINER, COARSE_FLOATS, True)
+        return Way(self.main, BALLS), Way(self.main / FINER, BALLS)
 
 
 class Stretch(Struct):
-    """A part of a motion along which the equations stay the same: the two runs, when each ends, and the bounds of the state so far."""
+    """A part of a motion along which the equations stay the same: its runs, when each ends, and the bounds of the state so far."""
 
     course: Course
     tolerances: Tolerances
     times: Times
-    runs: tuple[Motion, Motion]
+    runs: tuple[Motion, ...]
     ends: Times
     last: States
     hit: Hit | None = None
-    sides: tuple[dict[Watch, int], ...] = ({}, {})  # the last signs of what is watched
+    sides: tuple[dict[Watch, int], ...] = ()  # the last signs of what is watched
     bounds: list[list[float]] = field(default_factory=list)
     spread: dict[str, list[float]] = field(default_factory=dict)
     proved: bool = False  # whether the polynomials themselves are balls that hold the true motion
@@ -93,9 +94,9 @@ class Stretch(Struct):
         main = self.runs[0]
         number = min(max(0, bisect_right(main.starts, time) - 1), len(self.bounds) - 1)
         piece, found = main.piece_at(time), []
-        others = self.runs[1].piece_at(time).at(time)
+        others = [run.piece_at(time).at(time) for run in self.runs[1:]]
         for k, (middle, polynomial) in enumerate(zip(piece.at(time), piece.polynomials, strict=True)):
-            bound = max(self.bounds[number][k], SAFETY * abs(float(middle - others[k])))
+            bound = max(self.bounds[number][k], SAFETY * farthest(middle, [other[k] for other in others]))
             if self.bits == FLOAT_BITS:
                 bound += ROUNDING * value([abs(term) for term in polynomial], abs(time - piece.start))
             found.append(arb(middle, bound))
@@ -103,7 +104,7 @@ class Stretch(Struct):
 
     def derived(self, time: float, names: Sequence[str]) -> list[float]:
         """The bounds of quantities that are no numbers of the state, likewise by the difference of the runs up to a time."""
-        main, other = self.runs
+        main = self.runs[0]
         fresh = [name for name in names if name not in self.spread]
         times = [piece.start + piece.length for piece in main.pieces[:: 1 + len(main.pieces) // LOOKS]]
         times[-1:] = [min(times[-1], self.ends[0]), self.ends[0]]
@@ -111,14 +112,20 @@ class Stretch(Struct):
             reading = Reading(self.course, fresh)
             rows = [dict.fromkeys(fresh, 0.0)]
             for moment in (self.times[0], *times):
-                pair = [reading.read(moment, run.piece_at(moment).at(moment)) for run in (main, other)]
-                gaps = {name: SAFETY * abs(float(pair[0][name].mid() - pair[1][name].mid())) for name in fresh}
+                gaps = self._gaps(reading, moment)
                 rows.append({name: max(rows[-1][name], gaps[name]) for name in fresh})
             self.spread.update({name: [row[name] for row in rows[1:]] for name in fresh})
         number = min(bisect_left(times, time) + 1, len(times))
-        reading = Reading(self.course, names)
-        here = [reading.read(time, run.piece_at(time).at(time)) for run in (main, other)]
-        return [max(self.spread[name][number], SAFETY * abs(float(here[0][name] - here[1][name]))) for name in names]
+        gaps = self._gaps(Reading(self.course, names), time)
+        return [max(self.spread[name][number], gaps[name]) for name in names]
+
+    def _gaps(self, reading: Reading, time: float) -> dict[str, float]:
+        """How far quantities differ between the main run and the others at a moment, and some more for safety."""
+        first, *others = (reading.read(time, run.piece_at(time).at(time)) for run in self.runs)
+        return {
+            name: SAFETY * farthest(number.mid(), [other[name].mid() for other in others])
+            for name, number in first.items()
+        }
 
 
 class Unsettled(ValueError):
@@ -130,10 +137,9 @@ class Unsettled(ValueError):
 
 
 def start_of(course: Course, tolerances: Tolerances) -> States:
-    """The first state of both runs."""
+    """The first state of all runs."""
     with Precision(tolerances.bits):
-        first, second = ([way.numbers.number(item.start) for item in course.variables] for way in tolerances.ways)
-        return first, second
+        return tuple([way.numbers.number(item.start) for item in course.variables] for way in tolerances.ways)
 
 
 def stretch(
@@ -146,7 +152,7 @@ def stretch(
     sides: Sequence[Mapping[Watch, int]],
     tell: Callable[[float], None],
 ) -> Stretch:
-    """Follow a course from a time on by both runs until something happens."""
+    """Follow a course from a time on by all runs until something happens."""
     runs, ends, last, hits, told = [], [], [], [], []
     places = [watch.place for watch in watched]
     with Precision(tolerances.bits):
@@ -160,19 +166,9 @@ def stretch(
             last.append(walker.state)
             hits.append(hit)
             told.append(lookout.told())
-    if (hits[0] and hits[0].watch) != (hits[1] and hits[1].watch):
+    if len({hit and hit.watch for hit in hits}) > 1:
         raise Unsettled(min(ends))
-    first, second = zip(runs, ends, last, strict=True)
-    return Stretch(
-        course,
-        tolerances,
-        times,
-        (first[0], second[0]),
-        (first[1], second[1]),
-        (first[2], second[2]),
-        hits[0],
-        tuple(told),
-    )
+    return Stretch(course, tolerances, times, tuple(runs), tuple(ends), tuple(last), hits[0], tuple(told))
 
 
 def followed_until(
@@ -195,14 +191,20 @@ def followed_until(
 
 
 def measure(found: Stretch, before: Sequence[float]) -> None:
-    """The bounds at each step of the main run: the largest difference of the two runs so far, and some more for safety."""
-    main, other = found.runs
+    """The bounds at each step of the main run: its largest difference from the others so far, and some more for safety."""
+    main, *others = found.runs
     largest = list(before)
     for piece in main.pieces:
         for time in (piece.start + piece.length / 2, piece.start + piece.length):
-            for number, (one, two) in enumerate(zip(piece.at(time), other.piece_at(time).at(time), strict=True)):
-                largest[number] = max(largest[number], SAFETY * abs(float(one - two)))
+            states = [other.piece_at(time).at(time) for other in others]
+            for number, one in enumerate(piece.at(time)):
+                largest[number] = max(largest[number], SAFETY * farthest(one, [state[number] for state in states]))
         found.bounds.append(list(largest))
+
+
+def farthest(number: Scalar, others: Sequence[Scalar]) -> float:
+    """The largest difference of a number from others."""
+    return max((abs(float(number - other)) for other in others), default=0.0)
 
 
 class Reading:

@@ -26,6 +26,7 @@ from rotsolve.simulation.steps.bounded import (
     Times,
     Tolerances,
     Unsettled,
+    farthest,
     measure,
     start_of,
     stretch,
@@ -72,9 +73,10 @@ class Follower(Struct, dict=True):
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
         course = compiled(self.scene, self.modes)
-        states, times = start_of(course, self.tolerances), (0.0, 0.0)
+        states = start_of(course, self.tolerances)
+        times: Times = (0.0,) * len(states)
         since: dict[str, Exact] = {item.name: item.start for item in course.variables}
-        sides: Sequence[Mapping[Watch, int]] = ({}, {})
+        sides: Sequence[Mapping[Watch, int]] = [{} for _ in states]
         while not self.found.ended and len(self.found.events) < CROWD:
             try:
                 watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
@@ -94,7 +96,7 @@ class Follower(Struct, dict=True):
             for _ in part.hit.also:
                 self._rearranged(self.ahead.pop(0))
             course, states = self._after(watch, part, states, times)
-            sides = part.sides if course is before else ({}, {})
+            sides = part.sides if course is before else [{} for _ in states]
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
@@ -116,14 +118,14 @@ class Follower(Struct, dict=True):
         with Precision(self.tolerances.bits):
             measure(part, [before[item.name] for item in part.course.variables])
         self.found.stretches.append(part)
-        bound = SAFETY * abs(part.ends[0] - part.ends[1]) + 4 * 2.0**-52 * part.ends[0]
+        bound = SAFETY * farthest(part.ends[0], part.ends[1:]) + 4 * 2.0**-52 * part.ends[0]
         for watch in (part.hit.watch, *part.hit.also) if part.hit is not None else ():
             if watch.kind != TURNS:
                 state = watch.what if watch.kind == REACHED else ""
                 self.found.events.append(Event(part.ends[0], bound, watch.what, state))
 
     def _after(self, hit: Watch, part: Stretch, states: States, times: Times) -> tuple[Course, States]:
-        """The course that follows an event at the end of a part, and the states of both runs in its numbers."""
+        """The course that follows an event at the end of a part, and the states of all runs in its numbers."""
         course = part.course
         if hit.kind == BREAKS:
             self.found.ended = f"{hit.what}: what comes after that is not followed"
@@ -135,10 +137,8 @@ class Follower(Struct, dict=True):
             numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
             self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part, hit))
         following = compiled(self.scene, self.modes, course)
-        first, second = (
-            self._carried(course, following, state, time) for state, time in zip(states, times, strict=True)
-        )
-        return following, (first, second)
+        carried = (self._carried(course, following, state, time) for state, time in zip(states, times, strict=True))
+        return following, tuple(carried)
 
     def _at_rest(self, part: Stretch, hit: Watch) -> set[str]:
         """What rubs without slipping at the end of a part: what has just stopped, and what slips no more by all that its numbers tell."""
