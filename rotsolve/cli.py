@@ -14,6 +14,8 @@ from rotsolve.render import FORMATS, format_of_file
 LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
+SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
+MOST_ROWS = 100_000
 
 app = typer.Typer(
     rich_markup_mode=None,
@@ -215,16 +217,14 @@ def solve(
 
 def time_checked(text: str, option: str) -> float:
     """A length of time in seconds, above zero."""
-    from rotsolve.simulation.simulating import seconds_of
+    from rotsolve.scene.moment import read_seconds
 
     try:
-        seconds = seconds_of(text)
+        seconds = read_seconds(text)
     except ValueError as error:
-        raise typer.BadParameter(
-            str(error).replace("moment; write t=2s", "time; write 10s"), param_hint=option
-        ) from None
-    if not 0 < seconds < float("inf"):
-        raise typer.BadParameter(f"{text!r} is not above zero", param_hint=option)
+        raise typer.BadParameter(str(error), param_hint=option) from None
+    if not SHORTEST <= seconds <= LONGEST:
+        raise typer.BadParameter(f"{text!r} is not from {SHORTEST:g} s to {LONGEST:g} s", param_hint=option)
     return seconds
 
 
@@ -268,6 +268,10 @@ def simulate(
         raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
     seconds = time_checked(until, "'--until'")
     between = time_checked(step, "'--step'") if step is not None else None
+    if between is not None and seconds / between > MOST_ROWS:
+        raise typer.BadParameter(f"that makes more than {MOST_ROWS} rows", param_hint="'--step'")
+    if accuracy != accuracy:
+        raise typer.BadParameter("it is no number", param_hint="'--accuracy'")
     from rotsolve.simulation.command import Request, run
 
     with orderly():

@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.scene.model import Problem
 from rotsolve.simulation.steps.balance import Drift, drift
-from rotsolve.simulation.steps.bounded import ROUNDING, Reading, Stretch
+from rotsolve.simulation.steps.bounded import Reading, Stretch
 from rotsolve.simulation.steps.following import READING_BITS, Event
 from rotsolve.simulation.tape.tape import Scalar
 
@@ -55,9 +55,9 @@ class Run(Struct, dict=True):
         number = max(0, bisect_right([item.times[0] for item in self.stretches], time) - 1)
         part = self.stretches[number]
         wanted = tuple(name for name in (names or part.course.outputs) if name in part.course.outputs)
-        if (number, wanted) not in self._readings:
-            self._readings[number, wanted] = Reading(part.course, wanted)
         with Precision(max(READING_BITS, 2 * part.bits)):
+            if (number, wanted) not in self._readings:
+                self._readings[number, wanted] = Reading(part.course, wanted)
             reading = self._readings[number, wanted]
             found = reading.read(time, part.state(time))
             direct = {item.name for item in part.course.variables}
@@ -65,7 +65,7 @@ class Run(Struct, dict=True):
             if others and not part.proved:
                 middles = reading.read(time, part.middle(time))
                 for name, bound in zip(others, part.derived(time, others), strict=True):
-                    apart = arb(middles[name].mid(), bound + ROUNDING * abs(float(middles[name])))
+                    apart = arb(middles[name].mid(), bound + part.rounding * abs(float(middles[name])))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
         return found
 

@@ -45,7 +45,11 @@ def test_numbers_with_their_bounds() -> None:
     ("arguments", "code", "words"),
     [
         ((SCENE, "--until", "3kg"), 2, "is no time"),
-        ((SCENE, "--until", "0s"), 2, "is not above zero"),
+        ((SCENE, "--until", "0s"), 2, "is not positive"),
+        ((SCENE, "--until", "1e12s"), 2, "is not from 1e-09 s to 1e+09 s"),
+        ((SCENE, "--step", "1e-6s"), 2, "more than 100000 rows"),
+        ((SCENE, "--accuracy", "nan"), 2, "it is no number"),
+        (("problems/angular-momentum/disc-drop.yaml",), 1, "begins with the event `drop`"),
         ((SCENE, "--plot", "rod.pdf"), 2, "is no .svg or .png"),
         ((SCENE, "--plot", "rod.svg", "--csv"), 2, "either a picture or numbers"),
         ((SCENE, "--accuracy", "2"), 2, "not in the range"),

@@ -8,6 +8,9 @@ from pathlib import Path
 import pytest
 
 from rotsolve import Unsolvable, simulate
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.flints import arb
+from rotsolve.simulation.showing.report import lines
 from scenes import DRIVEN_PULLEY, PENDULUM, SHAKEN, SLIDING, TWO_RODS
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
@@ -121,3 +124,25 @@ def test_what_can_not_be_simulated_is_refused_by_name() -> None:
 def test_a_time_or_accuracy_that_is_none_is_refused(until: str | float, accuracy: float) -> None:
     with pytest.raises(ValueError):
         simulate(PENDULUM.format(angle="0 deg"), until, accuracy)
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-5, 1e-6, 1e-9, 1e-14, 1e-20])
+def test_what_comes_to_rest_stays_at_any_accuracy(accuracy: float) -> None:
+    """Its speed at that moment is 0 up to what the steps leave out, which must not pass for slipping on."""
+    run = simulate(PROBLEMS / "rolling" / "bowling-ball.yaml", 3, accuracy)
+    speed, bound = run.at(3)["ball.velocity"]
+    assert abs(speed - 5 * 8.5 / 7) <= bound + 1e-15
+    assert len(simulate(DRIVEN_PULLEY, 10, accuracy).events) == len(simulate(DRIVEN_PULLEY, 10, 1e-9).events)
+
+
+def test_numbers_beyond_floats_hold_what_follows_from_the_state() -> None:
+    """α = −3 g cos θ₀/(2 L) at release, from constants that are no floats."""
+    run = simulate(PROBLEMS / "hinged" / "rod-30.yaml", 1, 1e-20)
+    ball = run.balls(0.0)["rod.angular_acceleration"]
+    with Precision(200):
+        assert ball.contains(-arb(147) / 10 * (arb(3).sqrt() / 2)) and ball.rad() < 1e-20
+
+
+def test_what_stands_says_so() -> None:
+    run = simulate(PROBLEMS / "inside-a-body" / "falling-chimney.yaml", 2)
+    assert "where nothing pushes it" in " ".join(line.text for line in lines(run, 120))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from math import floor, isfinite, log10
+from math import ceil, floor, isfinite, log10
 
 from rotsolve.algebra.certified.ball import decimal_text, ends
 from rotsolve.algebra.flints import arb
@@ -24,9 +24,13 @@ SHOWN = (
 )  # quantities of the table
 ROWS = 10  # rows of the table, where no step is asked for
 DIGITS = 6
+FLOAT_DIGITS, MOST_DIGITS = 17, 80  # of a number in CSV
+ROUNDED_UP = 1.06  # so that a bound of two digits is not below what it stands for
 GAP = 3
 MOST_EVENTS = 30
 UNSETTLED = "?"
+SIGNS = "Angles are counted counterclockwise; speeds and distances along the way in which each body is said to move or turn."
+STANDS = "Nothing moves: it starts at rest where nothing pushes it, and stays there, even where the least push would end that."
 
 
 def lines(run: Run, width: int, step: float | None = None) -> Iterator[Line]:
@@ -36,6 +40,8 @@ def lines(run: Run, width: int, step: float | None = None) -> Iterator[Line]:
         yield Line("")
     times = times_of(run, step)
     names = columns_of(run)
+    yield from paragraph(SIGNS, 0, width)
+    yield Line("")
     yield from tables(run, names, times, width)
     yield from happenings(run)
     if run.ended:
@@ -43,7 +49,8 @@ def lines(run: Run, width: int, step: float | None = None) -> Iterator[Line]:
         yield Line("")
     yield Line("Accuracy", "heading", len("Accuracy"))
     yield from paragraph(bounds(run, names), 2, width)
-    yield from paragraph(balances(run), 2, width)
+    if not stands(run, names):
+        yield from paragraph(balances(run), 2, width)
 
 
 def times_of(run: Run, step: float | None) -> list[float]:
@@ -157,11 +164,18 @@ def moment(time: float, bound: float) -> str:
 def bounds(run: Run, names: Sequence[str]) -> str:
     """How wide the bounds are at the end."""
     found = run.at(run.end, tuple(names))
-    if not found:
-        return "Nothing moves."
+    if not found or stands(run, names):
+        return STANDS
     name = max(found, key=lambda name: found[name][1])
     wide = decimal_text(arb(found[name][1]).mid(), digits=2) if found[name][1] else "0"
     return f"Every digit shown is settled by the bound of its number; the widest is {wide} {unit_of(name)}, of {name} at the end."
+
+
+def stands(run: Run, names: Sequence[str]) -> bool:
+    """Whether nothing happens: all speeds are zero at both ends, and no event lies between."""
+    speeds = tuple(name for name in names if word_of(name) in ("velocity", "angular_velocity"))
+    ends_ = (run.at(0.0, speeds), run.at(run.end / 2, speeds), run.at(run.end, speeds))
+    return not run.events and not any(value for found in ends_ for value, _ in found.values())
 
 
 def balances(run: Run) -> str:
@@ -184,6 +198,16 @@ def csv(run: Run, times: Iterable[float]) -> Iterator[str]:
     names = list(dict.fromkeys(name for part in run.stretches for name in part.course.outputs))
     yield ",".join(["time", *(cell for name in names for cell in (name, f"{name} bound"))])
     for time in times:
-        found = run.at(time)
-        cells = (f"{found[name][0]!r},{found[name][1]:.2g}" if name in found else "," for name in names)
+        found = run.balls(time)
+        cells = (cell for name in names for cell in (written(found[name]) if name in found else ("", "")))
         yield ",".join([repr(time), *cells])
+
+
+def written(ball: Scalar) -> tuple[str, str]:
+    """A number to so many digits that writing it adds little to its bound, and the bound, rounded up."""
+    middle, radius = ball.mid(), float(ball.rad())
+    size = abs(float(middle))
+    digits = min(MOST_DIGITS, max(FLOAT_DIGITS, ceil(log10(size / radius)) + 2)) if radius and size else FLOAT_DIGITS
+    text = middle.str(digits, radius=False) if size else "0"
+    bound = (radius + size * 10.0 ** (1 - digits)) * ROUNDED_UP if radius or not middle.is_exact() else radius
+    return text, f"{bound:.2g}"

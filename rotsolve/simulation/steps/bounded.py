@@ -83,6 +83,11 @@ class Stretch(Struct):
         """The bits of its numbers."""
         return self.tolerances.bits
 
+    @property
+    def rounding(self) -> float:
+        """What roundings may add to a number, as a part of it."""
+        return ROUNDING * 2.0 ** (FLOAT_BITS - self.bits)
+
     def middle(self, time: float) -> list[Scalar]:
         """The numbers of the state by the main run."""
         return self.runs[0].piece_at(time).at(time)
@@ -98,7 +103,7 @@ class Stretch(Struct):
         for k, (middle, polynomial) in enumerate(zip(piece.at(time), piece.polynomials, strict=True)):
             bound = max(self.bounds[number][k], SAFETY * farthest(middle, [other[k] for other in others]))
             if self.bits == FLOAT_BITS:
-                bound += ROUNDING * value([abs(term) for term in polynomial], abs(time - piece.start))
+                bound += self.rounding * value([abs(term) for term in polynomial], abs(time - piece.start))
             found.append(arb(middle, bound))
         return found
 

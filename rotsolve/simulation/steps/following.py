@@ -65,6 +65,9 @@ class Follower(Struct, dict=True):
     tell: Callable[[float], None] = lambda part: None  # is told which part has been followed
 
     def __post_init__(self) -> None:
+        first = self.arrangement.timeline.after(self.arrangement.timeline.states[0].name)
+        if first is not None and first.event is not None:
+            raise NotYet(f"the motion begins with the event `{first.name}`, which is not simulated yet")
         self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
         self.found = Followed()
         self.modes = self.decided(self.scene)
