@@ -134,6 +134,9 @@ def mirrored(scene: Scene) -> Scene | None:
             return None
     if any(name in SIDES for key in NAMED for name in scene.get(key, {})):
         return None
+    wheels = {name for name, body in scene["bodies"].items() if "shape" in body or "inertia" in body}
+    if any(word in wheels for word in re.findall(r"\.(\w+)\.tension", str(scene.get("find", {})))):
+        return None  # the part that leaves a wheel is another one where the string is drawn the other way
     result = {key: part if key in ("title", "given", "find") else named(part, SIDES) for key, part in scene.items()}
     for item in result.get("connections", {}).values():
         if "string" in item:
