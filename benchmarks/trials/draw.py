@@ -9,7 +9,8 @@ from fractions import Fraction
 from mpmath import mp, mpf
 
 STYLES = ("plain", "long", "wide", "close")
-mp.dps = 150  # of every independent number: what cancels 60 figures leaves 90
+FIGURES = 150  # of every independent number: what cancels 60 figures leaves 90
+mp.dps = FIGURES
 
 
 @dataclass(frozen=True)

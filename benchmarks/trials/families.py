@@ -10,7 +10,7 @@ from fractions import Fraction
 from mpmath import atan, cos, ellipk, exp, mp, mpf, sin, sqrt, tan
 
 from trials.case import Case, G, Train, letters, scene
-from trials.draw import Draw, Value, decimal, exactly, radians
+from trials.draw import FIGURES, Draw, Value, decimal, exactly, radians
 from trials.figures import wrong
 from trials.kinds import KINDS
 from trials.outcome import outcome
@@ -320,6 +320,11 @@ class Row:
 
 def tried(family: Family) -> Row:
     """Solve a family at all of its parameters, and print what is wrong."""
+    with mp.workdps(FIGURES):
+        return tried_at(family)
+
+
+def tried_at(family: Family) -> Row:
     row = Row(family)
     for case in family.cases():
         row.cases += 1

@@ -7,9 +7,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction
 
+from mpmath import mp
+
 from trials.alike import Powers, Unscalable, exponent, mirrored, renamed, reordered, scaled
 from trials.case import Case
-from trials.draw import STYLES, Draw
+from trials.draw import FIGURES, STYLES, Draw
 from trials.elements import altered, built
 from trials.figures import wrong
 from trials.held import faults
@@ -47,6 +49,12 @@ def drawn(seed: int, number: int) -> tuple[str, Case, Draw]:
 
 def run(seed: int, number: int) -> Result:
     """Make the scene, solve it, and find fault with it."""
+    with mp.workdps(FIGURES):
+        return judged_at(seed, number)
+
+
+def judged_at(seed: int, number: int) -> Result:
+    """The scene with everything that is wrong with it."""
     kind, case, draw = drawn(seed, number)
     digits = draw.chance.choice(DIGITS)
     text = written(case.scene)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 
 import mpmath
@@ -82,8 +82,9 @@ CASES: dict[str, tuple[str, Truth, float]] = {
 
 
 @pytest.fixture(autouse=True)
-def precise() -> None:
-    mpmath.mp.dps = 60
+def precise() -> Iterator[None]:
+    with mpmath.workdps(60):
+        yield
 
 
 @pytest.mark.parametrize("accuracy", [1e-4, 1e-6, 1e-9, 1e-12, 1e-15])

@@ -18,6 +18,7 @@ from rotsolve.inquiry.roots.numbers import Numbers
 from rotsolve.solver import Choice
 
 TURN = 2 * PI
+SAME_PLACE = 1e-9  # rad: how far numerical roots may be apart that are one place, whole turns apart
 
 
 class Way(Struct, frozen=True):
@@ -58,6 +59,8 @@ class FirstReached(Struct, frozen=True):
     def _compared(self, one: Way, other: Way) -> int:
         """Which way is shorter; from a summit it may go to either side, equally far: the smaller angle is told."""
         nearer = self.numbers.side(one.gap - other.gap)
+        if isinstance(one.value, Number) and isinstance(other.value, Number):  # found numerically, as floats
+            nearer = nearer if abs(self.numbers.of(one.gap - other.gap) or 0.0) > SAME_PLACE else 0
         return nearer or (one.turns != 0) - (other.turns != 0) or self.numbers.side(one.value - other.value) or 0
 
     def _begin(self, travel: Travel, letter: str, interval: str) -> tuple[Formula, int] | None:
