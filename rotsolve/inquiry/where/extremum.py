@@ -6,6 +6,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.separable import has_root
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality
@@ -90,8 +91,11 @@ def place_of_extremum(inquiry: Inquiry, find: Find, *, aside: bool = False) -> A
     said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, inquiry)
     given = inquiry.givens[letter]
     own = letter if given.asked else f"asked{SEPARATOR}{find.name}"
-    equation = Equality(shown.substitute({letter: Symbol(own)}), ZERO)
     at, reason = best_place(Course(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, inquiry)
+    flat = is_zero(
+        shown.substitute({letter: at}), inquiry.solver.positive
+    )  # else it is at an end, where nothing needs to vanish
+    equation = Equality(shown.substitute({letter: Symbol(own)}) if flat else shown, ZERO)
     question = Asked(find, Symbol(own), own, given.dimension, section=quantity.asked.section)
     answered = by_condition(inquiry, question, at, Conclusion(said, equation, reason), quantity, aside=aside)
     inquiry.extrema[(quantity.asked.formula, letter, condition.word)] = answered

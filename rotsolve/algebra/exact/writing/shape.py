@@ -20,7 +20,7 @@ from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Sum, neg
 from rotsolve.algebra.notation.letters import GLYPHS
 
 # ways to group a long sum that are written out, and a sum in it; the ways to nest deeper grow without bounds
-TRIED = (3, 1)
+TRIED = (4, 1)
 GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
 
 
