@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from math import isnan
 from typing import Annotated, NoReturn
 
 import typer
@@ -270,7 +271,7 @@ def simulate(
     between = time_checked(step, "'--step'") if step is not None else None
     if between is not None and seconds / between > MOST_ROWS:
         raise typer.BadParameter(f"that makes more than {MOST_ROWS} rows", param_hint="'--step'")
-    if accuracy != accuracy:
+    if isnan(accuracy):
         raise typer.BadParameter("it is no number", param_hint="'--accuracy'")
     from rotsolve.simulation.command import Request, run
 

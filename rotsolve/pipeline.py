@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rotsolve.core.equation import LAWS
@@ -24,7 +23,7 @@ from rotsolve.motion.block import asked_block, left_out
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_moment
-from rotsolve.scene.read import read_file, read_text
+from rotsolve.scene.read import read_source
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
@@ -46,10 +45,7 @@ def solve(
     Raises SceneError for a scene that can't be read, Unsolvable for one without an answer.
     """
     with stage("read"):
-        if isinstance(source, str) and "\n" in source:
-            problem = read_text(source, settings=settings or {})
-        else:
-            problem = read_file(Path(source), settings=settings or {})
+        problem = read_source(source, settings)
     return solve_problem(problem, law=law, digits=digits, at=at)
 
 

@@ -21,7 +21,7 @@ def read_moment(text: str) -> Moment:
 
 def read_seconds(text: str) -> float:
     """`10s`, `0.5 min` in seconds. Raises ValueError for what is no time, or not positive."""
-    seconds = evaluate(read_time(text, text, "10s").value, {}).float
+    seconds = evaluate(read_time(text, text, "10s").value, {}, digits=17).float
     if not seconds > 0:
         raise ValueError(f"{quoted(text)} is not positive; write 10s")
     return seconds

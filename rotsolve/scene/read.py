@@ -14,6 +14,13 @@ from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
 
+def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
+    """The problem in a file, or in YAML text: a text has a line break, a path has none."""
+    if isinstance(source, str) and "\n" in source:
+        return read_text(source, settings=settings)
+    return read_file(source, settings=settings)
+
+
 def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
     """The problem in a file; its size is checked before it is read."""
     name = os.fspath(path)

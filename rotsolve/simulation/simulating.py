@@ -6,17 +6,15 @@ import math
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
-from pathlib import Path
 from time import monotonic
 
-from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.scene.model import Problem
-from rotsolve.scene.moment import read_moment
-from rotsolve.scene.read import read_file, read_text
+from rotsolve.scene.moment import read_seconds
+from rotsolve.scene.read import read_source
 from rotsolve.simulation.moving.compiling import compiled
 from rotsolve.simulation.moving.watches import watches
 from rotsolve.simulation.run import Run
@@ -49,21 +47,12 @@ def simulate(
     Raises SceneError for a scene that can't be read, Unsolvable for what can't be simulated, ValueError for a time or accuracy that
     is none.
     """
-    seconds = float(until) if isinstance(until, (int, float)) else seconds_of(until)
+    seconds = float(until) if isinstance(until, (int, float)) else read_seconds(until)
     if not 0 < seconds < math.inf:
         raise ValueError("the time to simulate must be above zero")
     if not MOST_ACCURACY <= accuracy <= LEAST_ACCURACY:
         raise ValueError(f"the accuracy must be between {MOST_ACCURACY:g} and {LEAST_ACCURACY:g}")
-    if isinstance(source, str) and "\n" in source:
-        problem = read_text(source, settings=settings or {})
-    else:
-        problem = read_file(Path(source), settings=settings or {})
-    return simulate_problem(problem, seconds, accuracy, tell, certified)
-
-
-def seconds_of(text: str) -> float:
-    """A time as it is written, in seconds."""
-    return evaluate(read_moment(text).value, {}, digits=17).float
+    return simulate_problem(read_source(source, settings), seconds, accuracy, tell, certified)
 
 
 def simulate_problem(

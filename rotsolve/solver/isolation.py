@@ -129,7 +129,7 @@ class Isolation(Textbook, kw_only=True):
             alike = [other for other in terms if holds_square(term, name) and self._like(term, other)]
             terms = [self.simplify(other + term) if other in alike else other for other in terms]
             terms += [] if alike else [term]
-        return total(terms) if 1 < len(terms) < len(side.children()) or len(terms) == 1 else side
+        return total(terms) if 0 < len(terms) < len(side.children()) else side
 
     def _like(self, term: Formula, other: Formula) -> bool:
         return isinstance(self.simplify(term / other), Number)

@@ -148,11 +148,11 @@ class Statements(Struct):
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
-        if state.balance:
-            self.fixed.fix(normal, ZERO)
-        else:
+        if not state.balance:
             self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
-        if state.balance and item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
+            return
+        self.fixed.fix(normal, ZERO)  # just about to leave: what no longer pushes is no force of the balance
+        if item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
             self.stated.append((Equation(friction, ZERO, label, state.name, "", 1), condition))

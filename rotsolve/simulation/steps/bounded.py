@@ -1,9 +1,9 @@
 """Bounded: a motion followed more than once, so that the difference tells how far each number may be from the true one.
 
 As long as the steps leave out more than the roundings, the second run takes steps so fine that it may pass for the truth. Where floats
-are at their end, nothing finer is to be had; then its steps are coarser too, so that it is surely farther from the truth. Its data and
-its state are always rounded more coarsely than those of the main run, so that roundings show in the difference as well; what both leave
-out grows in both as the motion makes it grow.
+are at their end, nothing finer is to be had; then two others take coarser steps, so that they are surely farther from the truth. Data
+and states are always rounded more coarsely there than in the main run, so that roundings show in the difference as well; what all leave
+out grows in all as the motion makes it grow.
 """
 
 from __future__ import annotations
