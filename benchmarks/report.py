@@ -13,7 +13,7 @@ PAGE = DOCS / "benchmarks.md"
 TITLE = """\
 # Benchmarks
 
-Each section is written by the program that it names, from a fresh run; nothing in it is edited by hand.
+Each section is written by the program that it names, and says when and on what it was measured.
 """
 
 
