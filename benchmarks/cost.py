@@ -45,11 +45,13 @@ def measured(words: list[str]) -> object:
 
 def page(parts: list[Part]) -> str:
     """The section: the machine, the targets, then part by part."""
-    rows = [row(target) for part in parts for target in part.targets]
+    targets = [target for part in parts for target in part.targets]
+    missed = [f"- {target.what}: {target.why}." for target in targets if not target.met and target.why]
     blocks = [
         "## Cost",
         f"`python benchmarks/cost.py`, {machine()}",
-        table(("target", "wanted", "reached", ""), rows),
+        table(("target", "wanted", "reached", ""), [row(target) for target in targets]),
+        *(["What keeps the others from being met:", "\n".join(missed)] if missed else []),
         *(block for part in parts for block in (f"### {part.title}", part.text)),
     ]
     return "\n\n".join(blocks)

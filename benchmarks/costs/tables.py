@@ -9,12 +9,13 @@ from typing import NamedTuple
 
 
 class Target(NamedTuple):
-    """What was to be reached, what was, and whether that is enough."""
+    """What was to be reached, what was, whether that is enough, and what keeps it from being so where it is not."""
 
     what: str
     wanted: str
     reached: str
     met: bool
+    why: str = ""
 
 
 class Part(NamedTuple):
@@ -39,14 +40,14 @@ def fitted(cell: str, width: int, column: int) -> str:
     return cell.rjust(width) if column else cell.ljust(width)
 
 
-def below(what: str, value: float, limit: float, form: str = "{:.2f}") -> Target:
+def below(what: str, value: float, limit: float, form: str = "{:.2f}", why: str = "") -> Target:
     """A target that is met at or below a limit."""
-    return Target(what, f"≤ {form.format(limit)}", form.format(value), value <= limit)
+    return Target(what, f"≤ {form.format(limit)}", form.format(value), value <= limit, why)
 
 
-def above(what: str, value: float, limit: float, form: str = "{:.0f}") -> Target:
+def above(what: str, value: float, limit: float, form: str = "{:.0f}", why: str = "") -> Target:
     """A target that is met at or above a limit."""
-    return Target(what, f"≥ {form.format(limit)}", form.format(value), value >= limit)
+    return Target(what, f"≥ {form.format(limit)}", form.format(value), value >= limit, why)
 
 
 def share(values: Sequence[float], part: float) -> float:
