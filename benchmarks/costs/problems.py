@@ -61,6 +61,10 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
             "Slowest: " + ", ".join(f"{file.relative_to(folder)} {spent:.0f} ms" for spent, file in slowest) + ".",
         ]
     )
+    medians = ", ".join(f"{name} {median(values):.1f}" for name, values in columns.items() if name != "everything")
+    why = f"no stage stands out ({medians}), and within them no function: it is many small steps of exact algebra in Python"
     return Part(
-        "A problem more in one process", text, (below("marginal time a problem, median, ms", median(whole), 5),)
+        "A problem more in one process",
+        text,
+        (below("marginal time a problem, median, ms", median(whole), 5, why=why),),
     )

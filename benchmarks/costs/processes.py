@@ -94,6 +94,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
     solved = [found[name] for name in commands]
     spent = {name: stages(folder / name) for name in commands}
     packages = [imports(folder / name) for name in commands]
+    before = before_work(list(spent.values()))
     text = "\n\n".join(
         [
             f"Processor time, medians of {rounds} rounds. {len(files)} problem files: "
@@ -102,7 +103,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
             f"{share([row.sympy for row in solved], 0.9):.2f} ×; `--help` {found[HELP].bare:.1f} × and {found[HELP].sympy:.2f} ×.",
             "Imports by package, mean over the files, in ms with the cost of `-X importtime` itself:",
             table(("package", "ms"), list(by_package(packages))),
-            before_work(list(spent.values())),
+            f"{before[0].upper()}{before[1:]}.",
             "Stages by `--profile` in ms, `start` being the interpreter and the command line:",
             table(("file", "× bare", "× sympy", *OF_RUN), [row(name, found[name], spent[name]) for name in commands]),
         ]
@@ -111,8 +112,10 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
         "Whole processes, cold",
         text,
         (
-            below("cold solve, × `import sympy` (median file)", median(row.sympy for row in solved), 0.4),
-            below("cold solve, × bare interpreter (median file)", median(row.bare for row in solved), 13, "{:.1f}"),
+            below("cold solve, × `import sympy` (median file)", median(row.sympy for row in solved), 0.4, why=before),
+            below(
+                "cold solve, × bare interpreter (median file)", median(row.bare for row in solved), 13, "{:.1f}", before
+            ),
             below("`--help`, × bare interpreter", found[HELP].bare, 8, "{:.1f}"),
         ),
     )
@@ -121,7 +124,7 @@ def part(files: Sequence[Path], folder: Path, rounds: int) -> Part:
 def before_work(spent: Sequence[Mapping[str, float]]) -> str:
     """How much of a cold solve is not solving."""
     shares = [(one["start"] + one["import"]) / sum(one.values()) for one in spent]
-    return f"Starting and importing take {median(shares):.0%} of the processor time of a file (median): that is what holds the ratios up."
+    return f"starting and importing take {median(shares):.0%} of the processor time of a file (median)"
 
 
 def by_package(packages: Sequence[Counter[str]]) -> Iterator[tuple[str, str]]:
