@@ -25,8 +25,8 @@ def test_the_table_is_markdown_in_even_columns() -> None:
 
 
 def test_targets_say_whether_they_are_met() -> None:
-    assert below("a", 0.4, 0.4) == ("a", "≤ 0.40", "0.40", True)
-    assert above("b", 9, 10) == ("b", "≥ 10", "9", False)
+    assert below("a", 0.4, 0.4) == ("a", "≤ 0.40", "0.40", True, "")
+    assert above("b", 9, 10, why="c is slow") == ("b", "≥ 10", "9", False, "c is slow")
 
 
 def test_growth_is_the_power_and_a_share_of_values_lies_below() -> None:
