@@ -23,6 +23,8 @@ from rotsolve.algebra.formula import (
 )
 from trials.draw import exactly
 
+NEARLY = mpf(10) ** -60  # of the largest term: what 150 figures leave of what cancels
+
 
 class Unknown(ValueError):
     """A letter without a value, or a place where the formula is not real."""
@@ -47,7 +49,7 @@ def _value(node: Formula, letters: Mapping[str, mpf]) -> Any:
                 raise Unknown(name)
             return letters[name]
         case Sum(terms):
-            return mp.fsum(value(term, letters) for term in terms)
+            return total([value(term, letters) for term in terms])
         case Product(factors):
             return mp.fprod(value(factor, letters) for factor in factors)
         case Quotient(numerator, denominator):
@@ -69,6 +71,12 @@ def _value(node: Formula, letters: Mapping[str, mpf]) -> Any:
         case Integral():
             raise Unknown("an integral")
     raise TypeError(f"no value for {node!r}")
+
+
+def total(terms: list[mpf]) -> mpf:
+    """The sum of the terms; nothing where they cancel so far that only their roundings are left."""
+    found = mp.fsum(terms)
+    return found if abs(found) > NEARLY * max(map(abs, terms)) else mpf(0)
 
 
 def _power(base: mpf, exponent: mpf) -> Any:

@@ -10,12 +10,11 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Equality
 from rotsolve.solution import Solution
-from trials.evaluate import Unknown, value
+from trials.evaluate import NEARLY, Unknown, value
 from trials.figures import wrong
 from trials.outcome import Printed
 
 SUPPOSED = "Does "  # the title of a section that supposes what turns out not to be so
-NEARLY = mpf(10) ** -60  # of the largest term: what 150 figures leave of an equation that holds
 
 
 def faults(solution: Solution, printed: dict[str, Printed], digits: int) -> Iterator[str]:

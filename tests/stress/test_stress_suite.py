@@ -9,13 +9,15 @@ from itertools import islice
 from pathlib import Path
 
 import pytest
-from mpmath import mpf
+from mpmath import mp, mpf
 from msgspec.structs import replace as changed
 
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
 from trials.alike import mirrored, renamed, reordered, scaled
 from trials.crew import run_all
+from trials.evaluate import Unknown, value
 from trials.families import FAMILIES, Family, tried
 from trials.figures import wrong
 from trials.held import faults
@@ -62,6 +64,16 @@ def turned(solution: Solution) -> Solution:
     section, *others = solution.derivation.sections
     laws = tuple(changed(law, equation=changed(law.equation, left=-law.equation.left)) for law in section.laws)
     return replace(solution, derivation=changed(solution.derivation, sections=(changed(section, laws=laws), *others)))
+
+
+def test_what_cancels_down_to_its_roundings_is_nothing() -> None:
+    """M − c ω of a flywheel that has turned for ever is no number to take the logarithm of; a difference of 10⁻²⁴ is one."""
+    rest = parse("log(M - c*omega)")
+    with mp.workdps(150):
+        omega = mpf(1) / 3
+        with pytest.raises(Unknown):
+            value(rest, {"M": mpf(1), "c": mpf(3), "omega": omega * (1 - mpf(10) ** -140)})
+        assert abs(value(rest, {"M": mpf(1), "c": mpf(3), "omega": omega * (1 - mpf(10) ** -24)}) + 24 * mp.log(10)) < 1
 
 
 def test_a_scene_said_otherwise_is_the_same_scene() -> None:
