@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from fractions import Fraction
+from functools import lru_cache
 from typing import Any
 
 from rotsolve.algebra.formula import (
@@ -30,6 +31,9 @@ from rotsolve.algebra.formula import (
     total,
 )
 
+INTEGRALS = (
+    500  # that SymPy has found, or not found, and that are remembered: the plans of a scene ask for the same ones
+)
 _NAMES = {"abs": "Abs", "ellipk": "elliptic_k"}
 
 
@@ -145,10 +149,19 @@ def definite_integral(
     f: Formula, name: str, lower: Formula, upper: Formula, positive: Collection[str] = ()
 ) -> Formula | None:
     """∫ f d(name) from lower to upper as SymPy finds it, None where it does not."""
-    import sympy
-
     if lower == upper:
         return ZERO
+    letters = f.symbols() | lower.symbols() | upper.symbols() | {name}
+    return _definite_integral(f, name, lower, upper, letters & frozenset(positive))
+
+
+@lru_cache(INTEGRALS)
+def _definite_integral(
+    f: Formula, name: str, lower: Formula, upper: Formula, positive: frozenset[str]
+) -> Formula | None:
+    """The same for the positive ones of its own letters."""
+    import sympy
+
     variable = _symbol(name, positive)
     ends = to_sympy(lower, positive), to_sympy(upper, positive)
     try:
