@@ -6,7 +6,7 @@ letter and, where there are several states, all that can tell how long the motio
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -53,19 +53,21 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
     )
 
 
-def reached(names: Iterable[str], ties: Iterable[Iterable[str]], linking: Collection[str]) -> set[str]:
+def reached(names: Iterable[str], ties: Iterable[Sequence[str]], linking: Collection[str]) -> set[str]:
     """What can be reached from some names over ties; only names that are `linking` tie."""
-    holders: dict[str, list[list[str]]] = {}
+    holders: dict[str, list[Sequence[str]]] = {}
     for tie in ties:
-        tied = [name for name in tie if name in linking]
-        for name in tied:
-            holders.setdefault(name, []).append(tied)
-    found, pending = set[str](), [name for name in names if name in linking]
+        for name in tie:
+            if name in holders:
+                holders[name].append(tie)
+            else:
+                holders[name] = [tie]
+    found, pending = set[str](), list(names)
     while pending:
         name = pending.pop()
-        if name not in found:
+        if name in linking and name not in found:
             found.add(name)
-            pending += [other for tied in holders.get(name, ()) for other in tied]
+            pending += [other for tie in holders.get(name, ()) for other in tie]
     return found
 
 
@@ -120,11 +122,11 @@ def roots(problem: Problem) -> Iterator[str]:
         yield CLOCK
 
 
-def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Iterable[str]]:
+def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
     """What depends on each other, name by name."""
     for item in acting(problem):
-        owners = [ref.owner for ref in item.touches()]
-        yield (item.name, *owners, *(owner for value in varying(item) for _, owner, _ in paths_in(value)))
+        names = [item.name, *[ref.owner for ref in item.touches()]]
+        yield names + [owner for value in varying(item) for _, owner, _ in paths_in(value)]
     for event in problem.events:
         yield (CLOCK, *names_in(event))
     for phase in problem.phases:

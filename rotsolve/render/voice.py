@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.render.layout import hold
-from rotsolve.render.prose import latex_prose, markdown_prose
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
@@ -25,7 +24,6 @@ WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 POWER = re.compile(r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$")
 RAISED = str.maketrans("+-−0123456789", "⁺⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LOWERED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
-RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
 CLOSE = ("°", "′", "″", "%")  # units that stand next to their number
 
 
@@ -148,14 +146,7 @@ def _text_number(mantissa: str, exponent: str) -> str:
     return f"{mantissa}×10{exponent.translate(RAISED)}" if exponent else mantissa
 
 
-def _latex_number(mantissa: str, exponent: str) -> str:
-    mantissa = mantissa.replace("−", "-")
-    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
-
-
 TEXT = Voice(to_text, lambda unit: unit.text, _text_number, str, hold, " ", {})
-MARKDOWN = Voice(to_latex, lambda unit: unit.latex, _latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
-LATEX = Voice(to_latex, lambda unit: unit.latex, _latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)
 
 
 def machine_number(text: str) -> str:

@@ -80,5 +80,5 @@ def varying(element: Any) -> Iterator[Formula]:
     """The values of an element under keys that may vary."""
     for field in element.variable:
         value = getattr(element, field)
-        if isinstance(value, Formula):
+        if value is not None and isinstance(value, Formula):
             yield value

@@ -162,7 +162,7 @@ def check_free(item: Rides, problem: Problem) -> None:
 def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
     """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
     for item in problem.connections:
-        for ref in item.touches():
+        for ref in item.touches() if item.word in ("hinge", "string") else ():
             body = bodies.get(ref.owner)
             if body is None:
                 continue
@@ -177,10 +177,12 @@ def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
 
 def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:
     """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
-    level = level_surfaces(problem)
     ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
-    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
     held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]
+    if not ropes and not held:
+        return
+    level = level_surfaces(problem)
+    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
     holders: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
     for item in holders:
         for index, ref in enumerate(item.touches()):
