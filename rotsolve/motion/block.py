@@ -6,6 +6,7 @@ letter and, where there are several states, all that can tell how long the motio
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from msgspec import Struct
@@ -38,8 +39,8 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
     """The problem without some parts, and without what the states say of them."""
     return replace(
         problem,
-        bodies=tuple(body for body in problem.bodies if body.name in kept),
-        connections=tuple(item for item in problem.connections if item.name in kept),
+        bodies=tuple([body for body in problem.bodies if body.name in kept]),
+        connections=tuple([item for item in problem.connections if item.name in kept]),
         actions=tuple(item for item in problem.actions if item.name in kept),
         states=tuple(
             replace(
@@ -55,13 +56,10 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
 
 def reached(names: Iterable[str], ties: Iterable[Sequence[str]], linking: Collection[str]) -> set[str]:
     """What can be reached from some names over ties; only names that are `linking` tie."""
-    holders: dict[str, list[Sequence[str]]] = {}
+    holders = defaultdict[str, list[Sequence[str]]](list)
     for tie in ties:
         for name in tie:
-            if name in holders:
-                holders[name].append(tie)
-            else:
-                holders[name] = [tie]
+            holders[name].append(tie)
     found, pending = set[str](), list(names)
     while pending:
         name = pending.pop()
@@ -125,8 +123,11 @@ def roots(problem: Problem) -> Iterator[str]:
 def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
     """What depends on each other, name by name."""
     for item in acting(problem):
-        names = [item.name, *[ref.owner for ref in item.touches()]]
-        yield names + [owner for value in varying(item) for _, owner, _ in paths_in(value)]
+        names = [item.name]
+        names += [ref.owner for ref in item.touches()]
+        for value in varying(item):
+            names += [owner for _, owner, _ in paths_in(value)]
+        yield names
     for event in problem.events:
         yield (CLOCK, *names_in(event))
     for phase in problem.phases:
