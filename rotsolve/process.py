@@ -53,7 +53,9 @@ def watched() -> bool:
     """Whether somebody follows what this process does, or a thread may still be at work."""
     tools = getattr(sys, "monitoring", None)  # from Python 3.12 on
     followed = tools is not None and any(tools.get_tool(number) is not None for number in range(6))
-    return followed or sys.gettrace() is not None or sys.getprofile() is not None or "threading" in sys.modules
+    threads = sys.modules.get("threading")
+    at_work = threads is not None and threads.active_count() > 1
+    return followed or at_work or sys.gettrace() is not None or sys.getprofile() is not None
 
 
 def prepare_streams() -> None:

@@ -56,7 +56,8 @@ def test_a_process_ends_as_its_command_says(files: list[str]) -> None:
         ("process", "", False),
         ("process", "sys.settrace(lambda *event: None)\n", True),
         ("process", "sys.setprofile(lambda *event: None)\n", True),
-        ("process", "import threading\n", True),
+        ("process", "import threading\n", False),
+        ("process", "import threading\nthreading.Thread(target=threading.main_thread().join).start()\n", True),
     ],
 )
 def test_a_process_is_taken_apart_only_where_somebody_counts_on_it(main: str, watching: str, apart: bool) -> None:
