@@ -1,6 +1,6 @@
 """`python -m rotsolve`: the same as the command `rotsolve`."""
 
-from rotsolve.start import main
+from rotsolve.start import process
 
 if __name__ == "__main__":
-    main()
+    process()

@@ -4,25 +4,24 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rotsolve.core.equation import LAWS
 from rotsolve.inquiry.answering import answer_all
 from rotsolve.inquiry.checks import checks, contradiction, turned_back
 from rotsolve.inquiry.compose import Composer, with_missing_told
-from rotsolve.inquiry.explain import contradicted, said_otherwise, turns_back, unsolvable
+from rotsolve.inquiry.explain.contradictory import contradicted, said_otherwise, turns_back
+from rotsolve.inquiry.explain.unsolvable import unsolvable
 from rotsolve.inquiry.friction import Decision, decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
-from rotsolve.inquiry.stages import equations_text, facts_text, plan_text
 from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.profile import counted, skipped, stage
-from rotsolve.scene.model import Problem
-from rotsolve.scene.moment import read_moment
+from rotsolve.scene.model import Moment, Problem
 from rotsolve.scene.read import read_source
 from rotsolve.solution import Solution, Trace
 
@@ -81,7 +80,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
 def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int, at: str | None) -> Solution:
     """The answers of an inquiry as a derivation with its checks."""
     with stage("compose", whole=True):
-        composer = Composer(inquiry, decision.numbered + 1, read_moment(at) if at else None)
+        composer = Composer(inquiry, decision.numbered + 1, moment(at))
     with stage("verify", whole=True):
         held = checks(inquiry, composer.letters)
     with stage("compose", whole=True):
@@ -91,12 +90,28 @@ def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int
     counted("equations written", derivation.equations_written)
     counted("equations used", derivation.equations_used)
     trace = Trace(
-        lambda: facts_text(inquiry.history, beside),
-        lambda: equations_text(inquiry, composer.letters),
-        lambda: plan_text(inquiry, composer.letters),
+        lambda: stages_before().facts_text(inquiry.history, beside),
+        lambda: stages_before().equations_text(inquiry, composer.letters),
+        lambda: stages_before().plan_text(inquiry, composer.letters),
         lambda: validity_of(inquiry),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
+
+
+def moment(at: str | None) -> Moment | None:
+    """The time at which functions of time are evaluated."""
+    if at is None:
+        return None
+    from rotsolve.scene.moment import read_moment
+
+    return read_moment(at)
+
+
+def stages_before() -> Any:
+    """What prints the stages before the derivation; loaded when someone asks for one."""
+    from rotsolve.inquiry import stages
+
+    return stages
 
 
 def validity_of(inquiry: Inquiry) -> Validity:

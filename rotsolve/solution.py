@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import builtins
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
+
+from msgspec import Struct
 
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
 from rotsolve.render import format_named
@@ -19,8 +20,7 @@ if TYPE_CHECKING:
     from rotsolve.scene.model import Problem
 
 
-@dataclass(frozen=True)
-class Trace:
+class Trace(Struct, frozen=True):
     """The stages before the derivation as text; each is made only when someone asks for it."""
 
     facts: Callable[[], str]
@@ -29,11 +29,10 @@ class Trace:
     validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
 
 
-@dataclass(frozen=True)
-class AnswerView:
+class AnswerView(Struct, frozen=True):
     """One answer, ready for use in Python. Numbers are in `unit`, signed in the declared sense."""
 
-    answer: Answer = field(repr=False)
+    answer: Answer
     digits: int = 4
 
     @property
@@ -97,6 +96,9 @@ class AnswerView:
 
         return None if self.answer.formula is None else to_sympy(self.answer.formula)
 
+    def __repr__(self) -> str:
+        return f"<AnswerView {self}>"
+
     def __str__(self) -> str:
         from rotsolve.render.layout import release
         from rotsolve.render.text import answer_rows
@@ -105,13 +107,12 @@ class AnswerView:
         return "\n".join(release(f"{row.left} {row.middle}") for row in rows)
 
 
-@dataclass(frozen=True)
-class Solution:
+class Solution(Struct, frozen=True, dict=True):
     """A solved scene: `print` it for the derivation, or take its parts."""
 
-    problem: Problem = field(repr=False)
-    derivation: Derivation = field(repr=False)
-    trace: Trace = field(repr=False)
+    problem: Problem
+    derivation: Derivation
+    trace: Trace
     digits: int = 4
 
     @cached_property
@@ -173,6 +174,9 @@ class Solution:
     def to(self, format: str = "text", *, width: int | None = None) -> str:
         """The derivation as a complete document: 'text', 'markdown', 'latex' or 'json'."""
         return format_named(format).document([self.body(format, width=width)])
+
+    def __repr__(self) -> str:
+        return f"<Solution of {self.derivation.title!r}: {', '.join(self.answers)}>"
 
     def __str__(self) -> str:
         return self.to("text").rstrip("\n")

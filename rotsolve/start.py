@@ -8,11 +8,20 @@ from __future__ import annotations
 import sys
 from typing import NoReturn
 
-from rotsolve.process import leave_after, orderly, page_width
+from rotsolve.process import end_at_once, leave_after, orderly, page_width
+
+
+def process() -> NoReturn:
+    """Run the command that this process was started for, and end it."""
+    try:
+        main()
+    except SystemExit as leaving:
+        end_at_once(leaving)
+        raise
 
 
 def main() -> NoReturn:
-    """Run the command of this process."""
+    """Run the command of this process; SystemExit tells its exit code."""
     command, *files = sys.argv[1:] or [""]
     if command == "solve" and files and not any(file.startswith("-") for file in files):
         leave_after(lambda: solve(files))

@@ -6,10 +6,12 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.elements.shapes import Particle, Shape
 from rotsolve.scene.model import Body
 
+PARTICLE = Particle()
+
 
 def shape_of(body: Body) -> Shape:
     """The shape of a body; one without a shape is a particle."""
-    return body.shape or Particle()
+    return body.shape or PARTICLE
 
 
 def rim_radius(body: Body, point: str | None) -> Formula | None:

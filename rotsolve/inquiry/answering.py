@@ -14,7 +14,7 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.inquiry.answers import Answered, NoAnswer
-from rotsolve.inquiry.explain import no_answer, refuse_unsolved, unsolvable
+from rotsolve.inquiry.explain.unsolvable import unsolvable
 from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
@@ -57,6 +57,8 @@ def answer_one(inquiry: Inquiry, find: Find) -> None:
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
+        from rotsolve.inquiry.explain.missing import no_answer, refuse_unsolved
+
         if error.shortage is not None:
             refuse_unsolved(inquiry, error.shortage, find)
         raise no_answer(error, inquiry, find) from None

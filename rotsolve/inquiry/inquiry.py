@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
@@ -21,13 +21,13 @@ from rotsolve.inquiry.definitions import Definitions
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.planning import FORCES, OF_ONE_MOMENT, Search, families_for
 from rotsolve.inquiry.questions import Asked
-from rotsolve.inquiry.roots import Numbers, RootChoice
+from rotsolve.inquiry.roots.numbers import Numbers
 from rotsolve.inquiry.stepwise import Stepwise
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.scene.model import Find
-from rotsolve.solver import Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.courses import Beside
@@ -60,7 +60,6 @@ class Inquiry(Struct, dict=True):
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
         self.numbers = Numbers(self.values, lambda value: self.solver.with_found(value), self.aside)
-        self.roots = RootChoice(self.history, self.givens, self.numbers, self.definitions.formula)
         self.running = {"time"} | places_and_speeds(self.history.passages.values())
         self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
@@ -70,10 +69,16 @@ class Inquiry(Struct, dict=True):
             order=self._order(),
             positive=positive_letters(problem.givens),
             values=self.values,
-            choose=self.roots.choose,
+            choose=self.choose_root,
             refs=self.refs,
             running=frozenset(self.running),
         )
+
+    def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+        """Which of several roots of an equation is meant, and why."""
+        from rotsolve.inquiry.roots.choosing import RootChoice
+
+        return RootChoice(self.history, self.givens, self.numbers, self.definitions.formula).choose(name, roots, period)
 
     def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
         """The answers so far by name: what later questions may use."""

@@ -111,7 +111,7 @@ class Arrangement(Struct, frozen=True, dict=True):
         gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
         events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
         held = [Hinge(item.name, hinge=(item.fixes,)) for item in events if isinstance(item, Fixes) and item.fixes]
-        return (*(item for item in self.problem.connections if item.name not in gone), *held)
+        return (*[item for item in self.problem.connections if item.name not in gone], *held)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""

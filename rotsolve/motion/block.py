@@ -6,7 +6,8 @@ letter and, where there are several states, all that can tell how long the motio
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator
+from collections import defaultdict
+from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -38,8 +39,8 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
     """The problem without some parts, and without what the states say of them."""
     return replace(
         problem,
-        bodies=tuple(body for body in problem.bodies if body.name in kept),
-        connections=tuple(item for item in problem.connections if item.name in kept),
+        bodies=tuple([body for body in problem.bodies if body.name in kept]),
+        connections=tuple([item for item in problem.connections if item.name in kept]),
         actions=tuple(item for item in problem.actions if item.name in kept),
         states=tuple(
             replace(
@@ -53,19 +54,18 @@ def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str])
     )
 
 
-def reached(names: Iterable[str], ties: Iterable[Iterable[str]], linking: Collection[str]) -> set[str]:
+def reached(names: Iterable[str], ties: Iterable[Sequence[str]], linking: Collection[str]) -> set[str]:
     """What can be reached from some names over ties; only names that are `linking` tie."""
-    holders: dict[str, list[list[str]]] = {}
+    holders = defaultdict[str, list[Sequence[str]]](list)
     for tie in ties:
-        tied = [name for name in tie if name in linking]
-        for name in tied:
-            holders.setdefault(name, []).append(tied)
-    found, pending = set[str](), [name for name in names if name in linking]
+        for name in tie:
+            holders[name].append(tie)
+    found, pending = set[str](), list(names)
     while pending:
         name = pending.pop()
-        if name not in found:
+        if name in linking and name not in found:
             found.add(name)
-            pending += [other for tied in holders.get(name, ()) for other in tied]
+            pending += [other for tie in holders.get(name, ()) for other in tie]
     return found
 
 
@@ -120,11 +120,14 @@ def roots(problem: Problem) -> Iterator[str]:
         yield CLOCK
 
 
-def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Iterable[str]]:
+def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
     """What depends on each other, name by name."""
     for item in acting(problem):
-        owners = [ref.owner for ref in item.touches()]
-        yield (item.name, *owners, *(owner for value in varying(item) for _, owner, _ in paths_in(value)))
+        names = [item.name]
+        names += [ref.owner for ref in item.touches()]
+        for value in varying(item):
+            names += [owner for _, owner, _ in paths_in(value)]
+        yield names
     for event in problem.events:
         yield (CLOCK, *names_in(event))
     for phase in problem.phases:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container
+from collections.abc import Container, Iterator, Sequence
 from typing import Any
 
 from msgspec.structs import replace
@@ -53,32 +53,38 @@ def completed(problem: Problem) -> Problem:
     check(problem)
     check_surfaces(problem)
     check_holding(problem)
-    letters = _Letters(problem)
-    wheels = {
-        ref.owner for item in problem.connections if item.word in ("belt", "gear", "unrolls") for ref in item.touches()
-    }
-    wheels |= {item.rolls[0].owner for item in problem.connections if isinstance(item, Rolls)}
-    wheels |= {
-        ref.owner
-        for item in problem.connections
-        if item.word == "string"
-        for ref in item.touches()[1:-1]
-        if not ref.point
-    }
-    riders = {item.rides[0].owner for item in problem.connections if isinstance(item, Rides)}
+    letters, wheels = _Letters(problem), set(_wheels(problem.connections))
+    riders = {item.rides[0].owner for item in problem.connections if item.word == "rides" and isinstance(item, Rides)}
     bodies = tuple(
-        _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
-        for body in problem.bodies
+        [
+            _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
+            for body in problem.bodies
+        ]
     )
-    versions(bodies, problem.states)  # refuses what can't differ between states
+    if problem.states:
+        versions(bodies, problem.states)  # refuses what can't differ between states
     names = on_axes(problem)
-    guides = (guide(body) for body in bodies if body.moved)
-    connections = (*(_connection(item, letters, names) for item in problem.connections), *guides)
+    guides = [guide(body) for body in bodies if body.moved]
+    connections = (*[_connection(item, letters, names) for item in problem.connections], *guides)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
+
+
+def _wheels(connections: Sequence[Connection]) -> Iterator[str]:
+    """The bodies that connections turn by their rims."""
+    for item in connections:
+        word = item.word
+        if word == "string":
+            yield from [ref.owner for ref in item.touches()[1:-1] if not ref.point]
+        elif word in ("belt", "gear", "unrolls"):
+            yield from [ref.owner for ref in item.touches()]
+        elif word == "rolls" and isinstance(item, Rolls):
+            yield item.rolls[0].owner
 
 
 def _connection(item: Connection, letters: _Letters, held: Container[str]) -> Connection:
     """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
+    if not isinstance(item, (Torsion, Clutch, Contact)):
+        return item
     if isinstance(item, Torsion) and item.stiffness is None:
         return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
     if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
@@ -92,9 +98,9 @@ def _connection(item: Connection, letters: _Letters, held: Container[str]) -> Co
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     shape = _shape(body.shape, body, letters) if body.shape is not None else None
     mass = body.mass
-    parts = tuple(_part(part, letters) for part in body.parts)
-    holes = tuple(_hole(hole, shape) for hole in body.holes)
-    if isinstance(shape, Integrated):
+    parts = body.parts and tuple([_part(part, letters) for part in body.parts])
+    holes = body.holes and tuple([_hole(hole, shape) for hole in body.holes])
+    if shape is not None and isinstance(shape, Integrated):
         shape = replace(shape, positive=letters.positive)
     if body.density is not None and shape is not None and any(SEPARATOR in name for name in body.density.symbols()):
         shape = Graded(letters.positive, shape, body.density)
@@ -111,7 +117,10 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
             radius = letters.make("R", body.name, "length")
         if inertia is None and body.gyration is None and mass != ZERO:
             inertia = letters.make("I", body.name, "moment of inertia")
-    return _central(replace(body, shape=shape, mass=mass, parts=parts, holes=holes, radius=radius, inertia=inertia))
+    same = mass is body.mass and shape is body.shape and radius is body.radius and inertia is body.inertia
+    if not same or parts or holes:
+        body = replace(body, shape=shape, mass=mass, parts=parts, holes=holes, radius=radius, inertia=inertia)
+    return _central(body)
 
 
 def _rider(body: Body, letters: _Letters) -> Body:
@@ -152,9 +161,9 @@ def _hole(hole: Part, shape: Shape | None) -> Part:
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
     changes: dict[str, Any] = {}
     for name, declared in shape.declared.items():
-        if declared.kind != "quantity" or name not in ("radius", "length"):
+        if name not in ("radius", "length") or getattr(shape, name) is not None or declared.kind != "quantity":
             continue
         walls = name == "radius" and bool(getattr(shape, "radii", None))
-        if getattr(shape, name) is None and not walls:
+        if not walls:
             changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
     return replace(shape, **changes) if changes else shape

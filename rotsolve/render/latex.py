@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from rotsolve.core.derivation import Answer, Derivation, Equality, ForceLine, LawLine, Move, Section
 from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
-from rotsolve.render.voice import LATEX, exact, lettered, shown, shown_components
+from rotsolve.render.prose import LATEX
+from rotsolve.render.voice import exact, lettered, shown, shown_components
 
 PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}

@@ -7,7 +7,8 @@ from collections.abc import Iterator, Sequence
 from rotsolve.core.derivation import Answer, Derivation, ForceLine, LawLine, Move, Section
 from rotsolve.render.matrix import latex_matrix
 from rotsolve.render.options import Options
-from rotsolve.render.voice import MARKDOWN, exact, lettered, shown, shown_components
+from rotsolve.render.prose import MARKDOWN
+from rotsolve.render.voice import exact, lettered, shown, shown_components
 
 
 def body(derivation: Derivation, options: Options) -> str:

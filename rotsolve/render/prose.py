@@ -1,8 +1,11 @@
-"""Prose made safe for Markdown and LaTeX: what is special there is escaped, and letters that LaTeX lacks become commands."""
+"""The voices of Markdown and LaTeX: what is special in prose is escaped there, and letters that LaTeX lacks become commands."""
 
 from __future__ import annotations
 
 import re
+
+from rotsolve.algebra.notation.text import to_latex
+from rotsolve.render.voice import Voice
 
 MARKDOWN_SPECIAL = re.compile(r"([\\`*_\[\]<>$|#~])")
 LATEX_SPECIAL = {
@@ -81,3 +84,14 @@ def _latex_letter(letter: str) -> str:
     return (
         letter if letter.isprintable() and ord(letter) < 0x180 else "?"
     )  # Latin letters with accents are in every LaTeX
+
+
+def latex_number(mantissa: str, exponent: str) -> str:
+    """A number as LaTeX sets it: 2 \\times 10^{3}."""
+    mantissa = mantissa.replace("−", "-")
+    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
+
+
+RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
+MARKDOWN = Voice(to_latex, lambda unit: unit.latex, latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
+LATEX = Voice(to_latex, lambda unit: unit.latex, latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)

@@ -20,7 +20,6 @@ from rotsolve.render.layout import (
     together,
     wrap,
 )
-from rotsolve.render.matrix import text_rows
 from rotsolve.render.options import Options
 from rotsolve.render.voice import TEXT, exact, lettered, shown, shown_components
 
@@ -155,6 +154,8 @@ def answer_lines(answers: tuple[Answer, ...], options: Options) -> Iterator[Line
 def answer_rows(answer: Answer, digits: int, inset: str = "") -> Iterator[Row]:
     """An answer and, further in, its components: symbol, exact form, certified number, direction."""
     if answer.rows:
+        from rotsolve.render.matrix import text_rows
+
         yield from text_rows(answer, digits)
         return
     formula, amount = exact(answer), TEXT.amount(answer, digits)

@@ -10,11 +10,10 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.render.layout import hold
-from rotsolve.render.prose import latex_prose, markdown_prose
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
@@ -22,10 +21,10 @@ if TYPE_CHECKING:
     from rotsolve.scene.model import Given
 
 WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
-POWER = re.compile(r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)$")
+POWER = r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)"  # compiled where there is one
+TIMES = frozenset("eE·×")  # before a power of ten
 RAISED = str.maketrans("+-−0123456789", "⁺⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 LOWERED = str.maketrans("⁺⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "+-0123456789")
-RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
 CLOSE = ("°", "′", "″", "%")  # units that stand next to their number
 
 
@@ -54,8 +53,7 @@ class Voice(Struct, frozen=True):
 
     def quantity(self, number: str, unit: Unit | None) -> str:
         """A number and its unit; `number` is plain decimal text, as `2`, `−0.5` or `1e-3`."""
-        match = POWER.fullmatch(number.strip())
-        mantissa, exponent = match.groups() if match else (number.strip(), "")
+        mantissa, exponent = in_powers_of_ten(number.strip())
         exponent = exponent.translate(LOWERED).replace("−", "-").lstrip("+")
         said = self.number(mantissa, exponent)
         if unit is None or unit.text in ("", "1"):
@@ -148,19 +146,16 @@ def _text_number(mantissa: str, exponent: str) -> str:
     return f"{mantissa}×10{exponent.translate(RAISED)}" if exponent else mantissa
 
 
-def _latex_number(mantissa: str, exponent: str) -> str:
-    mantissa = mantissa.replace("−", "-")
-    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
-
-
 TEXT = Voice(to_text, lambda unit: unit.text, _text_number, str, hold, " ", {})
-MARKDOWN = Voice(to_latex, lambda unit: unit.latex, _latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
-LATEX = Voice(to_latex, lambda unit: unit.latex, _latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)
 
 
 def machine_number(text: str) -> str:
     """A printed number as programs read it: `-4.5e-05` for `−4.5×10⁻⁵`."""
-    match = POWER.fullmatch(text)
-    if match is None:
-        return text.replace("−", "-")
-    return f"{match[1]}e{match[2].translate(LOWERED)}".replace("−", "-")
+    mantissa, exponent = in_powers_of_ten(text)
+    return (f"{mantissa}e{exponent.translate(LOWERED)}" if exponent else mantissa).replace("−", "-")
+
+
+def in_powers_of_ten(number: str) -> tuple[str, str]:
+    """A number in front of its power of ten, and the exponent; '' without one."""
+    match = None if TIMES.isdisjoint(number) else re.fullmatch(POWER, number)
+    return (match[1], match[2]) if match else (number, "")

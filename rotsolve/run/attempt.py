@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rotsolve.profile import stage
@@ -21,7 +20,7 @@ def attempt(file: str, request: Request, text: bytes = b"") -> Outcome:
     """Solve one file, or the text that was piped in."""
     from rotsolve.pipeline import solve
 
-    if Path(file).is_dir():
+    if os.path.isdir(file):
         return Outcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
         scene = source(file, text)
@@ -33,9 +32,15 @@ def attempt(file: str, request: Request, text: bytes = b"") -> Outcome:
         return failure(file, error)
 
 
-def source(file: str, text: bytes) -> Path | str:
-    """The path of a scene, or the text that was piped in: a text has a line break, a path has none."""
-    return text.decode("utf-8") + "\n" if file == PIPED else Path(file)
+def source(file: str, text: bytes) -> str | os.PathLike[str]:
+    """The path of a scene, or the text that was piped in: a string with a line break is a text, one without is a path."""
+    if file == PIPED:
+        return text.decode("utf-8") + "\n"
+    if "\n" not in file:
+        return file
+    from pathlib import Path
+
+    return Path(file)
 
 
 def failure(file: str, error: Exception) -> Outcome:

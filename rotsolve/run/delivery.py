@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from rotsolve.render import format_named
@@ -92,6 +91,8 @@ def document(outcomes: Sequence[Outcome], request: Request) -> str:
 
 def write_file(name: str, text: str) -> int:
     """Write the whole text or nothing: into a new file beside the old one, which it then replaces."""
+    from pathlib import Path
+
     path = Path(os.path.realpath(name))
     try:
         if path.exists() and not path.is_file():  # /dev/stdout, a named pipe

@@ -1,9 +1,11 @@
-"""Scenes: the files that the words of a command stand for: names, folders, and patterns that the shell has left as they are."""
+"""Scenes: the files that the words of a command stand for: names, folders, and patterns that the shell has left as they are.
+
+A name that is a file, as nearly every one, needs neither `pathlib` nor `glob`: these take a fiftieth of a cold run to load.
+"""
 
 from __future__ import annotations
 
-from glob import glob, has_magic
-from pathlib import Path
+import os
 
 SUFFIXES = (".yaml", ".yml")
 PIPED = "-"
@@ -16,17 +18,25 @@ def scenes(names: tuple[str, ...]) -> tuple[str, ...]:
 
 def meant(name: str) -> list[str]:
     """What one name stands for; itself where it stands for nothing, so that the message can say so."""
-    path = Path(name)
-    if name == PIPED or path.is_file():
+    if name == PIPED or os.path.isfile(name):
         return [name]
-    if path.is_dir():
-        return within(path) or [name]
-    if has_magic(name):
-        found = sorted(map(Path, glob(name, recursive=True)))
-        return [file for item in found for file in (within(item) if item.is_dir() else [str(item)])] or [name]
-    return [name]
+    if os.path.isdir(name):
+        return within(name) or [name]
+    return fitting(name) or [name]
 
 
-def within(folder: Path) -> list[str]:
+def fitting(pattern: str) -> list[str]:
+    """The scenes that fit a pattern, and those of the folders that do; none where it is an ordinary name."""
+    from glob import glob, has_magic
+    from pathlib import Path
+
+    found = sorted(map(Path, glob(pattern, recursive=True))) if has_magic(pattern) else []
+    return [file for path in found for file in (within(str(path)) if path.is_dir() else [str(path)])]
+
+
+def within(name: str) -> list[str]:
     """The scenes of a folder and of the folders in it."""
+    from pathlib import Path
+
+    folder = Path(name)
     return sorted(str(path) for path in folder.rglob("*") if path.suffix in SUFFIXES and path.is_file())

@@ -76,9 +76,11 @@ def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
         yield name.rstrip("_"), declared
 
 
-def varying(element: Any) -> Iterator[Formula]:
+def varying(element: Any) -> list[Formula]:
     """The values of an element under keys that may vary."""
+    found = []
     for field in element.variable:
         value = getattr(element, field)
-        if isinstance(value, Formula):
-            yield value
+        if value is not None and isinstance(value, Formula):
+            found.append(value)
+    return found

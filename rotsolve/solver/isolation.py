@@ -7,7 +7,6 @@ from fractions import Fraction
 
 from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified
-from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.exact.normal import coefficients, degree, is_zero
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
@@ -95,6 +94,8 @@ class Isolation(Textbook, kw_only=True):
         gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
         if gap.symbols() - set(self.values) - {asked}:
             raise NoClosedForm("it has no closed form, and not every given has a number")
+        from rotsolve.algebra.certified.rootfind import real_roots
+
         for reach in REACHES:
             found = real_roots(gap, asked, self.values, -reach, reach).roots
             if found:

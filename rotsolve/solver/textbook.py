@@ -8,14 +8,9 @@ from functools import partial, reduce
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.calculus.bounds import at_bounds
-from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
-from rotsolve.algebra.calculus.separable import Stretch, Unending, has_root, needs_care, sign_by_letters
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.writing.exponentials import spread
-from rotsolve.algebra.exact.writing.logarithms import one_logarithm
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
@@ -101,6 +96,9 @@ class Textbook(Struct, kw_only=True):
         tidy = partial(simplify, order=self.order, positive=self.positive)
         if isinstance(node, Call) and node.function == "exp":
             return Call("exp", (tidy(node.arguments[0]),))
+        from rotsolve.algebra.exact.writing.exponentials import spread
+        from rotsolve.algebra.exact.writing.logarithms import one_logarithm
+
         return spread(one_logarithm(node, tidy), tidy)
 
     def without_bars(self, node: Formula) -> Formula:
@@ -149,10 +147,9 @@ class Textbook(Struct, kw_only=True):
         def change(node: Formula) -> Formula:
             if not isinstance(node, Integral) or self._open(node):
                 return node
-            done = self._separated(node)
-            if done is None:
-                summed = integrate_by_hand if has_root(node.integrand, node.variable) else integrate
-                done = summed(node.integrand, node.variable, node.lower, node.upper, positive=self.positive)
+            from rotsolve.solver.integrals import in_closed_form
+
+            done = in_closed_form(node, self.sign, self.order, self.positive)
             return node if done is None else self.simplify(done)
 
         return value.transform(change, Integral)
@@ -169,6 +166,8 @@ class Textbook(Struct, kw_only=True):
 
     def at_bounds(self, value: Formula) -> Formula | None:
         """All integrals as the antiderivative at both ends; None where one has no antiderivative that a page would hold."""
+        from rotsolve.algebra.calculus.bounds import at_bounds
+
         value = value.transform(gathered)
         ends: dict[Formula, Formula] = {}
         for node in value.walk():
@@ -183,20 +182,12 @@ class Textbook(Struct, kw_only=True):
         """Whether something within an integral runs with its variable in a way that is not known yet."""
         return any(in_midst(name) for name in node.integrand.symbols() - {node.variable})
 
-    def _separated(self, node: Integral) -> Formula | None:
-        """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""
-        if not needs_care(node.integrand, node.variable):
-            return None
-        stretch = Stretch(node.variable, node.lower, node.upper, self._sign, self.order, self.positive)
-        try:
-            return stretch.integral(node.integrand)
-        except Unending as error:
-            raise Undefined(str(error)) from None
-
-    def _sign(self, value: Formula) -> int | None:
+    def sign(self, value: Formula) -> int | None:
         """The sign of a formula by the numbers of the scene, else by its positive letters."""
         value = self.with_answers(value)
         try:
             return evaluate(value, self.values, digits=3).sign
         except (Undefined, ValueError):
+            from rotsolve.algebra.calculus.separable import sign_by_letters
+
             return sign_by_letters(value, self.positive)

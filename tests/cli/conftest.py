@@ -39,7 +39,8 @@ class Engine:
         self.asked: list[tuple[str, dict[str, Any]]] = []
 
     def solve(self, source: Path | str, **options: Any) -> Solution:
-        name = source.name if isinstance(source, Path) else "-"
+        path = None if isinstance(source, str) and "\n" in source else Path(source)
+        name = "-" if path is None else path.name
         self.asked.append((name, options))
         if name.startswith("bad"):
             fault = faults.Fault("unknown body `puley` in a string", None, "did you mean `pulley`?")
@@ -48,8 +49,8 @@ class Engine:
             raise faults.Unsolvable("2 equations for 3 unknowns (T, a, α)", file=name)
         if name.startswith("broken"):
             raise ZeroDivisionError("division\nby zero")
-        if isinstance(source, Path):
-            source.read_text(encoding="utf-8")
+        if path is not None:
+            path.read_text(encoding="utf-8")
         text = "".join(f", {key} = {value}" for key, value in sorted(options["settings"].items()))
         trace = Trace(lambda: "the facts\n", lambda: "the equations", lambda: "the plan\n\n")
         problem: Any = SimpleNamespace(file=name)

@@ -29,7 +29,7 @@ import rotsolve.pipeline
 solve = rotsolve.pipeline.solve
 
 def hindered(source, **options):
-    stem = getattr(source, "stem", "")
+    stem = "" if "\\n" in str(source) else Path(source).stem
     if stem in ("killed", "endless"):
         Path(source).with_suffix(".pid").write_text(str(os.getpid()))
     if stem == "killed":

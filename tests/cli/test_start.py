@@ -13,9 +13,12 @@ SCENE = str(PULLEYS / "block-on-disc.yaml")
 LOADED = "import atexit, sys\natexit.register(lambda: print('typer' in sys.modules))\n"
 
 
-def process(entry: str, *arguments: str) -> subprocess.CompletedProcess[str]:
-    """A process that starts at the function `main` of a module."""
-    code = f"{LOADED}sys.argv[1:] = {list(arguments)!r}\nfrom {entry} import main\nmain()"
+KEPT = "kept = open(1, 'w', closefd=False)\nkept.write('taken apart')\n"  # what is in its buffer comes out when it goes
+
+
+def process(entry: str, *arguments: str, main: str = "main", before: str = LOADED) -> subprocess.CompletedProcess[str]:
+    """A process that starts at a function of a module."""
+    code = f"import sys\n{before}sys.argv[1:] = {list(arguments)!r}\nfrom {entry} import {main}\n{main}()"
     return subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
 
 
@@ -34,3 +37,36 @@ def test_all_else_is_parsed(arguments: tuple[str, ...], code: int) -> None:
     plain, parsed = process("rotsolve.start", *arguments), process("rotsolve.cli", *arguments)
     assert (plain.returncode, plain.stdout, plain.stderr) == (parsed.returncode, parsed.stdout, parsed.stderr)
     assert plain.returncode == code and plain.stdout.endswith("True\n")
+
+
+@pytest.mark.parametrize("files", [[SCENE], ["nowhere.yaml"], [SCENE, "nowhere.yaml"], []])
+def test_a_process_ends_as_its_command_says(files: list[str]) -> None:
+    plain, whole = (
+        process("rotsolve.start", "solve", *files),
+        process("rotsolve.start", "solve", *files, main="process"),
+    )
+    assert (plain.returncode, plain.stdout, plain.stderr) == (whole.returncode, whole.stdout, whole.stderr)
+    assert whole.stdout.endswith(("False\n", "True\n")), "what was to be done at the end is done"
+
+
+@pytest.mark.parametrize(
+    ("main", "watching", "apart"),
+    [
+        ("main", "", True),
+        ("process", "", False),
+        ("process", "sys.settrace(lambda *event: None)\n", True),
+        ("process", "sys.setprofile(lambda *event: None)\n", True),
+        ("process", "import threading\n", False),
+        ("process", "import threading\nthreading.Thread(target=threading.main_thread().join).start()\n", True),
+    ],
+)
+def test_a_process_is_taken_apart_only_where_somebody_counts_on_it(main: str, watching: str, apart: bool) -> None:
+    ran = process("rotsolve.start", "solve", SCENE, main=main, before=KEPT + watching)
+    assert ran.returncode == 0 and ran.stdout.startswith("Block hanging")
+    assert ran.stdout.endswith("taken apart") == apart
+
+
+def test_an_end_that_fails_is_left_to_python() -> None:
+    failing = "import atexit\natexit.register(lambda: sys.stdout.close())\n"
+    ran = process("rotsolve.start", "solve", SCENE, main="process", before=failing)
+    assert ran.returncode == 0 and ran.stdout.startswith("Block hanging")

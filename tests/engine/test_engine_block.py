@@ -170,11 +170,11 @@ def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest
 
 
 def test_friction_is_decided_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rotsolve.inquiry.friction import deciding
+    from rotsolve.inquiry.friction import sticking
 
     tried: list[str] = []
-    real = deciding.tried
-    monkeypatch.setattr(deciding, "tried", lambda *given: tried.append(given[1].name) or real(*given))
+    real = sticking.tried
+    monkeypatch.setattr(sticking, "tried", lambda *given: tried.append(given[1].name) or real(*given))
     solve(pair("actions: {pull: {force: 1 N, on: one, direction: right}}\nfind: {a: one.acceleration}"))
     assert tried == ["left"]
 

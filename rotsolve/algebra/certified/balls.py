@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from rotsolve.algebra.certified.turning import integral_to_rest, work_limit
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
     Call,
@@ -160,6 +159,8 @@ class RealBalls:
         return arb.atan2(y, x)
 
     def integral(self, node: Integral) -> Ball:
+        from rotsolve.algebra.certified.turning import integral_to_rest, work_limit
+
         turning = integral_to_rest(node, self)
         if turning is not None:
             return turning

@@ -43,7 +43,9 @@ SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[
 INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
-_CHANGE = re.compile(rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)")  # delta_theta, delta_K1
+_CHANGE = (
+    rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)"  # delta_theta, delta_K1; rare, hence compiled late
+)
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
 PRIME = "'"  # marks a variable of integration beside its end: omega'
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
@@ -92,9 +94,13 @@ def _greek(head: str) -> str:
     return GREEK_LETTERS.get(head, head)
 
 
+def _change(name: str) -> re.Match[str] | None:
+    return re.fullmatch(_CHANGE, name) if name[1:6] == "elta_" else None
+
+
 def name_to_text(name: str) -> str:
     """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `delta_K` is ΔK, `omega(t)` is ω(t); paths stay."""
-    if match := _CHANGE.fullmatch(name):
+    if match := _change(name):
         return f"Δ{_greek(match[1])}{subscripted(match[2])}"
     if match := _RUNNING.fullmatch(name):
         return f"{name_to_text(match[1])}({name_to_text(match[2])})"
@@ -124,7 +130,7 @@ def _latex_subscript(text: str) -> str:
 
 def name_to_latex(name: str) -> str:
     """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
-    if match := _CHANGE.fullmatch(name):
+    if match := _change(name):
         index = f"_{{{match[2]}}}" if match[2] else ""
         return rf"\Delta {_latex_head(match[1])}{index}"
     if match := _RUNNING.fullmatch(name):

@@ -54,13 +54,12 @@ class Driven(Connection, frozen=True):
         return self.held() if self.friction_torque is not None else ()
 
     def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
-        if (self.driven or self.friction_torque is not None) and not self.fixed_points():
-            does = "drives one moving body" if self.driven else "rubs with a friction torque of one moving body"
+        values = [(word, value) for word in TURNING if (value := getattr(self, word)) is not None]
+        if (values or self.friction_torque is not None) and not self.fixed_points():
+            does = "drives one moving body" if values else "rubs with a friction torque of one moving body"
             raise Unsolvable(f"`{self.name}` {does} against another: not solved yet", span=self.held()[-1].span)
-        for word in TURNING:
-            value = getattr(self, word)
-            if value is not None:
-                yield from ((ref.owner, word, "", value) for ref in self.held())
+        for word, value in values:
+            yield from ((ref.owner, word, "", value) for ref in self.held())
 
     def pace(self, arrangement: Arrangement, state: str) -> str:
         """Of its torques; a drive's couple follows what it drives."""

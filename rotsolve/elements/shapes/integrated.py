@@ -6,7 +6,6 @@ from functools import cached_property
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.calculus.integral import carried_out
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words
@@ -35,6 +34,8 @@ class Integrated(Shape, frozen=True, dict=True):
         return found
 
     def closed(self, integral: Formula) -> Formula:
+        from rotsolve.algebra.calculus.integral import carried_out
+
         return carried_out(integral, self.positive)
 
     @cached_property
@@ -130,9 +131,7 @@ class Lamina(Integrated, frozen=True):
         (x, y, _), weight = self._place()
 
         def gathered(part: Formula) -> Formula:
-            return carried_out(
-                Integral(simplify(part * weight), inner.variable.name, inner.lower, inner.upper), self.positive
-            )
+            return self.closed(Integral(simplify(part * weight), inner.variable.name, inner.lower, inner.upper))
 
         parts = [gathered(part) for part in (ONE, x, y, x**2, y**2, x * y)]
         if any(part.holds(Integral) for part in parts):

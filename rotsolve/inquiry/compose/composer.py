@@ -15,7 +15,6 @@ from rotsolve.inquiry.compose.diagrams import Diagrams
 from rotsolve.inquiry.compose.draft import Draft, drafts_of, title
 from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.compose.result import Results, readable
-from rotsolve.inquiry.compose.slope import slope
 from rotsolve.inquiry.compose.states import state_words
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.scene.model import Moment, Problem
@@ -95,6 +94,8 @@ class Composer:
         """Behind the step that gives the size of a vector its direction."""
         for answered in self.inquiry.wholes():
             if answered.parts and answered.steps[0] < answered.steps[1] == step.number:
+                from rotsolve.inquiry.compose.slope import slope
+
                 move = slope(self.results.answer(answered), self.results)
                 if move is not None:
                     yield move

@@ -13,7 +13,6 @@ from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.scene.model import Term
 
 STORED = ("potential_energy", "energy")
-DIFFERENCE = ("change of", "lost")
 
 
 def difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:

@@ -13,9 +13,8 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.finds.conversion import conversion
-from rotsolve.inquiry.finds.differences import DIFFERENCE
 from rotsolve.inquiry.finds.ratios import dimension_in, label_of
-from rotsolve.inquiry.finds.terms import meaning_of, size
+from rotsolve.inquiry.finds.terms import DIFFERENCE, meaning_of, size
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked, Meaning, in_parts
 from rotsolve.scene.model import Find

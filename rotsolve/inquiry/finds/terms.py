@@ -9,8 +9,6 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ONE, Call, Formula, Number
 from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.inquiry.finds.differences import DIFFERENCE, difference
-from rotsolve.inquiry.finds.spans import span, spanned
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
 from rotsolve.scene.model import ANY_TIME, Path, Term
@@ -18,6 +16,7 @@ from rotsolve.scene.model import ANY_TIME, Path, Term
 if TYPE_CHECKING:
     from rotsolve.inquiry.courses import Beside
 
+DIFFERENCE = ("change of", "lost")
 SUMMED = {  # what the mean of a quantity is the mean of, over time
     "power": "work",
     "angular_velocity": "rotation",
@@ -62,6 +61,17 @@ def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning
         if interval is None:
             raise Unclear(f"there is no phase or event `{term.during}`")
         start, end = interval.start, interval.end
+    if term.modifier in ("", "size of") and term.path.quantity not in ("distance", *SPANNED):
+        return at_state(term, history)
+    return from_to(term, start, end, history, beside)
+
+
+def from_to(
+    term: Term, start: str | None, end: str | None, history: History, beside: Beside | None
+) -> tuple[Meaning, str]:
+    """The meaning of what is asked over a time: of a way, a sum, a mean, an extreme or a difference between two states."""
+    from rotsolve.inquiry.finds.spans import span, spanned
+
     if term.modifier == "total" or term.path.quantity == "distance":
         from rotsolve.inquiry.courses import whole_way
 
@@ -73,6 +83,8 @@ def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, history)
     if term.modifier in DIFFERENCE and start and end:
+        from rotsolve.inquiry.finds.differences import difference
+
         return difference(term, start, end, history)
     if term.modifier == "mean" and start and end:
         return mean(term, start, end, history, beside)
@@ -113,6 +125,8 @@ def section_of(path: Path, meaning: Meaning, state: str, history: History) -> st
 
 def mean(term: Term, start: str, end: str, history: History, beside: Beside | None) -> tuple[Meaning, str]:
     """Mean over time: work over time for a power, angle or way over time for a rate, its change for an acceleration."""
+    from rotsolve.inquiry.finds.spans import spanned
+
     summed = SUMMED.get(term.path.quantity)
     if summed is None:
         raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")

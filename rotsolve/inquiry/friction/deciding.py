@@ -18,11 +18,10 @@ from rotsolve.core.derivation import Section
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
-from rotsolve.inquiry.friction.sticking import shown, tried
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
-from rotsolve.inquiry.roots import rough, side_of
+from rotsolve.inquiry.roots.numbers import rough, side_of
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
@@ -48,11 +47,16 @@ def decide(arrangement: Arrangement, at_rest: Collection[str] = ()) -> Decision:
     modes: dict[str, str] = {}
     sections: list[Section] = []
     number = 1
-    for rub in rubs(arrangement):
+    rubbing = rubs(arrangement)
+    if not rubbing:
+        return Decision({}, ())
+    from rotsolve.inquiry.friction.sticking import shown, tried
+
+    for rub in rubbing:
         moving = 0 if rub.name in at_rest else sense_at_start(arrangement, rub, modes)
         if moving:
             modes[rub.key] = rub.mode(moving)
-    for group in together(arrangement, [rub for rub in rubs(arrangement) if rub.key not in modes]):
+    for group in together(arrangement, [rub for rub in rubbing if rub.key not in modes]):
         contact = group[0].contact
         verdict = (
             tried(arrangement, contact, group[0].state, modes) if len(group) == 1 and contact is not None else None

@@ -6,7 +6,6 @@ from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Grips
 from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.states.fixed import Fixed
-from rotsolve.motion.encounters import participants
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
 from rotsolve.scene.model import State
@@ -55,6 +54,8 @@ def keep_places(event: Interval, last: Instant, fresh: Instant, fixed: Fixed) ->
 
 def touched_by(interval: Interval, fixed: Fixed) -> frozenset[str]:
     """Bodies whose velocities an event changes."""
+    from rotsolve.motion.encounters import participants
+
     found: frozenset[str] = frozenset()
     for ref in participants(interval, fixed.arrangement):
         for state in (interval.start, interval.end):

@@ -82,7 +82,7 @@ def over_letter(inquiry: Inquiry, find: Find, letter: str, phrase: Find, value: 
     order, positive = inquiry.solver.order, inquiry.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
-    picked = inquiry.roots.choose(letter, roots) if len(roots) > 1 else Choice(0)
+    picked = inquiry.choose_root(letter, roots) if len(roots) > 1 else Choice(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     root = inquiry.solver.simplify(picked.of(roots))

@@ -27,13 +27,8 @@ def check(problem: Problem) -> None:
     check_ropes(problem, bodies)
     check_stacks(problem, bodies)
     for item in problem.connections:
-        if isinstance(item, Rides):
-            check_ride(item, bodies, held)
-            check_free(item, problem)
-        elif isinstance(item, Unrolls):
-            check_roll(item, problem, bodies)
-        elif isinstance(item, Touch):
-            check_touch(item, problem, bodies, held)
+        if isinstance(item, (Rides, Unrolls, Touch)):
+            check_kind(item, problem, bodies, held)
         elif isinstance(item, Spring) and item.placed:
             check_spring(item, held)
         elif item.between():
@@ -41,6 +36,19 @@ def check(problem: Problem) -> None:
     for action in problem.actions:
         if isinstance(action, Press) and action.on is not None:
             check_wheel(action.on, "a brake block is solved for a wheel on a fixed axle only", bodies, held)
+
+
+def check_kind(
+    item: Rides | Unrolls | Touch, problem: Problem, bodies: Mapping[str, Body], held: Mapping[str, str]
+) -> None:
+    """What rides, unrolls or lies on something."""
+    if isinstance(item, Rides):
+        check_ride(item, bodies, held)
+        check_free(item, problem)
+    elif isinstance(item, Unrolls):
+        check_roll(item, problem, bodies)
+    else:
+        check_touch(item, problem, bodies, held)
 
 
 def check_wheel(ref: PointRef, message: str, bodies: Mapping[str, Body], held: Mapping[str, str]) -> None:
@@ -162,25 +170,32 @@ def check_free(item: Rides, problem: Problem) -> None:
 def check_points(problem: Problem, bodies: Mapping[str, Body]) -> None:
     """A hinge says which point of a body it holds; a string leaves a wheel on a tangent of its rim."""
     for item in problem.connections:
-        for ref in item.touches():
-            body = bodies.get(ref.owner)
-            if body is None:
-                continue
-            shape = shape_of(body)
-            if item.word == "hinge" and ref.point is None and "start" in shape.points:
-                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in shape.points)} or `{ref.owner}.at(x)`"
-                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
-            if item.word == "string" and ref.point in ("top", "bottom"):
-                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
-                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+        if item.word == "hinge":
+            check_hinge(item, bodies)
+        elif item.word == "string":
+            for ref in item.touches():
+                if ref.point in ("top", "bottom") and ref.owner in bodies:
+                    help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
+                    raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+
+def check_hinge(item: Connection, bodies: Mapping[str, Body]) -> None:
+    """A hinge of a rod or the like says which point it holds."""
+    for ref in item.touches():
+        points = shape_of(bodies[ref.owner]).points if ref.owner in bodies and ref.point is None else ()
+        if "start" in points:
+            help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in points)} or `{ref.owner}.at(x)`"
+            raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
 
 
 def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:
     """A rope is held by `drapes` alone, over a wheel on an axle, a peg or a level table."""
-    level = level_surfaces(problem)
     ropes = {body.name for body in problem.bodies if not shape_of(body).rigid}
-    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
     held = [item.drapes for item in problem.connections if isinstance(item, Drapes)]
+    if not ropes and not held:
+        return
+    level = level_surfaces(problem)
+    turning = {ref.owner for item in problem.connections if item.word == "axle" for ref in item.touches()}
     holders: tuple[Connection | Action, ...] = (*problem.connections, *problem.actions)
     for item in holders:
         for index, ref in enumerate(item.touches()):

@@ -18,7 +18,7 @@ from rotsolve.scene.model import Problem
 def check_surfaces(problem: Problem) -> None:
     """A fault for the first contact with curved surfaces that is not worked out, or can not be."""
     surfaces = {surface.name: surface for surface in problem.surfaces}
-    for item in problem.connections:
+    for item in problem.connections if surfaces else ():
         if isinstance(item, Touch):
             places = [surfaces[ref.owner] for ref in item.places() if ref.owner in surfaces]
             check_joined(item, places)
@@ -29,6 +29,8 @@ def check_surfaces(problem: Problem) -> None:
 
 def check_holding(problem: Problem) -> None:
     """A fault for an event that grips what is no contact with a flat surface or corner, or fixes what is held already."""
+    if not problem.events:
+        return
     held = {ref.owner: item.name for item in problem.connections for ref in item.fixed_points()}
     for event in problem.events:
         if isinstance(event, Grips):

@@ -62,6 +62,8 @@ def check_stacks(problem: Problem, bodies: Mapping[str, Body]) -> None:
 
 def check_distinct(points: tuple[PointRef, ...], bodies: Mapping[str, Body]) -> None:
     """Points of different bodies."""
+    if len(points) < 2:
+        return
     seen: set[str] = set()
     for ref in points:
         if ref.owner in seen and ref.owner in bodies:

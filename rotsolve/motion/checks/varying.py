@@ -22,8 +22,9 @@ def check_values(arrangement: Arrangement) -> None:
             arrangement.drives(host, state.name)  # refuses what can not be driven so
         instant = Instant(arrangement, Registry(), state.name)
         for item in arrangement.acting(state.name):
-            for path in (path for value in varying(item) for path in paths_in(value)):
-                check_path(item, path, instant)
+            for value in varying(item):
+                for path in paths_in(value):
+                    check_path(item, path, instant)
 
 
 def check_path(item: Connection | Action, path: tuple[str, str, str], instant: Instant) -> None:

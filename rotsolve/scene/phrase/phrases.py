@@ -19,7 +19,6 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.scene.model import Condition, Find, Term
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
-from rotsolve.scene.phrase.conditions import read_condition
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
 from rotsolve.scene.tree.nodes import Node, Text
@@ -156,6 +155,8 @@ class Reader:
             text = part.value[words[0].start : words[-1].end]
             dimension = dimension_found(self.scope, part, formula, phrase, self.answers)
             return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
+
+        from rotsolve.scene.phrase.conditions import read_condition
 
         return read_condition(self.scope, part, quantity)
 

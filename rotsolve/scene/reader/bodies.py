@@ -12,8 +12,6 @@ from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.model import Body, Part
-from rotsolve.scene.reader.coordinates import density
-from rotsolve.scene.reader.cutouts import check_holes
 from rotsolve.scene.reader.declared import read_keys, read_value
 from rotsolve.scene.reader.points import points_of, read_spot
 from rotsolve.scene.sections import BODY, PART
@@ -102,6 +100,8 @@ def build(
         if declared.kind == "motion":
             found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
         elif word == "density":
+            from rotsolve.scene.reader.coordinates import density
+
             found = density(scope, node, name, shape, fields)
         else:
             found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
@@ -113,6 +113,8 @@ def build(
     known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
     if body.holes:
+        from rotsolve.scene.reader.cutouts import check_holes
+
         check_holes(scope, name, entries["holes"][1], body)
     check_about(scope, entries, body)
     return body

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+
+from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.elements.shapes import Shape
@@ -16,8 +17,7 @@ TOLERANCE = 1e-9
 ROUND = ("disc", "annulus", "cylinder", "cylindrical shell", "sphere", "spherical shell")
 
 
-@dataclass(frozen=True)
-class Outline:
+class Outline(Struct, frozen=True):
     """A round or rectangular shape at its place: a radius, or half its width and height; how far round an inner rim is."""
 
     place: tuple[float, ...]

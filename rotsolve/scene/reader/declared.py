@@ -9,7 +9,6 @@ from typing import Any
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Element, Key, keys_of
 from rotsolve.scene.phrase.running import running_path
-from rotsolve.scene.reader.coordinates import profile, region
 from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
@@ -121,6 +120,8 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
 
 def limits_of(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """The limits of a lamina, or the profile of a solid of revolution."""
+    from rotsolve.scene.reader.coordinates import profile, region
+
     return {"region": region, "profile": profile}[key.kind](scope, node, label, owner)
 
 

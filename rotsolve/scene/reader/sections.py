@@ -11,7 +11,6 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem
-from rotsolve.scene.phrase.choices import read_choice
 from rotsolve.scene.phrase.phrases import read_find
 from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
@@ -159,6 +158,8 @@ class Sections:
                 continue
             if key.value in own or self.asked(key.value):
                 if isinstance(item, Map):
+                    from rotsolve.scene.phrase.choices import read_choice
+
                     find = read_choice(self.scope, key.value, key, item, asked)
                 else:
                     find = read_find(self.scope, key.value, key, item, asked)

@@ -32,7 +32,7 @@ LITERAL = re.compile(
     rf"\s*[-+−]?\s*(?:{FACTOR}(?:\s*[*·]?\s*{PI_WORD})?|{PI_WORD})(?:\s*/\s*\d+)?\s*(?P<unit>(?:[^\W\d_]|[°%]).*)?",
     re.DOTALL,
 )
-COMMA = re.compile(r"\s*[-+−]?\d+,\d")
+COMMA = r"\s*[-+−]?\d+,\d"  # compiled where there is a comma
 EXAMPLES = {"length": "20 cm", "mass": "3 kg", "time": "2 s", "angle": "30 deg", "force": "12 N", "velocity": "4 m/s"}
 EXAMPLES |= {
     "angular velocity": "3 rad/s",

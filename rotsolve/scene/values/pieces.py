@@ -17,8 +17,9 @@ NAME = r"[^\W\d]\w*"
 SCAN = re.compile(rf"(?P<number>{NUMBER})|(?P<name>{NAME}(?:\.{NAME})*)|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
 POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
 UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")
-MORE = re.compile(rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}")
-CALL = re.compile(rf"\.{NAME}")
+# What is rare is compiled when a text first needs it.
+MORE = rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}"
+CALL = rf"\.{NAME}"
 
 
 class Piece(Struct, frozen=True):
@@ -55,7 +56,7 @@ def path_end(text: str, position: int) -> int:
         position += 1
         if depth == 0:
             break
-    while match := CALL.match(text, position):
+    while match := re.compile(CALL).match(text, position):
         position = match.end()
     return position
 
@@ -66,7 +67,7 @@ def unit_end(text: str, position: int, names: Collection[str]) -> int:
     if not match or not is_unit(match["word"]) or text[match.end() : match.end() + 1] in ("_", "(", "."):
         return position
     position = match.end()
-    while match := MORE.match(text, position):
+    while position < len(text) and (match := re.compile(MORE).match(text, position)):
         following = text[match.end() : match.end() + 1]
         if match["word"] in names or following in ("_", "(", ".") or following.isdigit() or not is_unit(match["word"]):
             break

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
@@ -52,7 +54,7 @@ def value(scope: Scope, node: Node, want: Want, paths: PathReader | None = None)
 
 def comma_fault(scope: Scope, node: Text) -> bool:
     """`12,5 kg`: reported with the point that was meant."""
-    if not COMMA.match(node.value):
+    if "," not in node.value or not re.match(COMMA, node.value):
         return False
     try:
         parse_quantity(node.value)
