@@ -253,7 +253,8 @@ class Compiler(Struct, dict=True):
 
         for name in names - {name for row in rows for name in row}:
             self.letters[name] = left_free(name)
-        told = self.linear.in_terms_of_free(rows, {name for name in names if component_of(name) == ""}, left_free)
+        turning_ = {name: 1 for name in names if component_of(name) == ""}
+        told = self.linear.in_terms_of_free(rows, turning_, left_free)
         self.letters.update(told)
         first = self._first_speeds(bodies, moment) if self.before is None else {}
         self.first.update({name: first.get(name, ZERO) for name in free})
@@ -269,7 +270,7 @@ class Compiler(Struct, dict=True):
         unknown = {name for then in letters.values() for name in then.symbols() if SEPARATOR in name}
         rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)
         zero = self.tape.number(ZERO)
-        found = self.linear.in_terms_of_free(rows, unknown, lambda name: zero)
+        found = self.linear.in_terms_of_free(rows, {}, lambda name: zero)
         values = {**self.letters, **dict.fromkeys(unknown, zero), **found}
         return {now: self.tape.constant(self.tape.formula(then, values)) for now, then in letters.items()}
 
@@ -312,8 +313,10 @@ class Compiler(Struct, dict=True):
             if not missing and open_:
                 laws.append((law, formula, open_))
         unknown = {name for _, _, names in laws for name in names}
-        speeds = (rate for body in facts.bodies for _, rate in self._pairs(moment, body.name))
-        late = {name for rate in speeds for name in rate.symbols() if name in unknown}
+        late: dict[str, int] = {}  # accelerations after forces, those of the free speeds last: what is left then is smallest
+        for speed, rate in (pair for body in facts.bodies for pair in self._pairs(moment, body.name)):
+            own = 2 if speed.symbols() & set(self.first) else 1
+            late.update({name: max(own, late.get(name, 0)) for name in rate.symbols() if name in unknown})
         try:
             rows = [self.linear.row(formula, unknown) for _, formula, _ in laws]
             self.letters.update(self.linear.solve(rows, late))
