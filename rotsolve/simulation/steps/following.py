@@ -78,7 +78,7 @@ class Follower(Struct, dict=True):
         course = compiled(self.scene, self.modes)
         states = start_of(course, self.tolerances)
         times: Times = (0.0,) * len(states)
-        since: dict[str, Exact] = {item.name: item.start for item in course.variables}
+        since = self._coordinates(course, [item.start for item in course.variables], 0.0)
         sides: Sequence[Mapping[Watch, int]] = [{} for _ in states]
         while not self.found.ended and len(self.found.events) < CROWD:
             try:
@@ -94,7 +94,7 @@ class Follower(Struct, dict=True):
                 return self.found
             states, times = part.last, part.ends
             if part.hit.watch.kind == REACHED or part.hit.also:
-                since = {item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)}
+                since = self._coordinates(course, states[0], times[0])
             before, watch = course, part.hit.watch
             for _ in part.hit.also:
                 self._rearranged(self.ahead.pop(0))
@@ -176,6 +176,10 @@ class Follower(Struct, dict=True):
         )
         self.scene = scene if changed else self.scene
         return changed
+
+    def _coordinates(self, course: Course, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
+        """The places at a moment, where a state that is still ahead may count from them."""
+        return {name: ball.mid() for name, ball in self._read(course, state, time).items()} if self.ahead else {}
 
     def _read(self, course: Course, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
