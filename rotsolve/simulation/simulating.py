@@ -25,7 +25,7 @@ from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it
-AIM = 1e-3  # tolerance of a step, of the accuracy asked for
+AIM = 1e-5  # tolerance of a step, of the accuracy asked for
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
 FIRST_BITS = 128  # beyond those of the accuracy, with which a proof is tried first
 PATIENCE = 60.0  # seconds after which it is not tried any finer
