@@ -18,14 +18,15 @@ from rotsolve.scene.read import read_source
 from rotsolve.simulation.moving.compiling import compiled
 from rotsolve.simulation.moving.watches import watches
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.steps.bounded import FLOAT_BITS, ROUNDED, Stretch, Tolerances, Unsettled
 from rotsolve.simulation.steps.enclosing import enclosed
 from rotsolve.simulation.steps.following import Event, Followed, Follower
 from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it
-AIM = 1e-5  # tolerance of a step, of the accuracy asked for
+AIM = 1e-7  # tolerance of a step, of the accuracy asked for: ten times finer is a tenth dearer, one more try costs all again
+LOOSE = 1e-10  # accuracy above which roundings need not count
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
 FIRST_BITS = 128  # beyond those of the accuracy, with which a proof is tried first
 PATIENCE = 60.0  # seconds after which it is not tried any finer
@@ -132,7 +133,9 @@ def proved(arrangement: Arrangement, until: float, accuracy: float, tell: Callab
 
 def first_tolerances(accuracy: float) -> Tolerances:
     """What is tried first: floats, where they can give what is asked at all."""
-    return Tolerances(max(FINEST, AIM * accuracy)) if accuracy >= OF_FLOATS else in_balls(AIM * accuracy)
+    if accuracy < OF_FLOATS:
+        return in_balls(AIM * accuracy)
+    return Tolerances(max(ROUNDED if accuracy > LOOSE else FINEST, AIM * accuracy))
 
 
 def in_balls(tolerance: float) -> Tolerances:

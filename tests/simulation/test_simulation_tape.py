@@ -95,7 +95,7 @@ def test_equations_that_contradict_each_other_are_named() -> None:
         linear = Linear(tape, {}, lambda place: rough_value(tape, place, {}))
         rows = [linear.row(parse(text), "pq") for text in ("p - q", "p - q - 1")]
         with pytest.raises(Contradictory):
-            linear.solve(rows, set())
+            linear.solve(rows, {})
 
 
 def test_what_has_no_series_is_refused() -> None:

@@ -173,7 +173,7 @@ class Walker:
 
     def walk(self, piece: Piece, length: float) -> None:
         """Go on along a piece."""
-        powers = powers_of(length, self.stepper.order)
+        powers = powers_of(self.stepper.one * length, self.stepper.order)
         for number, polynomial in enumerate(piece.polynomials):
             added = sum(map(mul, polynomial[:0:-1], powers)) + self.left[number]
             before = self.state[number]
