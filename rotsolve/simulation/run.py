@@ -63,9 +63,10 @@ class Run(Struct, dict=True):
             direct = {item.name for item in part.course.variables}
             others = [name for name in wanted if name not in direct]
             if others and not part.proved:
-                middles = reading.read(time, part.middle(time))
+                middles = reading.read(time, part.rounded(time))
                 for name, bound in zip(others, part.derived(time, others), strict=True):
-                    apart = arb(middles[name].mid(), bound + part.rounding * abs(float(middles[name])))
+                    near = middles[name]
+                    apart = arb(near.mid(), near.rad() + bound + part.rounding * abs(float(near)))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
         return found
 

@@ -22,16 +22,16 @@ from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.watches import Watch
 from rotsolve.simulation.steps.crossing import Hit, Lookout
 from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for, value
-from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
 from rotsolve.simulation.tape.tape import Scalar
 
 ROUNDING = 2.0**-49  # of the terms of a polynomial: what working it out may add
 LOOKS = 64  # moments at which quantities that are no numbers of the state are compared, where all so far count
-BESIDE = 1  # moments before and after a step, two a step, whose differences count
+BESIDE = 2  # moments before and after a step, two a step, whose differences count
 FLOAT_BITS = 53
 SAFETY = 6.0  # what the difference of the two runs is multiplied by: roundings may happen to go the same way in both
-ROUNDED = 4e-15  # tolerance of a step below which roundings of floats matter as much
-COARSER, FINER = (3.0, 1.7), 50.0  # how much larger or smaller the tolerances of the other runs are
+ROUNDED = 2e-14  # tolerance of a step below which roundings of floats matter as much
+COARSER, FINER = (3.0, 1.7), 1000.0  # how much larger or smaller the tolerances of the other runs are
 ROUNDED_TIMES = 2  # floats by which the other runs take what happens later than it does
 States = tuple[list[Scalar], ...]  # of all runs
 Times = tuple[float, ...]
@@ -60,7 +60,8 @@ class Tolerances(Struct, frozen=True):
     def ways(self) -> tuple[Way, ...]:
         """The main run, and those with which it is compared: two where roundings count, since one may happen to come out the same."""
         if self.rounded:
-            return Way(self.main, FLOATS), *(Way(times * self.main, COARSE_FLOATS, True) for times in COARSER)
+            others = zip(COARSER, (COARSE_FLOATS, MIXED_FLOATS), strict=True)
+            return Way(self.main, FLOATS), *(Way(times * self.main, numbers, True) for times, numbers in others)
         if self.bits == FLOAT_BITS:
             return Way(self.main, FLOATS), Way(self.main / FINER, COARSE_FLOATS, True)
         return Way(self.main, BALLS), Way(self.main / FINER, BALLS)
@@ -101,14 +102,18 @@ class Stretch(Struct):
             return self.middle(time)
         main = self.runs[0]
         number = min(max(0, bisect_right(main.starts, time) - 1), len(self.bounds) - 1)
-        piece, found = main.piece_at(time), []
-        others = [run.piece_at(time).at(time) for run in self.runs[1:]]
-        for k, (middle, polynomial) in enumerate(zip(piece.at(time), piece.polynomials, strict=True)):
-            bound = max(self.bounds[number][k], SAFETY * farthest(middle, [other[k] for other in others]))
-            if self.bits == FLOAT_BITS:
-                bound += self.rounding * value([abs(term) for term in polynomial], abs(time - piece.start))
-            found.append(arb(middle, bound))
+        others, found = [run.piece_at(time).at(time) for run in self.runs[1:]], []
+        for k, ball in enumerate(self.rounded(time)):
+            bound = max(self.bounds[number][k], SAFETY * farthest(ball.mid(), [other[k] for other in others]))
+            found.append(arb(ball.mid(), ball.rad() + bound))
         return found
+
+    def rounded(self, time: float) -> list[Scalar]:
+        """The numbers of the state by the main run, with what roundings of its polynomials and of its first state add to them."""
+        piece = self.runs[0].piece_at(time)
+        since = abs(time - piece.start)
+        sizes = (float(value([abs(term) for term in terms], since)) for terms in piece.polynomials)
+        return [arb(middle, self.rounding * size) for middle, size in zip(piece.at(time), sizes, strict=True)]
 
     def derived(self, time: float, names: Sequence[str]) -> list[float]:
         """The bounds of quantities that are no numbers of the state, likewise by the difference of the runs near a time."""
