@@ -10,11 +10,14 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.render.layout import page
 from rotsolve.scene.model import Problem
 from rotsolve.simulation.steps.balance import Drift, drift
 from rotsolve.simulation.steps.bounded import Reading, Stretch
 from rotsolve.simulation.steps.following import READING_BITS, Event
 from rotsolve.simulation.tape.tape import Scalar
+
+WIDTH = 120  # columns of a printed run
 
 
 class Run(Struct, dict=True):
@@ -38,6 +41,26 @@ class Run(Struct, dict=True):
     def rounded(self) -> bool:
         """Whether the roundings of floats matter as much as what the steps leave out."""
         return self.stretches[0].tolerances.rounded
+
+    @property
+    def unreached(self) -> tuple[str, ...]:
+        """The states of the scene that the motion has not come to; where bounds are proved none is looked for."""
+        if any(part.proved for part in self.stretches):
+            return ()
+        reached = {event.state for event in self.events}
+        return tuple(state.name for state in self.problem.states[1:] if state.name not in reached)
+
+    def __repr__(self) -> str:
+        """`<Run of “Uniform rod …”: 0 to 5 s, 2 events; .names, .at(time), .balls(time), .events, .drift>`."""
+        title = f" of “{self.problem.title}”" if self.problem.title else ""
+        count = f"{len(self.events)} event{'' if len(self.events) == 1 else 's'}"
+        return f"<Run{title}: 0 to {self.end:g} s, {count}; .names, .at(time), .balls(time), .events, .drift>"
+
+    def __str__(self) -> str:
+        """The table, what happened on the way, and how accurate it is: what the command prints."""
+        from rotsolve.simulation.showing.report import lines
+
+        return page(list(lines(self, WIDTH))).rstrip()
 
     @cached_property
     def drift(self) -> Drift:

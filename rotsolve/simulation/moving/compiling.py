@@ -329,7 +329,8 @@ class Compiler(Struct, dict=True):
             if not missing and open_:
                 laws.append((law, formula, open_))
         unknown = {name for _, _, names in laws for name in names}
-        late: dict[str, int] = {}  # accelerations after forces, those of the free speeds last: what is left then is smallest
+        # Accelerations after forces, those of the free speeds last: what is left then is smallest.
+        late: dict[str, int] = {}
         for speed, rate in (pair for body in facts.bodies for pair in self._pairs(moment, body.name)):
             own = 2 if speed.symbols() & set(self.first) else 1
             late.update({name: max(own, late.get(name, 0)) for name in rate.symbols() if name in unknown})
