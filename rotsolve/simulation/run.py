@@ -30,6 +30,7 @@ class Run(Struct, dict=True):
     events: tuple[Event, ...] = ()
     ended: str = ""  # why it was not followed to the end asked for
     settled: float = inf  # the time to which its numbers are as accurate as asked
+    sought: str = ""  # the last state of the scene that was looked for
     _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
 
     @property
@@ -44,11 +45,14 @@ class Run(Struct, dict=True):
 
     @property
     def unreached(self) -> tuple[str, ...]:
-        """The states of the scene that the motion has not come to; where bounds are proved none is looked for."""
-        if any(part.proved for part in self.stretches):
+        """The states of the scene, from the last one that was looked for on, if the motion has not come to it.
+
+        A state that says nothing of a place, a speed or a force (that something rolls) is not looked for; nothing is in proved motions.
+        """
+        names = [state.name for state in self.problem.states]
+        if not self.sought or any(event.state == self.sought for event in self.events):
             return ()
-        reached = {event.state for event in self.events}
-        return tuple(state.name for state in self.problem.states[1:] if state.name not in reached)
+        return tuple(names[names.index(self.sought) :])
 
     def __repr__(self) -> str:
         """`<Run of “Uniform rod …”: 0 to 5 s, 2 events; .names, .at(time), .balls(time), .events, .drift>`."""

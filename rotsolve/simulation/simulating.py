@@ -99,11 +99,21 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
                 raise Unsettled(getattr(error, "time", 0.0)) from None
             settled = settled_until(best.stretches, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
-            return Run(arrangement.problem, until, accuracy, best.stretches, events_until(best, settled), why, settled)
+            return Run(
+                arrangement.problem,
+                until,
+                accuracy,
+                best.stretches,
+                events_until(best, settled),
+                why,
+                settled,
+                best.sought,
+            )
         before, excess = excess, worst(found.stretches) / accuracy
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
-            return Run(arrangement.problem, until, accuracy, found.stretches, tuple(found.events), found.ended)
+            events, ended = tuple(found.events), found.ended
+            return Run(arrangement.problem, until, accuracy, found.stretches, events, ended, sought=found.sought)
         tolerances, best = finer(tolerances, excess), found
 
 

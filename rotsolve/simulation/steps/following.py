@@ -54,6 +54,7 @@ class Followed(Struct):
     stretches: list[Stretch] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     ended: str = ""
+    sought: str = ""  # the last state of the scene that was looked for
 
 
 class Follower(Struct, dict=True):
@@ -88,6 +89,7 @@ class Follower(Struct, dict=True):
                     raise
                 self.found.ended = str(error)
                 break
+            self.found.sought = next((item.what for item in watched if item.kind == REACHED), self.found.sought)
             part = stretch(course, times, states, self.until, self.tolerances, watched, sides, self.tell)
             self._enter(part)
             if part.hit is None:
