@@ -28,7 +28,7 @@ OF_FLOAT: Functions = {
     "acos": math.acos,
     "abs": abs,
 }
-COARSE = 2.0**-52  # the relative error of what is rounded more coarsely on purpose: twice that of rounding
+COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
 EXACTLY = 256  # bits that tell whether a constant is a float
 OF_BALL: Functions = {name: getattr(arb, name, abs) for name in OF_FLOAT}
 
