@@ -249,6 +249,7 @@ def simulate(
     accuracy: Accuracy = 1e-9,
     certified: Proved = False,
     csv: Csv = False,
+    output: Output = None,
     plot: Plot = None,
     settings: Settings = None,
     width: Width = None,
@@ -267,6 +268,10 @@ def simulate(
         raise typer.BadParameter(f"{plot!r} is no .svg or .png", param_hint="'--plot'")
     if plot is not None and csv:
         raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
+    if output is not None and not csv:
+        raise typer.BadParameter(
+            "it is for numbers: say --csv too, or --plot FILE for a picture", param_hint="'--output'"
+        )
     seconds = time_checked(until, "'--until'")
     between = time_checked(step, "'--step'") if step is not None else None
     if between is not None and seconds / between > MOST_ROWS:
@@ -278,7 +283,7 @@ def simulate(
     with orderly():
         chosen = read_settings(settings or [])
         columns = width or page_width(None)
-        code = run(Request(file, seconds, accuracy, between, csv, plot, chosen, columns, certified))
+        code = run(Request(file, seconds, accuracy, between, csv, plot, chosen, columns, certified, output))
     raise typer.Exit(code)
 
 

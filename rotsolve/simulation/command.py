@@ -13,6 +13,7 @@ from msgspec import Struct, field
 from rotsolve.render.layout import page
 from rotsolve.run import PATIENCE, coloured
 from rotsolve.run.attempt import failure, name_of, piped, source
+from rotsolve.run.delivery import write_file
 from rotsolve.run.request import BAD, SOLVED
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.showing.report import csv, lines, times_of
@@ -31,6 +32,7 @@ class Request(Struct, frozen=True):
     settings: dict[str, str] = field(default_factory=dict)
     width: int = 120
     certified: bool = False
+    output: str | None = None  # a file for the numbers
 
 
 def run(request: Request) -> int:
@@ -43,6 +45,13 @@ def run(request: Request) -> int:
         failed = failure(request.file, error)
         return refuse(failed.message, failed.code)
     return write(found, request)
+
+
+def drawn(found: Run) -> str:
+    """What a file holds, since its table, which would say so, is not printed: how far it goes, why, and what it leaves out."""
+    ended = f", where it ends: {found.ended}" if found.ended else ""
+    states = f"; not reached: {', '.join(found.unreached)}" if found.unreached else ""
+    return f"t = 0 to {found.end:g} s{ended}{states}"
 
 
 def refuse(message: str, code: int) -> int:
@@ -61,9 +70,13 @@ def write(found: Run, request: Request) -> int:
             return refuse(f"error: {error}", BAD)
         except OSError as error:
             return refuse(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
-        return SOLVED
+        return refuse(f"wrote {request.plot}: {drawn(found)}", SOLVED)
     if request.csv:
-        for line in csv(found, times_of(found, request.step)):
+        numbers = csv(found, times_of(found, request.step))
+        if request.output is not None:
+            code = write_file(request.output, "".join(f"{line}\n" for line in numbers))
+            return refuse(f"wrote {request.output}: {drawn(found)}", SOLVED) if code == SOLVED else code
+        for line in numbers:
             print(line)
         return SOLVED
     written = list(lines(found, request.width, request.step))

@@ -10,11 +10,14 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.render.layout import page
 from rotsolve.scene.model import Problem
 from rotsolve.simulation.steps.balance import Drift, drift
 from rotsolve.simulation.steps.bounded import Reading, Stretch
 from rotsolve.simulation.steps.following import READING_BITS, Event
 from rotsolve.simulation.tape.tape import Scalar
+
+WIDTH = 120  # columns of a printed run
 
 
 class Run(Struct, dict=True):
@@ -27,6 +30,7 @@ class Run(Struct, dict=True):
     events: tuple[Event, ...] = ()
     ended: str = ""  # why it was not followed to the end asked for
     settled: float = inf  # the time to which its numbers are as accurate as asked
+    sought: str = ""  # the last state of the scene that was looked for
     _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
 
     @property
@@ -38,6 +42,29 @@ class Run(Struct, dict=True):
     def rounded(self) -> bool:
         """Whether the roundings of floats matter as much as what the steps leave out."""
         return self.stretches[0].tolerances.rounded
+
+    @property
+    def unreached(self) -> tuple[str, ...]:
+        """The states of the scene, from the last one that was looked for on, if the motion has not come to it.
+
+        A state that says nothing of a place, a speed or a force (that something rolls) is not looked for; nothing is in proved motions.
+        """
+        names = [state.name for state in self.problem.states]
+        if not self.sought or any(event.state == self.sought for event in self.events):
+            return ()
+        return tuple(names[names.index(self.sought) :])
+
+    def __repr__(self) -> str:
+        """`<Run of “Uniform rod …”: 0 to 5 s, 2 events; .names, .at(time), .balls(time), .events, .drift>`."""
+        title = f" of “{self.problem.title}”" if self.problem.title else ""
+        count = f"{len(self.events)} event{'' if len(self.events) == 1 else 's'}"
+        return f"<Run{title}: 0 to {self.end:g} s, {count}; .names, .at(time), .balls(time), .events, .drift>"
+
+    def __str__(self) -> str:
+        """The table, what happened on the way, and how accurate it is: what the command prints."""
+        from rotsolve.simulation.showing.report import lines
+
+        return page(list(lines(self, WIDTH))).rstrip()
 
     @cached_property
     def drift(self) -> Drift:
@@ -63,9 +90,10 @@ class Run(Struct, dict=True):
             direct = {item.name for item in part.course.variables}
             others = [name for name in wanted if name not in direct]
             if others and not part.proved:
-                middles = reading.read(time, part.middle(time))
+                middles = reading.read(time, part.rounded(time))
                 for name, bound in zip(others, part.derived(time, others), strict=True):
-                    apart = arb(middles[name].mid(), bound + part.rounding * abs(float(middles[name])))
+                    near = middles[name]
+                    apart = arb(near.mid(), near.rad() + bound + part.rounding * abs(float(near)))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
         return found
 

@@ -25,9 +25,10 @@ from rotsolve.simulation.steps.taylor import Unbounded
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it
-AIM = 1e-3  # tolerance of a step, of the accuracy asked for
+AIM = 5e-8  # tolerance of a step, of the accuracy asked for: ten times finer is a tenth dearer, one more try costs all again
 LEAST_ACCURACY, MOST_ACCURACY = 1e-2, 1e-60
 FIRST_BITS = 128  # beyond those of the accuracy, with which a proof is tried first
+IDLE = 3  # finer tries that did not help, after which the bounds stay as they are: times of events are floats
 PATIENCE = 60.0  # seconds after which it is not tried any finer
 
 
@@ -79,6 +80,7 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
     tolerances, best, start = first_tolerances(accuracy), None, monotonic()
+    excess, idle = math.inf, 0
 
     def going_on(part: float) -> None:
         if monotonic() - start > PATIENCE:
@@ -97,10 +99,21 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
                 raise Unsettled(getattr(error, "time", 0.0)) from None
             settled = settled_until(best.stretches, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
-            return Run(arrangement.problem, until, accuracy, best.stretches, events_until(best, settled), why, settled)
-        excess = worst(found.stretches) / accuracy
-        if excess <= 1:
-            return Run(arrangement.problem, until, accuracy, found.stretches, tuple(found.events), found.ended)
+            return Run(
+                arrangement.problem,
+                until,
+                accuracy,
+                best.stretches,
+                events_until(best, settled),
+                why,
+                settled,
+                best.sought,
+            )
+        before, excess = excess, worst(found.stretches) / accuracy
+        idle += excess > before / 2
+        if excess <= 1 or idle == IDLE:
+            events, ended = tuple(found.events), found.ended
+            return Run(arrangement.problem, until, accuracy, found.stretches, events, ended, sought=found.sought)
         tolerances, best = finer(tolerances, excess), found
 
 
@@ -132,7 +145,9 @@ def proved(arrangement: Arrangement, until: float, accuracy: float, tell: Callab
 
 def first_tolerances(accuracy: float) -> Tolerances:
     """What is tried first: floats, where they can give what is asked at all."""
-    return Tolerances(max(FINEST, AIM * accuracy)) if accuracy >= OF_FLOATS else in_balls(AIM * accuracy)
+    if accuracy < OF_FLOATS:
+        return in_balls(AIM * accuracy)
+    return Tolerances(max(FINEST, AIM * accuracy))
 
 
 def in_balls(tolerance: float) -> Tolerances:
@@ -161,8 +176,9 @@ def excess_of(part: Stretch, bounds: Sequence[float], sizes: Mapping[str, float]
 
 
 def worst(stretches: Sequence[Stretch]) -> float:
-    """The widest bound of a number of the state at the end."""
-    return excess_of(stretches[-1], stretches[-1].bounds[-1], sizes_of(stretches))
+    """The widest bound of a number of the state at any time."""
+    sizes = sizes_of(stretches)
+    return max(excess_of(part, bounds, sizes) for part in stretches for bounds in part.bounds)
 
 
 def settled_until(stretches: Sequence[Stretch], accuracy: float) -> float:

@@ -70,3 +70,14 @@ def test_a_picture_is_drawn_or_its_package_named(tmp_path: Path, kind: str) -> N
         assert (ran.returncode, ran.stderr) == (2, "error: drawing takes matplotlib: pip install 'rotsolve[plot]'\n")
     else:
         assert ran.returncode == 0 and path.stat().st_size > 1000
+        assert ran.stderr == f"wrote {path}: t = 0 to 1 s\n"
+
+
+def test_numbers_go_into_a_file(tmp_path: Path) -> None:
+    path = tmp_path / "rod.csv"
+    ran = simulate(SCENE, "--until", "0.1s", "--csv", "-o", str(path))
+    assert (ran.returncode, ran.stdout) == (0, "")
+    assert ran.stderr == f"wrote {path}: t = 0 to 0.1 s; not reached: lowest\n"
+    assert path.read_text(encoding="utf-8") == simulate(SCENE, "--until", "0.1s", "--csv").stdout
+    refused = simulate(SCENE, "--until", "0.1s", "-o", str(path))
+    assert refused.returncode == 2 and "--csv" in refused.stderr

@@ -11,7 +11,7 @@ import pytest
 
 from rotsolve import simulate
 from rotsolve.simulation import Run
-from scenes import ATWOOD, DRAG, PENDULUM, SPRING
+from scenes import ATWOOD, DRAG, PENDULUM, SPRING, TWO_RODS
 
 Truth = Callable[[mpmath.mpf], Mapping[str, mpmath.mpf]]
 LOOKS = 40
@@ -135,3 +135,18 @@ def test_a_rod_that_stands_upright_stays_there() -> None:
 def test_energy_drifts_little_over_a_thousand_swings() -> None:
     run = simulate(PENDULUM.format(angle="-30 deg"), 2000, 1e-10)
     assert run.drift.energy is not None and run.drift.energy <= 5e-14
+
+
+def test_places_that_others_tell_are_not_followed() -> None:
+    """The centre of the lower rod is where the angles say, with a bound, and no number of the state by itself."""
+    run = simulate(TWO_RODS, 2, 1e-9)
+    assert {item.name.partition(".")[2] for item in run.stretches[0].course.variables} == {"angle", "angular_velocity"}
+    first, found = run.at(0.0), run.at(2.0)
+
+    def centre(at: Mapping[str, tuple[float, float]], of: Callable[[float], float]) -> float:
+        return 1.5 * of(at["upper.angle"][0]) + 0.4 * of(at["lower.angle"][0])
+
+    for axis, of in (("x", math.cos), ("y", math.sin)):
+        gone, bound = found[f"lower.position.{axis}"]
+        assert abs(gone - (centre(found, of) - centre(first, of))) <= bound + 2e-15
+        assert 0 < bound < 1e-8

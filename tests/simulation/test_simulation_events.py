@@ -146,3 +146,11 @@ def test_numbers_beyond_floats_hold_what_follows_from_the_state() -> None:
 def test_what_stands_says_so() -> None:
     run = simulate(PROBLEMS / "inside-a-body" / "falling-chimney.yaml", 2)
     assert "where nothing pushes it" in " ".join(line.text for line in lines(run, 120))
+
+
+def test_states_that_are_not_reached_are_named() -> None:
+    early, late = (simulate(PROBLEMS / "hinged" / "rod-30.yaml", until) for until in (0.1, 1))
+    assert (early.unreached, late.unreached) == (("lowest",), ())
+    assert "Not reached by t = 0.1 s: `lowest`." in str(early) and "Not reached" not in str(late)
+    assert "Nothing moves" not in str(early)
+    assert repr(late).startswith("<Run of “Rod released from an angle”: 0 to 1 s, 1 event;")

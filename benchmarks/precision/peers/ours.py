@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from decimal import Decimal
+from fractions import Fraction
 from pathlib import Path
 
 from ..problem import Problem, Way
@@ -53,9 +54,14 @@ def simulate(problem: Problem, setting: str) -> list[Claim]:
     run = simulate(ROOT / problem.scene, until=f"{problem.until} s", accuracy=accuracy, settings=settings_of(problem))
     if accuracy > FLOATS_SUFFICE:
         told = run.at(until)
-        return [(repr(told[name][0]), repr(told[name][1])) for name in problem.asks]
+        return [(exact(told[name][0]), exact(told[name][1])) for name in problem.asks]
     balls = run.balls(until)
     return [(balls[name].mid().str(60, radius=False), str(float(balls[name].rad()))) for name in problem.asks]
+
+
+def exact(number: float) -> str:
+    """A float as the number that it is; its shortest decimal is another one."""
+    return str(Fraction(number))
 
 
 def ways(problem: Problem) -> dict[str, Way]:

@@ -32,6 +32,7 @@ from rotsolve.simulation.moving.beginning import Beginning, beginning
 from rotsolve.simulation.moving.consistent import check_rules
 from rotsolve.simulation.moving.course import Course, Variable
 from rotsolve.simulation.moving.names import component_of, key, letters_in, path, refusal, said
+from rotsolve.simulation.moving.told import told_by_others
 from rotsolve.simulation.tape.linear import Contradictory, Linear, Row
 from rotsolve.simulation.tape.series import rough_value
 from rotsolve.simulation.tape.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
@@ -100,7 +101,8 @@ class Compiler(Struct, dict=True):
             lines = [*places, *((path(name), name, rising[name]) for name in free)]
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
-            outputs = self._outputs([line for line in lines if line[1] in moving])
+            variables = self._followed(variables)
+            outputs = self._outputs([line for line in lines if line[1] in moving], variables)
             course = Course(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
             check_rules(course)
             return course
@@ -133,6 +135,20 @@ class Compiler(Struct, dict=True):
                     )
                 raise NotYet(f"the laws do not tell the {said(next(iter(rate.symbols()), letter), self.registry)}")
         yield from moving
+
+    def _followed(self, variables: tuple[Variable, ...]) -> tuple[Variable, ...]:
+        """The numbers that have to be followed; places that others tell, and nothing else rests on, become values of these.
+
+        A course that goes on from another one starts from numbers that are known to each run alone: it follows all of them.
+        """
+        if self.before is not None:
+            return variables
+        own = {item.letter for item in variables}
+        resting = [place for name, place in (*self.letters.items(), *self.inertias.items()) if name not in own]
+        used = letters_in(self.tape, *resting, *(item.rate for item in variables))
+        told = told_by_others(self.tape, variables, self.letters, used)
+        self.letters.update(told)
+        return tuple(item for item in variables if item.letter not in told)
 
     def _untold(self, rate: Formula, idle: Collection[str]) -> bool:
         """Whether a rate is made of what no law tells."""
@@ -253,7 +269,8 @@ class Compiler(Struct, dict=True):
 
         for name in names - {name for row in rows for name in row}:
             self.letters[name] = left_free(name)
-        told = self.linear.in_terms_of_free(rows, {name for name in names if component_of(name) == ""}, left_free)
+        turning_ = {name: 1 for name in names if component_of(name) == ""}
+        told = self.linear.in_terms_of_free(rows, turning_, left_free)
         self.letters.update(told)
         first = self._first_speeds(bodies, moment) if self.before is None else {}
         self.first.update({name: first.get(name, ZERO) for name in free})
@@ -269,7 +286,7 @@ class Compiler(Struct, dict=True):
         unknown = {name for then in letters.values() for name in then.symbols() if SEPARATOR in name}
         rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)
         zero = self.tape.number(ZERO)
-        found = self.linear.in_terms_of_free(rows, unknown, lambda name: zero)
+        found = self.linear.in_terms_of_free(rows, {}, lambda name: zero)
         values = {**self.letters, **dict.fromkeys(unknown, zero), **found}
         return {now: self.tape.constant(self.tape.formula(then, values)) for now, then in letters.items()}
 
@@ -312,8 +329,11 @@ class Compiler(Struct, dict=True):
             if not missing and open_:
                 laws.append((law, formula, open_))
         unknown = {name for _, _, names in laws for name in names}
-        speeds = (rate for body in facts.bodies for _, rate in self._pairs(moment, body.name))
-        late = {name for rate in speeds for name in rate.symbols() if name in unknown}
+        # Accelerations after forces, those of the free speeds last: what is left then is smallest.
+        late: dict[str, int] = {}
+        for speed, rate in (pair for body in facts.bodies for pair in self._pairs(moment, body.name)):
+            own = 2 if speed.symbols() & set(self.first) else 1
+            late.update({name: max(own, late.get(name, 0)) for name in rate.symbols() if name in unknown})
         try:
             rows = [self.linear.row(formula, unknown) for _, formula, _ in laws]
             self.letters.update(self.linear.solve(rows, late))
@@ -326,7 +346,7 @@ class Compiler(Struct, dict=True):
             if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
                 raise refusal(Unwritable(name), self.registry)
 
-    def _outputs(self, lines: list[tuple[str, str, Formula]]) -> dict[str, int]:
+    def _outputs(self, lines: list[tuple[str, str, Formula]], variables: tuple[Variable, ...]) -> dict[str, int]:
         """All that can be told: coordinates with their origins, speeds, accelerations, forces."""
         quarter, found = self.tape.number(self._exact(RIGHT_ANGLE)), {}
         for name, letter, _ in lines:
@@ -334,7 +354,7 @@ class Compiler(Struct, dict=True):
         for letter, place in self.letters.items():
             if letter in self.registry.quantities:
                 found.setdefault(path(letter), place)
-        followed = {letter for _, letter, _ in lines} | {TIME}
+        followed = {item.letter for item in variables} | {TIME}
         return {name: place for name, place in found.items() if letters_in(self.tape, place) <= followed}
 
 

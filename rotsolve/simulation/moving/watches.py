@@ -47,7 +47,7 @@ class Watch(Struct, frozen=True):
 
 
 def watches(course: Course, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
-    """All that may happen in a course; `ahead` is the state of the scene that comes next, `since` the coordinates at the last one."""
+    """All that may happen in a course; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
     found: list[Watch] = []
     for rub in rubs_at(course.moment.arrangement, course.moment.state):
         found += of_rub(rub, course, modes)
@@ -139,16 +139,13 @@ def of_state(state: State, course: Course, since: Mapping[str, Exact]) -> Iterat
 
 
 def passed(path: Path, value: Formula, course: Course, since: Mapping[str, Exact]) -> int | None:
-    """A way or an angle gone since the state before, less what it is to be; `since` has the coordinates at that state."""
+    """A way or an angle gone since the state before, less what it is to be; `since` has what was told at that state."""
     name = f"{path.owner}.{PASSED[path.quantity]}" + (f".{path.component}" if path.component else "")
-    variable = next((item for item in course.variables if item.name == name), None)
-    if variable is None or name not in since:
-        return None
-    if not told(course, value):
+    if name not in course.outputs or name not in since or not told(course, value):
         return None
     sense = course.moment.sense(path.owner) if path.quantity != "displacement" else 1
     wanted = course.tape.formula(2 * PI * value if path.quantity == "turns" else value, course.letters)
-    gone = course.tape.sum([(course.letters[variable.letter], ONE), (course.tape.number(since[name]), -ONE)])
+    gone = course.tape.sum([(course.outputs[name], ONE), (course.tape.number(since[name]), -ONE)])
     return course.tape.sum([(gone, fmpq(sense)), (wanted, -ONE)])
 
 

@@ -47,6 +47,10 @@ def lines(run: Run, width: int, step: float | None = None) -> Iterator[Line]:
     if run.ended:
         yield from paragraph(f"It ends at t = {moment(run.end, 0.0)} s: {run.ended}.", 0, width)
         yield Line("")
+    if run.unreached:
+        states = ", ".join(f"`{state}`" for state in run.unreached)
+        yield from paragraph(f"Not reached by t = {moment(run.end, 0.0)} s: {states}.", 0, width)
+        yield Line("")
     yield Line("Accuracy", "heading", len("Accuracy"))
     yield from paragraph(bounds(run, names), 2, width)
     if not stands(run, names):

@@ -8,6 +8,7 @@ out grows in all as the motion makes it grow.
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_left, bisect_right
 from collections.abc import Callable, Mapping, Sequence
 
@@ -21,15 +22,17 @@ from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.watches import Watch
 from rotsolve.simulation.steps.crossing import Hit, Lookout
 from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for, value
-from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
 from rotsolve.simulation.tape.tape import Scalar
 
 ROUNDING = 2.0**-49  # of the terms of a polynomial: what working it out may add
-LOOKS = 64  # moments at which quantities that are no numbers of the state are compared
+LOOKS = 64  # moments at which quantities that are no numbers of the state are compared, where all so far count
+BESIDE = 2  # moments before and after a step, two a step, whose differences count
 FLOAT_BITS = 53
 SAFETY = 6.0  # what the difference of the two runs is multiplied by: roundings may happen to go the same way in both
-ROUNDED = 4e-15  # tolerance of a step below which roundings of floats matter as much
-COARSER, FINER = (3.0, 1.7), 50.0  # how much larger or smaller the tolerances of the other runs are
+ROUNDED = 2e-14  # tolerance of a step below which roundings of floats matter as much
+COARSER, FINER = (3.0, 1.7), 1000.0  # how much larger or smaller the tolerances of the other runs are
+ROUNDED_TIMES = 2  # floats by which the other runs take what happens later than it does
 States = tuple[list[Scalar], ...]  # of all runs
 Times = tuple[float, ...]
 
@@ -57,7 +60,8 @@ class Tolerances(Struct, frozen=True):
     def ways(self) -> tuple[Way, ...]:
         """The main run, and those with which it is compared: two where roundings count, since one may happen to come out the same."""
         if self.rounded:
-            return Way(self.main, FLOATS), *(Way(times * self.main, COARSE_FLOATS, True) for times in COARSER)
+            others = zip(COARSER, (COARSE_FLOATS, MIXED_FLOATS), strict=True)
+            return Way(self.main, FLOATS), *(Way(times * self.main, numbers, True) for times, numbers in others)
         if self.bits == FLOAT_BITS:
             return Way(self.main, FLOATS), Way(self.main / FINER, COARSE_FLOATS, True)
         return Way(self.main, BALLS), Way(self.main / FINER, BALLS)
@@ -75,7 +79,7 @@ class Stretch(Struct):
     hit: Hit | None = None
     sides: tuple[dict[Watch, int], ...] = ()  # the last signs of what is watched
     bounds: list[list[float]] = field(default_factory=list)
-    spread: dict[str, list[float]] = field(default_factory=dict)
+    spread: dict[float, dict[str, float]] = field(default_factory=dict)  # by moments, of what is no number of the state
     proved: bool = False  # whether the polynomials themselves are balls that hold the true motion
 
     @property
@@ -98,31 +102,45 @@ class Stretch(Struct):
             return self.middle(time)
         main = self.runs[0]
         number = min(max(0, bisect_right(main.starts, time) - 1), len(self.bounds) - 1)
-        piece, found = main.piece_at(time), []
-        others = [run.piece_at(time).at(time) for run in self.runs[1:]]
-        for k, (middle, polynomial) in enumerate(zip(piece.at(time), piece.polynomials, strict=True)):
-            bound = max(self.bounds[number][k], SAFETY * farthest(middle, [other[k] for other in others]))
-            if self.bits == FLOAT_BITS:
-                bound += self.rounding * value([abs(term) for term in polynomial], abs(time - piece.start))
-            found.append(arb(middle, bound))
+        others, found = [run.piece_at(time).at(time) for run in self.runs[1:]], []
+        for k, ball in enumerate(self.rounded(time)):
+            bound = max(self.bounds[number][k], SAFETY * farthest(ball.mid(), [other[k] for other in others]))
+            found.append(arb(ball.mid(), ball.rad() + bound))
         return found
 
+    def rounded(self, time: float) -> list[Scalar]:
+        """The numbers of the state by the main run, with what roundings of its polynomials and of its first state add to them."""
+        piece = self.runs[0].piece_at(time)
+        since = abs(time - piece.start)
+        sizes = (float(value([abs(term) for term in terms], since)) for terms in piece.polynomials)
+        return [arb(middle, self.rounding * size) for middle, size in zip(piece.at(time), sizes, strict=True)]
+
     def derived(self, time: float, names: Sequence[str]) -> list[float]:
-        """The bounds of quantities that are no numbers of the state, likewise by the difference of the runs up to a time."""
-        main = self.runs[0]
-        fresh = [name for name in names if name not in self.spread]
-        times = [piece.start + piece.length for piece in main.pieces[:: 1 + len(main.pieces) // LOOKS]]
-        times[-1:] = [min(times[-1], self.ends[0]), self.ends[0]]
-        if fresh:
-            reading = Reading(self.course, fresh)
-            rows = [dict.fromkeys(fresh, 0.0)]
-            for moment in (self.times[0], *times):
-                gaps = self._gaps(reading, moment)
-                rows.append({name: max(rows[-1][name], gaps[name]) for name in fresh})
-            self.spread.update({name: [row[name] for row in rows[1:]] for name in fresh})
-        number = min(bisect_left(times, time) + 1, len(times))
-        gaps = self._gaps(Reading(self.course, names), time)
-        return [max(self.spread[name][number], gaps[name]) for name in names]
+        """The bounds of quantities that are no numbers of the state, likewise by the difference of the runs near a time."""
+        marks = self.marks()
+        around = list(self.around(marks, time))
+        fresh = [mark for mark in around if not self.spread.get(mark, {}).keys() >= set(names)]
+        reading = Reading(self.course, names)
+        for mark in fresh:
+            self.spread.setdefault(mark, {}).update(self._gaps(reading, mark))
+        rows = [self._gaps(reading, time), *(self.spread[mark] for mark in around)]
+        return [max(row[name] for row in rows) for name in names]
+
+    def marks(self) -> list[float]:
+        """The moments at which the runs are compared: the start, then the middle and the end of each step of the main run."""
+        halves = ((piece.start + piece.length / 2, piece.start + piece.length) for piece in self.runs[0].pieces)
+        return [self.times[0], *(mark for both in halves for mark in both)]
+
+    def around(self, marks: Sequence[float], time: float) -> Sequence[float]:
+        """The moments whose differences tell the bound at a time.
+
+        A run that is truly finer differs by the error itself, which may become small again (a rod that comes to rest near upright):
+        a step before and a step after tell it. Runs that are all as good as floats can be may meet by chance: all so far count.
+        """
+        number = bisect_left(marks, time)
+        if self.tolerances.rounded:
+            return marks[: number + 2 : 1 + number // LOOKS]
+        return marks[max(0, number - BESIDE) : number + BESIDE]
 
     def _gaps(self, reading: Reading, time: float) -> dict[str, float]:
         """How far quantities differ between the main run and the others at a moment, and some more for safety."""
@@ -161,11 +179,11 @@ def stretch(
     runs, ends, last, hits, told = [], [], [], [], []
     places = [watch.place for watch in watched]
     with Precision(tolerances.bits):
-        for way, time, state, signs in zip(tolerances.ways, times, states, sides, strict=True):
+        for number, (way, time, state, signs) in enumerate(zip(tolerances.ways, times, states, sides, strict=True)):
             stepper = Stepper(course, way.numbers, way.tolerance, order_for(way.tolerance), places)
             walker = Walker(stepper, time, state, way.coarse)
             lookout = Lookout(watched, signs)
-            motion, hit = followed_until(walker, until, lookout, tell)
+            motion, hit = followed_until(walker, until, lookout, tell, ROUNDED_TIMES if number else 0)
             runs.append(motion)
             ends.append(walker.time)
             last.append(walker.state)
@@ -177,15 +195,21 @@ def stretch(
 
 
 def followed_until(
-    walker: Walker, until: float, lookout: Lookout, tell: Callable[[float], None]
+    walker: Walker, until: float, lookout: Lookout, tell: Callable[[float], None], beside: int = 0
 ) -> tuple[Motion, Hit | None]:
-    """The pieces of a motion until something happens, or to a time."""
+    """The pieces of a motion until something happens, or to a time.
+
+    Times are floats: where something happens is rounded, in all runs alike. One that takes it some floats `beside` shows by how much
+    that matters.
+    """
     motion = Motion()
     while True:
         piece = walker.piece(until)
         motion.add(piece)
         tell(walker.time / until)
         hit = lookout.first(piece)
+        if hit is not None and beside:
+            hit = replace(hit, time=hit.time + beside * math.ulp(hit.time))
         if hit is not None:
             motion.pieces[-1] = replace(piece, length=hit.time - piece.start)
             walker.walk(piece, hit.time - piece.start)
@@ -196,15 +220,18 @@ def followed_until(
 
 
 def measure(found: Stretch, before: Sequence[float]) -> None:
-    """The bounds at each step of the main run: its largest difference from the others so far, and some more for safety."""
+    """The bounds at each step of the main run by its differences from the others, and some more for safety; see `around`."""
     main, *others = found.runs
-    largest = list(before)
-    for piece in main.pieces:
-        for time in (piece.start + piece.length / 2, piece.start + piece.length):
-            states = [other.piece_at(time).at(time) for other in others]
-            for number, one in enumerate(piece.at(time)):
-                largest[number] = max(largest[number], SAFETY * farthest(one, [state[number] for state in states]))
-        found.bounds.append(list(largest))
+    rows = [list(before)]
+    for mark in found.marks()[1:]:
+        states = [other.piece_at(mark).at(mark) for other in others]
+        gaps = (farthest(one, [state[k] for state in states]) for k, one in enumerate(main.piece_at(mark).at(mark)))
+        rows.append([SAFETY * gap for gap in gaps])
+    for number in range(len(main.pieces)):
+        near = rows[max(0, 2 * number - BESIDE) : 2 * number + 3 + BESIDE]
+        if found.tolerances.rounded:
+            near = [*found.bounds[-1:], *rows[2 * number : 2 * number + 3]]
+        found.bounds.append([max(column) for column in zip(*near, strict=True)])
 
 
 def farthest(number: Scalar, others: Sequence[Scalar]) -> float:

@@ -54,6 +54,7 @@ class Followed(Struct):
     stretches: list[Stretch] = field(default_factory=list)
     events: list[Event] = field(default_factory=list)
     ended: str = ""
+    sought: str = ""  # the last state of the scene that was looked for
 
 
 class Follower(Struct, dict=True):
@@ -78,7 +79,7 @@ class Follower(Struct, dict=True):
         course = compiled(self.scene, self.modes)
         states = start_of(course, self.tolerances)
         times: Times = (0.0,) * len(states)
-        since: dict[str, Exact] = {item.name: item.start for item in course.variables}
+        since = self._coordinates(course, [item.start for item in course.variables], 0.0)
         sides: Sequence[Mapping[Watch, int]] = [{} for _ in states]
         while not self.found.ended and len(self.found.events) < CROWD:
             try:
@@ -88,13 +89,14 @@ class Follower(Struct, dict=True):
                     raise
                 self.found.ended = str(error)
                 break
+            self.found.sought = next((item.what for item in watched if item.kind == REACHED), self.found.sought)
             part = stretch(course, times, states, self.until, self.tolerances, watched, sides, self.tell)
             self._enter(part)
             if part.hit is None:
                 return self.found
             states, times = part.last, part.ends
             if part.hit.watch.kind == REACHED or part.hit.also:
-                since = {item.name: arb(number).mid() for item, number in zip(course.variables, states[0], strict=True)}
+                since = self._coordinates(course, states[0], times[0])
             before, watch = course, part.hit.watch
             for _ in part.hit.also:
                 self._rearranged(self.ahead.pop(0))
@@ -176,6 +178,10 @@ class Follower(Struct, dict=True):
         )
         self.scene = scene if changed else self.scene
         return changed
+
+    def _coordinates(self, course: Course, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
+        """The places at a moment, where a state that is still ahead may count from them."""
+        return {name: ball.mid() for name, ball in self._read(course, state, time).items()} if self.ahead else {}
 
     def _read(self, course: Course, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from bisect import bisect_right
 from collections.abc import Sequence
+from itertools import accumulate, repeat
+from operator import mul
 
 from msgspec import Struct, field
 
@@ -54,6 +56,11 @@ def value(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
     return total
 
 
+def powers_of(x: Scalar, count: int) -> list[Scalar]:
+    """xⁿ … x² x, the highest first."""
+    return list(accumulate(repeat(x, count), mul))[::-1]
+
+
 def order_for(tolerance: float) -> int:
     """The order at which a tolerance costs least, by measurement."""
     return min(MOST_ORDER, max(LEAST_ORDER, math.ceil(-0.65 * math.log(tolerance)) + 5))
@@ -65,13 +72,16 @@ class Stepper:
     def __init__(
         self, course: Course, arithmetic: Arithmetic, tolerance: float, order: int, watched: Sequence[int] = ()
     ) -> None:
-        self.tolerance, self.order = tolerance, order
+        self.order, self.shortening = order, tolerance ** (1 / order)
+        self.roots = {size: [1 / k for k in range(size - WINDOW, size)] for size in (order, order + 1)}
         self.expansion = Expansion(course.tape, [*(item.rate for item in course.variables), *watched], arithmetic)
         lists = self.expansion.lists
         self.letters = [course.letters[item.letter] for item in course.variables]
         self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
         self.apart = [own for place, own in zip(self.letters, self.own, strict=True) if place not in lists]
-        self.rates = [lists[item.rate] for item in course.variables]
+        pairs = [(own, item.rate) for own, item in zip(self.own, course.variables, strict=True)]
+        self.changing = [(own, lists[rate]) for own, rate in pairs if course.tape.constant(rate) is None]
+        self.steady = [(own, lists[rate]) for own, rate in pairs if course.tape.constant(rate) is not None]
         self.watched = [lists[place] for place in watched]
         self.time = course.letters[TIME]
         self.clock = lists.get(self.time)
@@ -82,17 +92,20 @@ class Stepper:
         for own in self.apart:  # letters on which no rate depends
             own.clear()
         self.expansion.begin({**dict(zip(self.letters, state, strict=True)), self.time: self.one * time})
-        pairs = list(zip(self.own, self.rates, strict=True))
         for own, start in zip(self.own, state, strict=True):
             if not own:
                 own.append(start)
-        for order in range(1, self.order + 1):
-            for own, rate in pairs:
-                own.append(rate[order - 1] / order if order <= len(rate) else self.zero)
-            if order < self.order:
-                if self.clock is not None:
-                    self.clock.append(self.one if order == 1 else self.zero)
-                self.expansion.extend(order)
+        for own, rate in self.steady:
+            own += [rate[0], *[self.zero] * (self.order - 1)]
+        if self.clock is not None:
+            self.clock += [self.one, *[self.zero] * (self.order - 2)]
+        changing, extend = self.changing, self.expansion.extend
+        for order in range(1, self.order):
+            for own, rate in changing:
+                own.append(rate[order - 1] / order)
+            extend(order)
+        for own, rate in changing:
+            own.append(rate[self.order - 1] / self.order)
         found = tuple(own[:] for own in self.own)
         return Piece(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
 
@@ -103,13 +116,15 @@ class Stepper:
         """
         longest = math.inf
         for polynomial in polynomials:
-            ends = [(k, abs(float(polynomial[k]))) for k in range(len(polynomial) - WINDOW, len(polynomial))]
-            if not any(end for _, end in ends):
+            ends = [abs(float(coefficient)) for coefficient in polynomial[-WINDOW:]]
+            if not any(ends):
                 continue
-            sizes = (abs(float(polynomial[k])) * before**k for k in range(3))
-            size = max(sizes) or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
-            longest = min(longest, *((size / end) ** (1 / k) for k, end in ends if end))
-        return float(longest * self.tolerance ** (1 / self.order))
+            zeroth, first, second = (abs(float(coefficient)) for coefficient in polynomial[:3])
+            size = max(zeroth, first * before, second * before * before)
+            size = size or max(abs(float(c)) * before**k for k, c in enumerate(polynomial))
+            roots = self.roots[len(polynomial)]
+            longest = min([longest, *[(size / end) ** root for end, root in zip(ends, roots, strict=True) if end]])
+        return float(longest * self.shortening)
 
 
 def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:
@@ -158,8 +173,9 @@ class Walker:
 
     def walk(self, piece: Piece, length: float) -> None:
         """Go on along a piece."""
+        powers = powers_of(self.stepper.one * length, self.stepper.order)
         for number, polynomial in enumerate(piece.polynomials):
-            added = value(polynomial[1:], length) * length + self.left[number]
+            added = sum(map(mul, polynomial[:0:-1], powers)) + self.left[number]
             before = self.state[number]
             after = before + added
             if isinstance(after, float):

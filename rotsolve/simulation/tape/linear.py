@@ -68,13 +68,13 @@ class Linear(Struct):
 
         return {name: place for name, place in row.items() if not zero(place)}
 
-    def solve(self, rows: Sequence[Row], late: Collection[str]) -> dict[str, int]:
-        """All unknowns that the equations tell; the late ones are left to the end."""
+    def solve(self, rows: Sequence[Row], late: Mapping[str, int]) -> dict[str, int]:
+        """All unknowns that the equations tell; the late ones are left to the end, the latest of them last."""
         told, left = self.eliminated(rows, late)
         return self.put_in(told, self._together(left))
 
     def in_terms_of_free(
-        self, rows: Sequence[Row], late: Collection[str], free: Callable[[str], int]
+        self, rows: Sequence[Row], late: Mapping[str, int], free: Callable[[str], int]
     ) -> dict[str, int]:
         """All unknowns by those that the equations leave free, whose values `free` tells; the late ones rather stay free."""
         told, left = self.eliminated(rows, late)
@@ -89,7 +89,7 @@ class Linear(Struct):
         return self.put_in(told, {name: free(name) for name in sorted(names)})
 
     def eliminated(
-        self, rows: Sequence[Row], late: Collection[str]
+        self, rows: Sequence[Row], late: Mapping[str, int]
     ) -> tuple[list[tuple[str, Row]], list[tuple[int, Row]]]:
         """Unknowns told by equations with a constant in front of them, one after the other, and the equations that are left."""
         told: list[tuple[str, Row]] = []
@@ -120,17 +120,17 @@ class Linear(Struct):
             raise Contradictory(number)
         return False
 
-    def _pivot(self, left: list[tuple[int, Row]], late: Collection[str]) -> tuple[int, str] | None:
+    def _pivot(self, left: list[tuple[int, Row]], late: Mapping[str, int]) -> tuple[int, str] | None:
         """A row and an unknown with a constant coefficient, such that few other rows grow by it."""
         counts: dict[str, int] = {}
         for _, row in left:
             for name in row:
                 counts[name] = counts.get(name, 0) + 1
-        best: tuple[tuple[bool, int, int], int, str] | None = None
+        best: tuple[tuple[int, int, int], int, str] | None = None
         for index, (_, row) in enumerate(left):
             for name, place in row.items():
                 if name != REST and self.tape.constant(place) is not None:
-                    price = (name in late, (len(row) - 1) * (counts[name] - 1), len(row))
+                    price = (late.get(name, 0), (len(row) - 1) * (counts[name] - 1), len(row))
                     if best is None or price < best[0]:
                         best = (price, index, name)
         return None if best is None else (best[1], best[2])

@@ -12,6 +12,7 @@ from operator import mul
 
 from msgspec import Struct
 
+from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.simulation.tape.elimination import Lists, Made, Series, solver_of
 from rotsolve.simulation.tape.tape import Exact, Operation, Scalar, Tape
@@ -28,6 +29,7 @@ OF_FLOAT: Functions = {
     "abs": abs,
 }
 COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
+EXACTLY = 256  # bits that tell whether a constant is a float
 OF_BALL: Functions = {name: getattr(arb, name, abs) for name in OF_FLOAT}
 
 
@@ -45,15 +47,27 @@ def nearest(number: Exact) -> float:
 
 def coarse(number: Exact) -> float:
     """A float some roundings beyond a constant that is none itself."""
-    middle = arb(number).mid()
+    return beside(number, lambda close, beyond: beyond)
+
+
+def mixed(number: Exact) -> float:
+    """A float some roundings to one side of a constant that is none itself: to which, its digits decide as if by chance."""
+    return beside(number, lambda close, beyond: close.as_integer_ratio()[0].bit_count() % 2 == 1)
+
+
+def beside(number: Exact, upwards: Callable[[float, bool], bool]) -> float:
+    """A float next to a constant, away from zero or towards it; told where the constant is: whether beyond the nearest float."""
+    with Precision(EXACTLY):
+        middle = arb(number).mid()
     close = float(middle)
     if middle == close:
         return close
-    return close * (1 + COARSE if (middle > close) == (close > 0) else 1 - COARSE)
+    return close * (1 + COARSE if upwards(close, (middle > close) == (close > 0)) else 1 - COARSE)
 
 
 FLOATS = Arithmetic(nearest, OF_FLOAT)
 COARSE_FLOATS = Arithmetic(coarse, OF_FLOAT)
+MIXED_FLOATS = Arithmetic(mixed, OF_FLOAT)
 BALLS = Arithmetic(arb, OF_BALL)
 
 
