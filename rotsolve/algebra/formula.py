@@ -368,7 +368,12 @@ def sqrt(argument: Formula) -> Formula:
 
 def total(terms: list[Formula] | tuple[Formula, ...]) -> Formula:
     """The sum of all terms, ZERO where there are none."""
-    result: Formula = ZERO
+    flat: list[Formula] = []
     for term in terms:
-        result = add(result, term)
-    return result
+        if isinstance(term, Sum):
+            flat += term.terms
+        elif isinstance(term, Number) and (not term.value or (len(flat) == 1 and isinstance(flat[0], Number))):
+            flat = [add(flat[0], term)] if term.value else flat
+        else:
+            flat.append(term)
+    return Sum(tuple(flat)) if len(flat) > 1 else flat[0] if flat else ZERO
