@@ -67,8 +67,8 @@ class Factors:
         self.field = ring
         self.known: dict[int, list[tuple[Poly, tuple[int, list[tuple[Terms, int]]]]]] = {}  # by number of terms
         self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
-        signs = Signs(ring, positive)
-        self.unsure = {i for i, square in self.radicands.items() if not signs.nonnegative(square)}
+        signs = Signs(ring, positive) if self.radicands else None
+        self.unsure = {i for i, square in self.radicands.items() if signs and not signs.nonnegative(square)}
 
     def _is_sqrt(self, i: int) -> bool:
         atom = self.field.atoms[i]

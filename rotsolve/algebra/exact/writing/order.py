@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Terms
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Symbol
 
 Rank = tuple[int, int, str, str]
+SPELT = 4096  # letters whose place is remembered
 LAST = {"sin": 1, "cos": 2, "tan": 3}  # the order of functions of one argument
 
 
@@ -57,14 +59,20 @@ def rank_of(atom: Formula, places: dict[str, int]) -> Rank:
     if isinstance(atom, Constant):
         return (0, 0, "", "")
     if isinstance(atom, Symbol):
-        name = re.sub(r"\d+", lambda found: found[0].zfill(4), atom.name)  # m10 after m9
-        return (1, places.get(atom.name, len(places)), name.lower(), name.swapcase())
+        return (1, places.get(atom.name, len(places)), *spelt(atom.name))
     if isinstance(atom, Call):
         kind = {"ellipk": 6, "log": 6, "sqrt": 5, "exp": 4}.get(atom.function, 3)
         names = sorted(atom.symbols(), key=lambda name: (places.get(name, len(places)), name))
         first = places.get(names[0], len(places)) if names else 0
         return (kind, first, " ".join(names), f"{atom.arguments}{LAST.get(atom.function, '')}")
     return (2, 0, "", repr(atom))
+
+
+@lru_cache(SPELT)
+def spelt(name: str) -> tuple[str, str]:
+    """The places of a letter in the alphabet, small letters and large ones together: m10 after m9."""
+    filled = re.sub(r"\d+", lambda found: found[0].zfill(4), name)
+    return filled.lower(), filled.swapcase()
 
 
 def late(term: Formula) -> tuple[bool, bool]:

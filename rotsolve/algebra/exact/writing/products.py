@@ -91,7 +91,7 @@ def written_fraction(number: Fraction, items: list[Item], *, rooted: bool = Fals
 
 def _times(number: Number, rest: Formula) -> Formula:
     """number · rest, a bracket kept as a bracket."""
-    if number == ONE or rest == ONE:
+    if number.value == 1 or isinstance(rest, Number):
         return multiply(number, rest)
     return Product((number, *(rest.factors if isinstance(rest, Product) else (rest,))))
 

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 from math import prod
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
 from rotsolve.algebra.exact.writing.factors import Exponent, Factors, Parts, negative
-from rotsolve.algebra.exact.writing.grouping import FEWEST, TRIED, Grouping, Piece
+from rotsolve.algebra.exact.writing.grouping import FEWEST, MOST, TRIED, Grouping, Piece
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.exact.writing.order import Order, late
 from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction, written_term
@@ -31,9 +31,13 @@ class Shaper:
         self.field = ring
         self.factors = Factors(ring, positive)
         self.order = Order(ring, order, self.factors.radicands)
-        self.grouping = Grouping(ring, self.order)
         self.written: dict[object, Formula] = {}  # long sums, by depth and terms
         self.depth = 0  # how many long sums stand round the one that is written
+
+    @cached_property
+    def grouping(self) -> Grouping:
+        """Made where a sum is long."""
+        return Grouping(self.field, self.order)
 
     # polynomials
 
@@ -45,7 +49,7 @@ class Shaper:
         """A sum (over a number), its terms in textbook order, a positive one first, roots last; a long one in groups."""
         if not terms:
             return ZERO
-        if below != 1 or len(terms) < FEWEST or self.depth == len(TRIED):
+        if below != 1 or not FEWEST <= len(terms) <= MOST or self.depth == len(TRIED):
             return self._plain(terms, below)
         key = (self.depth, frozenset(terms.items()))
         if key not in self.written:
