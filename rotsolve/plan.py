@@ -78,10 +78,13 @@ class Planner:
 
     def cheapest(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> Plan | None:
         """The cheapest plan for `asked` with some equations, of which the unknowns are told; None where there is none."""
-        relevant = self._relevant(asked, unknowns)
-        key = (asked, tuple(relevant.items()), len(self.dear))
+        key = (asked, tuple(unknowns.items()), len(self.dear))
         if key not in self.found:
-            self.found[key] = self._cheapest(asked, relevant)
+            relevant = self._relevant(asked, unknowns)
+            inner = (asked, tuple(relevant.items()), len(self.dear))
+            if inner not in self.found:
+                self.found[inner] = self._cheapest(asked, relevant)
+            self.found[key] = self.found[inner]
         return self.found[key]
 
     def _cheapest(self, asked: str, relevant: Mapping[int, tuple[str, ...]]) -> Plan | None:

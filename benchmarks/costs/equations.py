@@ -74,11 +74,11 @@ def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]
 
     def work() -> None:
         problem = Problem(equations, (), positive, extra=unknowns)
-        found.append((problem.shaper, solve(problem, unknowns)[unknowns[leading(unknowns)]]))
+        found.append((problem, solve(problem, unknowns)[unknowns[leading(unknowns)]]))
 
     spent = best(work, runs, before=forget)
-    shaper, ratio = found[-1]
-    return spent, float(RealBalls(values)(shaper.ratio(ratio)))
+    problem, ratio = found[-1]
+    return spent, float(RealBalls(values)(problem.shaper.ratio(ratio)))
 
 
 def written(machine: Machine, made: System, runs: int) -> tuple[float, float]:

@@ -75,9 +75,10 @@ class Formula(Struct, frozen=True, dict=True, cache_hash=True):
 
     def __pow__(self, other: Formula | int | Fraction) -> Formula:
         exponent = formula(other)
-        if exponent == ONE or (self in (ZERO, ONE) and isinstance(exponent, Number) and exponent.value > 0):
+        power = exponent.value if isinstance(exponent, Number) else 0
+        if power == 1 or (power > 0 and isinstance(self, Number) and self.value in (0, 1)):
             return self
-        if isinstance(exponent, Number) and exponent.value == 2:  # (−x)² = x², (√x)² = x
+        if power == 2:  # (−x)² = x², (√x)² = x
             base = self.operand if isinstance(self, Negative) else self
             return base.arguments[0] if isinstance(base, Call) and base.function == "sqrt" else Power(base, exponent)
         return Power(self, exponent)
@@ -284,12 +285,13 @@ def formula(value: Formula | int | Fraction) -> Formula:
 
 def add(left: Formula, right: Formula) -> Formula:
     """left + right, one flat sum."""
-    if left == ZERO:
-        return right
-    if right == ZERO:
+    if isinstance(left, Number):
+        if left.value == 0:
+            return right
+        if isinstance(right, Number):
+            return Number(left.value + right.value)
+    elif isinstance(right, Number) and right.value == 0:
         return left
-    if isinstance(left, Number) and isinstance(right, Number):
-        return Number(left.value + right.value)
     terms = left.terms if isinstance(left, Sum) else (left,)
     return Sum((*terms, *(right.terms if isinstance(right, Sum) else (right,))))
 
@@ -307,14 +309,18 @@ def negate(operand: Formula) -> Formula:
 
 def multiply(left: Formula, right: Formula) -> Formula:
     """left · right, one flat product with the sign in front."""
-    if ZERO in (left, right):
-        return ZERO
-    if left == ONE:
-        return right
-    if right == ONE:
-        return left
-    if isinstance(left, Number) and isinstance(right, Number):
-        return Number(left.value * right.value)
+    if isinstance(left, Number):
+        if left.value == 0 or (isinstance(right, Number) and right.value == 0):
+            return ZERO
+        if left.value == 1:
+            return right
+        if isinstance(right, Number):
+            return left if right.value == 1 else Number(left.value * right.value)
+    elif isinstance(right, Number):
+        if right.value == 0:
+            return ZERO
+        if right.value == 1:
+            return left
     if isinstance(left, Negative):
         return negate(multiply(left.operand, right))
     if isinstance(right, Negative):
@@ -337,12 +343,13 @@ def multiply(left: Formula, right: Formula) -> Formula:
 
 def divide(numerator: Formula, denominator: Formula) -> Formula:
     """numerator / denominator."""
-    if denominator == ONE:
+    if isinstance(denominator, Number) and denominator.value == 1:
         return numerator
-    if numerator == ZERO:
-        return ZERO
-    if isinstance(numerator, Number) and isinstance(denominator, Number) and denominator.value:
-        return Number(numerator.value / denominator.value)
+    if isinstance(numerator, Number):
+        if numerator.value == 0:
+            return ZERO
+        if isinstance(denominator, Number) and denominator.value:
+            return Number(numerator.value / denominator.value)
     if isinstance(numerator, Negative):
         return negate(divide(numerator.operand, denominator))
     if isinstance(denominator, Negative):
@@ -368,7 +375,12 @@ def sqrt(argument: Formula) -> Formula:
 
 def total(terms: list[Formula] | tuple[Formula, ...]) -> Formula:
     """The sum of all terms, ZERO where there are none."""
-    result: Formula = ZERO
+    flat: list[Formula] = []
     for term in terms:
-        result = add(result, term)
-    return result
+        if isinstance(term, Sum):
+            flat += term.terms
+        elif isinstance(term, Number) and (not term.value or (len(flat) == 1 and isinstance(flat[0], Number))):
+            flat = [add(flat[0], term)] if term.value else flat
+        else:
+            flat.append(term)
+    return Sum(tuple(flat)) if len(flat) > 1 else flat[0] if flat else ZERO

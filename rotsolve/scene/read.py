@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Mapping
 
 from rotsolve.core.faults import Fault, SceneError
@@ -12,6 +13,9 @@ from rotsolve.scene.reader.within import beyond_ends
 from rotsolve.scene.tree.nodes import BYTES, compose
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
+
+# what no text holds, and YAML's parser refuses
+CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
 
 
 def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
@@ -61,10 +65,10 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
     if len(text) > BYTES:
         raise too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
-    control = next((index for index, character in enumerate(text) if is_control(character)), None)
+    control = CONTROL.search(text)
     if control is not None:
-        line = text.count("\n", 0, control) + 1
-        message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
+        line = text.count("\n", 0, control.start()) + 1
+        message = f"a control character, U+{ord(control[0]):04X}, in line {line}"
         raise SceneError([Fault(message, None, "a scene is YAML text in UTF-8", "file")], (), file)
     root, lines = compose(text, file)
     scope = Scope()
@@ -74,14 +78,3 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
         raise SceneError(scope.faults, lines, file)
     assert problem is not None
     return problem
-
-
-def is_control(character: str) -> bool:
-    """What no text holds, and YAML's parser refuses."""
-    code = ord(character)
-    return (
-        (code < 32 and character not in "\n\t")
-        or (0x7F <= code < 0xA0 and code != 0x85)
-        or 0xD800 <= code < 0xE000
-        or code in (0xFFFE, 0xFFFF)
-    )

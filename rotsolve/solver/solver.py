@@ -12,7 +12,7 @@ from msgspec import field
 
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, KINEMATICS, Equation

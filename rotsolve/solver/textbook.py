@@ -11,8 +11,8 @@ from msgspec import Struct, field
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.exact.writing.powers import in_powers
-from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.core.vectors.heading import heading

@@ -63,11 +63,11 @@ def _bottom(ring: Field, den: Poly, inside: list[bool]) -> tuple[Poly, tuple[int
 def _pieces(ring: Field, num: Poly, inside: list[bool]) -> list[tuple[Poly, tuple[int, ...]]]:
     """The numerator split by the exponents of the atoms that hold the name."""
     parts: dict[tuple[int, ...], dict[tuple[int, ...], int]] = {}
-    for coefficient, exponents in ring.terms(num):
+    for exponents, coefficient in ring.terms(num).items():
         key = tuple(e if hit else 0 for e, hit in zip(exponents, inside, strict=True))
         rest = tuple(0 if hit else e for e, hit in zip(exponents, inside, strict=True))
         parts.setdefault(key, {})[rest] = coefficient
-    return [(ring.context.from_dict(terms), key) for key, terms in parts.items()]
+    return [(ring.poly(terms), key) for key, terms in parts.items()]
 
 
 def _atom_product(ring: Field, above: tuple[int, ...], below: tuple[int, ...]) -> Formula:

@@ -68,7 +68,7 @@ def _collect_fraction(node: Formula, scale: Fraction, into: Vector, order: Seque
     if len(den) == 1:
         below = int(den.leading_coefficient())
         base = den / below
-        pieces = [(c, ring.context.from_dict({e: 1})) for c, e in ring.terms(num)]
+        pieces = [(c, ring.poly({e: 1})) for e, c in ring.terms(num).items()]
     else:
         content, primitive = num.primitive()
         if primitive.leading_coefficient() < 0:

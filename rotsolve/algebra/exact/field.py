@@ -6,7 +6,7 @@ r² = radicand and cos² = 1 − sin² has its square as the leading monomial: r
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from math import gcd
 from typing import Any
 
@@ -15,6 +15,7 @@ from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, 
 
 Poly = Any
 Ratio = tuple[Poly, Poly]
+Terms = dict[tuple[int, ...], int]  # a polynomial in plain Python: exponents -> coefficient, leading term first
 RADICALS = ("sqrt", "abs")
 TRIG = ("sin", "cos")
 
@@ -120,7 +121,7 @@ class Field:
     def _swapped(self, poly: Poly, i: int, j: int) -> Poly:
         """The polynomial with generators i and j exchanged."""
         terms = {}
-        for exponents, coefficient in poly.to_dict().items():
+        for exponents, coefficient in self.terms(poly).items():
             place = list(exponents)
             place[i], place[j] = place[j], place[i]
             terms[tuple(place)] = coefficient
@@ -210,23 +211,20 @@ class Field:
 
     # looking inside
 
-    def generator_of(self, poly: Poly) -> int | None:
-        """The index of the generator that the polynomial is, None where it is more."""
-        if len(poly) != 1 or poly.leading_coefficient() != 1 or poly.total_degree() != 1:
-            return None
-        return int(poly.monomial(0).index(1))
+    def terms(self, poly: Poly) -> Terms:
+        """The coefficient of each monomial, leading one first."""
+        return {tuple(map(int, e)): int(c) for e, c in zip(poly.monoms(), poly.coeffs(), strict=True)}
 
-    def terms(self, poly: Poly) -> Iterator[tuple[int, tuple[int, ...]]]:
-        """Coefficient and exponents of each term."""
-        for exponents, coefficient in poly.to_dict().items():
-            yield int(coefficient), tuple(map(int, exponents))
+    def poly(self, terms: Terms) -> Poly:
+        """The polynomial with these terms."""
+        return self.context.from_dict(terms)
 
     def coefficients(self, poly: Poly, i: int) -> list[Poly]:
         """The coefficients of the polynomial by powers of generator i, from the constant on."""
-        parts: dict[int, dict[tuple[int, ...], Any]] = {}
-        for exponents, coefficient in poly.to_dict().items():
+        parts: dict[int, Terms] = {}
+        for exponents, coefficient in self.terms(poly).items():
             rest = (*exponents[:i], 0, *exponents[i + 1 :])
-            parts.setdefault(int(exponents[i]), {})[rest] = coefficient
+            parts.setdefault(exponents[i], {})[rest] = coefficient
         return [self.context.from_dict(parts.get(k, {})) for k in range(max(parts, default=0) + 1)]
 
     def mentions(self, i: int, name: str) -> bool:
@@ -254,17 +252,20 @@ class Field:
     def _split(self, poly: Poly) -> list[tuple[Poly, int]]:
         """Factors of a primitive polynomial: where it is linear in a variable, one gcd splits it."""
         if len(poly) > 2:
-            for i, degree in enumerate(poly.degrees()):
-                if degree == 1:
-                    slope = poly.derivative(i)
-                    rest = poly - slope * self.gens[i]
-                    common = slope.gcd(rest)
-                    if common.is_constant():
-                        return [(poly, 1)]
-                    first = poly / common
-                    if common.leading_coefficient() < 0:
-                        first, common = -first, -common
-                    return [(first, 1), *self._split(common)]
+            degrees = poly.degrees()
+            lines = [i for i, degree in enumerate(degrees) if degree == 1]
+            flat = max(degrees) == 1
+            slopes = [poly.derivative(i) for i in lines]
+            if any(proves_prime(len(slope), len(poly) - len(slope), flat=flat) for slope in slopes):
+                return [(poly, 1)]
+            if slopes:
+                common = slopes[0].gcd(poly - slopes[0] * self.gens[lines[0]])
+                if common.is_constant():
+                    return [(poly, 1)]
+                first = poly / common
+                if common.leading_coefficient() < 0:
+                    first, common = -first, -common
+                return [(first, 1), *self._split(common)]
         elif poly.total_degree() == 1:
             return [(poly, 1)]
         try:
@@ -272,3 +273,20 @@ class Field:
         except OverflowError:  # FLINT's binding sorts the factors by coefficients, and can not compare huge ones
             return [(poly, 1)]
         return [(-p if p.leading_coefficient() < 0 else p, int(e)) for p, e in parts]
+
+
+def proves_prime(slope: int, rest: int, *, flat: bool) -> bool:
+    """Whether a sum without a common factor of its terms, x · slope + rest, has no factors, told from how many terms each of them has.
+
+    A factor without x divides both. It is more than one term, so neither can be a single one; in a `flat` sum, which holds no
+    letter twice, its factors share no letter, so that its number of terms divides both numbers.
+    """
+    return slope == 1 or rest == 1 or (flat and gcd(slope, rest) == 1)
+
+
+def generator_of(terms: Terms) -> int | None:
+    """The index of the generator that a sum is, None where it is more."""
+    if len(terms) != 1:
+        return None
+    ((exponents, c),) = terms.items()
+    return exponents.index(1) if c == 1 and sum(exponents) == 1 else None

@@ -6,11 +6,12 @@ Symbols are real; only the names in `positive` are taken to be positive. Answers
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Sequence
-from functools import lru_cache
+from functools import cached_property, lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
 from rotsolve.algebra.exact.rewrite import Rewriter
-from rotsolve.algebra.exact.writing.shape import Shaper, length
+from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.writing.shape import Shaper
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before
@@ -35,7 +36,11 @@ class Problem:
         rewrite = Rewriter(formulas, self.order, positive, split_logs)
         self.formulas = [rewrite(formula) for formula in formulas]
         self.field = Field([*self.formulas, *(Symbol(name) for name in extra)])
-        self.shaper = Shaper(self.field, self.order, positive)
+
+    @cached_property
+    def shaper(self) -> Shaper:
+        """What writes fractions of the field; many problems only ask whether something is zero."""
+        return Shaper(self.field, self.order, self.positive)
 
     def ratio(self, k: int = 0) -> Ratio:
         """Formula k as a fraction; ZeroDivisionError where its denominator vanishes."""

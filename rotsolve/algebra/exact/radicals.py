@@ -33,7 +33,8 @@ class Radicals:
         if not len(num):
             return ring, Fraction(0), [], Signs(ring, self.positive)
         parts = Factors(ring).of_ratio((num, den))
-        factors = [(ring.gens[i], e) for i, e in parts.gens.items()] + parts.sums
+        factors = [(ring.gens[i], e) for i, e in parts.gens.items()]
+        factors += [(ring.poly(terms), e) for terms, e in parts.sums]
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
             top, above = ring.factor(num)
             bottom, below = ring.factor(den)

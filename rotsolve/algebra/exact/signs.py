@@ -29,7 +29,7 @@ class Signs:
     def nonnegative(self, poly: Poly) -> bool:
         """Whether the polynomial is certainly never negative (a no means: not known)."""
         lows: dict[tuple[int, ...], int] = {}
-        for coefficient, exponents in self.field.terms(poly):
+        for exponents, coefficient in self.field.terms(poly).items():
             split = self._split(exponents)
             if split is None:
                 return False

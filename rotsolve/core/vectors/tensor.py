@@ -42,9 +42,10 @@ class InertiaTensor(Struct, frozen=True):
         def entry(name: str) -> Formula:
             result: Formula = ZERO
             left, right = (rotation[AXES.index(axis)] for axis in name)
-            for i, row in enumerate(ROWS):
-                for j, own in enumerate(row):
-                    result = add(result, multiply(multiply(left[i], right[j]), self.entry(own)))
+            for one, row in zip(left, ROWS, strict=True):
+                for other, own in zip(right, row, strict=True) if one != ZERO else ():
+                    if other != ZERO:
+                        result = add(result, multiply(multiply(one, other), self.entry(own)))
             return result
 
         return InertiaTensor(*(entry(name) for name in ENTRIES))

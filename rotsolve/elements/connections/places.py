@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.elements.sides import rough

@@ -143,7 +143,7 @@ class Numbers(Struct, frozen=True):
     def size(self, value: Formula, **more: Ball) -> Ball | None:
         """A ball that holds the number; None where a letter has none, or it is not real."""
         try:
-            if any(isinstance(node, Integral) for node in value.walk()):
+            if value.holds(Integral):
                 ball = evaluate(value, self.values, digits=10).ball
             else:
                 ball = RealBalls(self.values, bound={**self.found, **more})(value)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.quantity import DIMENSIONS

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for

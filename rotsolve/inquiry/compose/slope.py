@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import Call, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Answer, Equality, Move

@@ -91,12 +91,16 @@ def eliminated(problem: Problem, unknowns: Sequence[str]) -> dict[str, Ratio]:
 
 def _solved(ring: Field, row: Row, column: int, found: Mapping[int, Ratio]) -> Ratio:
     """The unknown of a column from its row, the others being found."""
+    others = [i for i in row if i not in (column, CONSTANT)]
     below = ring.one
-    for i in row.keys() - {column, CONSTANT}:
-        below = below * (found[i][1] / below.gcd(found[i][1]))
+    for i in others:
+        under = found[i][1]
+        if below != under:  # nearly always all unknowns have one denominator
+            below = under if below.is_one() else below * (under / below.gcd(under))
     above = row.get(CONSTANT, ring.zero) * below
-    for i in row.keys() - {column, CONSTANT}:
-        above = above + row[i] * found[i][0] * (below / found[i][1])
+    for i in others:
+        top, under = found[i]
+        above = above + row[i] * (top if under == below else top * (below / under))
     return ring.cancel((ring.reduce(-above), ring.reduce(below * row[column])))
 
 
@@ -129,8 +133,8 @@ def _row(problem: Problem, k: int, columns: dict[int, str], bound: Mapping[int, 
     row: Row = {}
     for i in (i for i in columns if degrees[i]):
         slope = poly.derivative(i)
-        held = slope.degrees()
-        if degrees[i] > 1 or any(held[j] for j in columns):
+        held = () if slope.is_constant() else slope.degrees()
+        if degrees[i] > 1 or (held and any(held[j] for j in columns)):
             raise NotLinear(k, columns[i])
         row[i] = slope
         poly = poly - slope * ring.gens[i]
@@ -181,12 +185,11 @@ def _combine(ring: Field, row: Row, pivot: Row, column: int) -> Row:
     common = a.gcd(p)
     if not common.is_one():
         a, p = a / common, p / common
-    result: Row = {}
-    for i in {**row, **pivot}:
+    result: Row = {i: value * p for i, value in row.items() if i != column}
+    for i, value in pivot.items():
         if i != column:
-            value = ring.reduce(row.get(i, ring.zero) * p - pivot.get(i, ring.zero) * a)
-            if len(value):
-                result[i] = value
+            result[i] = result[i] - value * a if i in result else -value * a
+    result = {i: reduced for i, value in result.items() if len(reduced := ring.reduce(value))}
     return _primitive(result)
 
 

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import Call
 
@@ -21,35 +21,43 @@ class Parts(Struct):
     root: int = 1
     gens: dict[int, Exponent] = field(default_factory=dict)
     unsure: int | None = None  # the root of unknown sign that has joined
-    sums: list[tuple[Poly, Exponent]] = field(default_factory=list)
+    sums: list[tuple[Terms, Exponent]] = field(default_factory=list)
 
-    def add_sum(self, poly: Poly, power: Exponent) -> None:
+    def add_sum(self, terms: Terms, power: Exponent) -> None:
         for k, (other, old) in enumerate(self.sums):
-            if other == poly or other == -poly:
-                if other != poly and power % 2 == 1:
+            if other == terms or (len(other) == len(terms) and other == negative(terms)):
+                if other != terms and power % 2 == 1:
                     self.number = -self.number
-                if other == poly or power.denominator == 1:
+                if other == terms or power.denominator == 1:
                     self.sums[k] = (other, old + power)
                     return
-        self.sums.append((poly, power))
+        self.sums.append((terms, power))
 
     def unite_squares(self) -> None:
         """(a + b) (a − b) as a² − b²; but a⁴ − b⁴ stays in factors."""
         for k, (first, power) in enumerate(self.sums):
             for other, e in self.sums[k + 1 :]:
-                if e == power and _conjugate(first, other):
+                if e == power and (squares := _squares(first, other)):
                     rest = [item for item in self.sums if item[0] not in (first, other)]
-                    self.sums = [*rest, (first * other, power)]
+                    self.sums = [*rest, (squares, power)]
                     return self.unite_squares()
         return None
 
 
-def _conjugate(first: Poly, other: Poly) -> bool:
-    """Whether two brackets are a + b and a − b, one of a and b no square itself."""
-    if len(first) != 2 or len(other) != 2:
-        return False
-    halves = first + other, first - other
-    return all(len(half) == 1 for half in halves) and any(e % 2 for half in halves for e in half.monomial(0))
+def negative(terms: Terms) -> Terms:
+    """The sum with the opposite sign."""
+    return {exponents: -c for exponents, c in terms.items()}
+
+
+def _squares(first: Terms, other: Terms) -> Terms | None:
+    """a² − b² for the brackets a + b and ±(a − b); None where they are something else, or both a and b squares."""
+    if len(first) != 2 or first.keys() != other.keys():
+        return None
+    (one, a), (two, b) = first.items()
+    c, d = other[one], other[two]
+    if (c, d) not in ((a, -b), (-a, b)) or not any(e % 2 for e in (*one, *two)):
+        return None
+    return {tuple(2 * e for e in one): a * c, tuple(2 * e for e in two): b * d}
 
 
 class Factors:
@@ -57,9 +65,10 @@ class Factors:
 
     def __init__(self, ring: Field, positive: Collection[str] = ()) -> None:
         self.field = ring
+        self.known: dict[int, list[tuple[Poly, tuple[int, list[tuple[Terms, int]]]]]] = {}  # by number of terms
         self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
-        signs = Signs(ring, positive)
-        self.unsure = {i for i, square in self.radicands.items() if not signs.nonnegative(square)}
+        signs = Signs(ring, positive) if self.radicands else None
+        self.unsure = {i for i, square in self.radicands.items() if signs and not signs.nonnegative(square)}
 
     def _is_sqrt(self, i: int) -> bool:
         atom = self.field.atoms[i]
@@ -70,30 +79,45 @@ class Factors:
         num, den = ratio
         if not len(num):
             return Parts(Fraction(0))
-        top, above = self.field.factor(num)
-        bottom, below = self.field.factor(den)
-        parts = Parts(Fraction(top, bottom))
-        factors = [(p, e) for p, e in above] + [(p, -e) for p, e in below]
-        for poly, e in self._squares_of_trig(factors, parts):
-            i = self.field.generator_of(poly)
+        top, above = self._of_poly(num)
+        bottom, below = self._of_poly(den)
+        return self.gathered(Fraction(top, bottom), [*above, *((terms, -e) for terms, e in below)])
+
+    def _of_poly(self, poly: Poly) -> tuple[int, list[tuple[Terms, int]]]:
+        """Number and irreducible factors; all answers of a scene have one denominator."""
+        known = self.known.setdefault(len(poly), [])
+        for other, factors in known:
+            if other == poly:
+                return factors
+        number, found = self.field.factor(poly)
+        known.append((poly, (number, [(self.field.terms(factor), e) for factor, e in found])))
+        return known[-1][1]
+
+    def gathered(self, number: Fraction, factors: list[tuple[Terms, int]]) -> Parts:
+        """The parts of a product of powers."""
+        parts = Parts(number)
+        for terms, e in self._squares_of_trig(factors, parts):
+            i = generator_of(terms)
             if i is None:
-                parts.add_sum(poly, e)
+                parts.add_sum(terms, e)
             else:
                 self.put(parts, i, e)
         return parts
 
-    def _squares_of_trig(self, factors: list[tuple[Poly, int]], parts: Parts) -> list[tuple[Poly, int]]:
+    def _squares_of_trig(self, factors: list[tuple[Terms, int]], parts: Parts) -> list[tuple[Terms, int]]:
         """(1 − sin)(1 + sin) as cos², and the like for cos."""
         if not self.field.pairs or len(factors) < 2:
             return factors
         gens = self.field.gens
         for s, c, _ in self.field.pairs:
             for a, b in ((s, c), (c, s)):
-                plus, minus = gens[a] + 1, gens[a] - 1
+                plus, minus = self.field.terms(gens[a] + 1), self.field.terms(gens[a] - 1)
                 powers = [next((e for p, e in factors if p == q), 0) for q in (plus, minus)]
                 k = min(powers, key=abs) if powers[0] * powers[1] > 0 else 0
                 if k:
-                    factors = [(p, e - k if p in (plus, minus) else e) for p, e in factors] + [(gens[b], 2 * k)]
+                    factors = [(p, e - k if p in (plus, minus) else e) for p, e in factors] + [
+                        (self.field.terms(gens[b]), 2 * k)
+                    ]
                     factors = [(p, e) for p, e in factors if e]
                     parts.number *= -1 if k % 2 else 1
         return factors
@@ -122,8 +146,9 @@ class Factors:
             parts.number *= Fraction(n) ** int(power // 2)
             parts.root *= n if power % 2 else 1
             return
-        inner = self.field.generator_of(radicand)
+        terms = self.field.terms(radicand)
+        inner = generator_of(terms)
         if inner is None:
-            parts.add_sum(radicand, Fraction(power) / 2)
+            parts.add_sum(terms, Fraction(power) / 2)
         else:
             self.put(parts, inner, Fraction(power) / 2)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.exact.writing.shape import length
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ONE, Call, Formula, Negative, Sum, add, divide, multiply, total
 
 

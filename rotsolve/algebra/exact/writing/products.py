@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from math import isqrt
+from operator import itemgetter
 
 from rotsolve.algebra.exact.writing.order import Rank
 from rotsolve.algebra.formula import (
@@ -24,6 +25,7 @@ from rotsolve.algebra.formula import (
 from rotsolve.algebra.notation.letters import GLYPHS
 
 Item = tuple[Rank, Formula, int]  # base ^ exponent and where it stands
+_RANK = itemgetter(0)
 
 
 def square_part(n: int) -> tuple[int, int]:
@@ -70,6 +72,12 @@ def assembled(number: Fraction, root: int, outer: list[Item], inner: list[Item])
     return negate(result) if sign < 0 else result
 
 
+def written_term(number: int, items: list[Item]) -> Formula:
+    """A whole number times powers of letters."""
+    whole = Number(Fraction(number)) if number != 1 else ONE
+    return _times(whole, _product(items))
+
+
 def written_fraction(number: Fraction, items: list[Item], *, rooted: bool = False) -> Formula:
     """number · base^power · …, negative powers below the line; ½, ⅖, 1/12 in front if nothing else is below (no root)."""
     above = _product([item for item in items if item[2] > 0])
@@ -83,15 +91,15 @@ def written_fraction(number: Fraction, items: list[Item], *, rooted: bool = Fals
 
 def _times(number: Number, rest: Formula) -> Formula:
     """number · rest, a bracket kept as a bracket."""
-    if number == ONE or rest == ONE:
+    if number.value == 1 or isinstance(rest, Number):
         return multiply(number, rest)
     return Product((number, *(rest.factors if isinstance(rest, Product) else (rest,))))
 
 
 def _product(items: list[Item]) -> Formula:
-    factors = tuple(
-        base if e == 1 else Power(base, Number(Fraction(e))) for _, base, e in sorted(items, key=lambda item: item[0])
-    )
+    if len(items) > 1:
+        items = sorted(items, key=_RANK)
+    factors = tuple([base if e == 1 else Power(base, Number(Fraction(e))) for _, base, e in items])
     if not factors:
         return ONE
     return factors[0] if len(factors) == 1 else Product(factors)

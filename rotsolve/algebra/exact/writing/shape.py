@@ -8,19 +8,19 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 from math import prod
 
-from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.writing.factors import Exponent, Factors, Parts
-from rotsolve.algebra.exact.writing.grouping import FEWEST, groupings, shortest, singles, taken_apart
+from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
+from rotsolve.algebra.exact.writing.factors import Exponent, Factors, Parts, negative
+from rotsolve.algebra.exact.writing.grouping import FEWEST, MOST, TRIED, Grouping, Piece
+from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.exact.writing.order import Order, late
-from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction
+from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction, written_term
+from rotsolve.algebra.exact.writing.splitting import singles, taken_apart
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Sum, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 
-# ways to group a long sum that are written out, and a sum in it; the ways to nest deeper grow without bounds
-TRIED = (4, 1)
 GATHERED = ("sqrt", "exp")  # functions of which a product has one at most
 
 
@@ -31,64 +31,59 @@ class Shaper:
         self.field = ring
         self.factors = Factors(ring, positive)
         self.order = Order(ring, order, self.factors.radicands)
-        self.grouped: dict[object, Formula] = {}  # long sums as they have been written, by terms and depth
+        self.written: dict[object, Formula] = {}  # long sums, by depth and terms
         self.depth = 0  # how many long sums stand round the one that is written
+
+    @cached_property
+    def grouping(self) -> Grouping:
+        """Made where a sum is long."""
+        return Grouping(self.field, self.order)
 
     # polynomials
 
-    def poly(self, poly: Poly, below: int = 1) -> Formula:
-        """An expanded polynomial (over a number), its terms in textbook order, a positive one first, roots last."""
-        terms = sorted(self.field.terms(poly), key=lambda term: self.order.key(term[1]))
+    def poly(self, poly: Poly) -> Formula:
+        """An expanded polynomial as a textbook writes it."""
+        return self.sum(self.field.terms(poly))
+
+    def sum(self, terms: Terms, below: int = 1) -> Formula:
+        """A sum (over a number), its terms in textbook order, a positive one first, roots last; a long one in groups."""
         if not terms:
             return ZERO
-        first = next(
-            (k for k, (coefficient, e) in enumerate(terms) if coefficient > 0 and not self.order.has_root(e)), 0
-        )
-        terms.insert(0, terms.pop(first))
-        plain = total([self._term(*term, below) for term in terms])
-        if below != 1 or len(terms) < FEWEST or self.depth == len(TRIED):
-            return plain
-        key = (self.depth, frozenset(poly.to_dict().items()))
-        if key not in self.grouped:
+        if below != 1 or not FEWEST <= len(terms) <= MOST or self.depth == len(TRIED):
+            return self._plain(terms, below)
+        key = (self.depth, frozenset(terms.items()))
+        if key not in self.written:
+            pieces = self.grouping.groups(terms, self.depth)
             self.depth += 1
-            self.grouped[key] = self._grouped(poly, plain)
+            shown = [self._in_factors(piece) for piece in pieces]
             self.depth -= 1
-        return self.grouped[key]
+            self.written[key] = total(sorted(shown, key=late)) if shown else self._plain(terms, below)
+        return self.written[key]
+
+    def _plain(self, terms: Terms, below: int) -> Formula:
+        """A sum (over a number) term by term."""
+        places = sorted(terms, key=self.order.key)
+        first = next((k for k, e in enumerate(places) if terms[e] > 0 and not self.order.has_root(e)), 0)
+        places.insert(0, places.pop(first))
+        return total([self._term(terms[e], e, below) for e in places])
 
     def _term(self, coefficient: int, exponents: tuple[int, ...], below: int) -> Formula:
         """One term (over a number)."""
         items = [(self.order.ranks[i], self.field.atoms[i], e) for i, e in enumerate(exponents) if e]
         if any(isinstance(atom, Call) and atom.function in GATHERED for _, atom, _ in items):
             return self._build(self.factors.of_term(coefficient, exponents, below))
-        shown = written_fraction(Fraction(abs(coefficient), below), items)
+        number = abs(coefficient)
+        shown = written_term(number, items) if below == 1 else written_fraction(Fraction(number, below), items)
         return shown if coefficient > 0 else negate(shown)
 
-    def _grouped(self, poly: Poly, plain: Formula) -> Formula:
-        """A long sum by the powers of one letter, where that is much shorter, or two brackets: m₂ (u − v) − m₁ (u + v)."""
-        best, least = plain, length(plain)
-        for groups in shortest(self.field, groupings(self.field, poly), TRIED[self.depth - 1]):
-            groups.sort(key=lambda group: min(self.order.key(e) for _, e in self.field.terms(group)))
-            shown = [(group, self.ratio((group, self.field.one))) for group in groups]
-            whole = self._sum(shown)
-            pair = len(groups) == 2 and all(len(group) > 1 and not isinstance(one, Sum) for group, one in shown)
-            size = length(whole)
-            if size < least and (pair or 5 * size <= 4 * length(plain)):
-                best, least = self._sum(self._merged(shown)), size
-        return best
-
-    @staticmethod
-    def _sum(shown: Sequence[tuple[Poly, Formula]]) -> Formula:
-        return total(sorted((one for _, one in shown), key=late))
-
-    def _merged(self, shown: list[tuple[Poly, Formula]]) -> list[tuple[Poly, Formula]]:
-        """Terms of a grouped sum with two of them put together where that makes a product: 2 m u − 2 m v is 2 m (u − v)."""
-        for k, (first, one) in enumerate(shown if len(shown) > 2 else ()):
-            for other, another in shown[k + 1 :]:
-                both = self.ratio((first + other, self.field.one))
-                if not isinstance(both, Sum) and length(both) <= length(one) + length(another):
-                    rest = [(poly, text) for poly, text in shown if text is not another]
-                    return self._merged([(first + other, both) if text is one else (poly, text) for poly, text in rest])
-        return shown
+    def _in_factors(self, piece: Piece) -> Formula:
+        """A group of a long sum."""
+        terms = self.grouping.monomials.terms
+        parts = self.factors.gathered(Fraction(piece.number), [(terms(packed), e) for packed, e in piece.sums])
+        for i, e in enumerate(self.grouping.monomials.exponents(piece.monomial)):
+            if e:
+                self.factors.put(parts, i, e)
+        return self._build(parts)
 
     def ratio(self, ratio: Ratio) -> Formula:
         """A fraction in factors; common factors are cancelled first."""
@@ -97,21 +92,22 @@ class Shaper:
         if apart is not None:
             return apart
         if len(parts.sums) == 1 and not parts.gens and parts.root == 1 and self._spreads(parts):
-            return self.poly(parts.sums[0][0] * parts.number.numerator, parts.number.denominator)
+            number = parts.number.numerator
+            return self.sum({e: number * c for e, c in parts.sums[0][0].items()}, parts.number.denominator)
         return self._build(parts)
 
     def _apart(self, parts: Parts) -> Formula | None:
         """A sum over letters with what is whole in front: ω² − 6 g/L; None where all of it is a fraction, or it is not the only factor."""
-        above = [poly for poly, e in parts.sums if e > 0]
+        above = [(terms, e) for terms, e in parts.sums if e > 0]
         powers = [*parts.gens.values(), *(e for _, e in parts.sums)]
         if len(above) != 1 or parts.root != 1 or len(powers) == 1 or any(e.denominator != 1 for e in powers):
             return None
         below = [(self.field.gens[i], -int(e)) for i, e in parts.gens.items()]
-        below += [(poly, -int(e)) for poly, e in parts.sums if e < 0]
-        if any(e < 0 for _, e in below) or (above[0], 1) not in parts.sums:
+        if any(e < 0 for _, e in below) or above[0][1] != 1 or abs(parts.number.numerator) != 1:
             return None
-        split = taken_apart(self.field, above[0], below, parts.number)
-        if len(split) == 1 or abs(parts.number.numerator) != 1:
+        below += [(self.field.poly(terms), -int(e)) for terms, e in parts.sums if e < 0]
+        split = taken_apart(self.field, self.field.poly(above[0][0]), below, parts.number)
+        if len(split) == 1:
             return None
         under = prod((poly**e for poly, e in below), start=self.field.one) * parts.number.denominator
         over = partial(self._over, under, parts.number.numerator)
@@ -132,15 +128,14 @@ class Shaper:
 
     def _spreads(self, parts: Parts) -> bool:
         """Whether a sum over a number reads better term by term: m + ½ M, π − ½ φ, but ½ (u + v)."""
-        poly, power = parts.sums[0]
+        terms, power = parts.sums[0]
         q = parts.number.denominator
         if power != 1 or q == 1:
             return False
-        terms = list(self.field.terms(poly))
         pi = self.field.index.get(PI)
-        if any(c % q == 0 and any(e) for c, e in terms) or (pi is not None and poly.degrees()[pi] == 1):
+        if any(c % q == 0 and any(e) for e, c in terms.items()) or (pi is not None and max(e[pi] for e in terms) == 1):
             return True
-        return self._fractions(terms, q) < 2 + sum(abs(c) != 1 for c, _ in terms)
+        return self._fractions(terms, q) < 2 + sum(abs(c) != 1 for c in terms.values())
 
     def _shared(self, parts: Parts) -> int:
         """The number below a product that goes into its bracket: M (g + ½ L α), but ¼ M g (1 + 3 sin² θ)."""
@@ -149,15 +144,17 @@ class Shaper:
             return 1
         if any(e < 0 or e.denominator != 1 for e in parts.gens.values()):
             return 1
-        terms = list(self.field.terms(parts.sums[0][0]))
-        lettered = all(any(e) for _, e in terms)  # 1 + 3 sin² θ has a term without a letter
-        cancels = any(c % q == 0 for c, _ in terms)
-        return q if lettered and cancels and self._fractions(terms, q) <= sum(abs(c) != 1 for c, _ in terms) else 1
+        terms = parts.sums[0][0]
+        lettered = all(map(any, terms))  # 1 + 3 sin² θ has a term without a letter
+        cancels = any(c % q == 0 for c in terms.values())
+        return (
+            q if lettered and cancels and self._fractions(terms, q) <= sum(abs(c) != 1 for c in terms.values()) else 1
+        )
 
     @staticmethod
-    def _fractions(terms: list[tuple[int, tuple[int, ...]]], q: int) -> int:
+    def _fractions(terms: Terms, q: int) -> int:
         """How much there is to read of the coefficients over q: none for 1, one for ½ and 3, two for 5/12."""
-        values = [abs(Fraction(c, q)) for c, _ in terms]
+        values = [abs(Fraction(c, q)) for c in terms.values()]
         return sum(0 if v == 1 else 1 if v.denominator == 1 or v.numerator == 1 or v in GLYPHS else 2 for v in values)
 
     # products
@@ -171,10 +168,12 @@ class Shaper:
         items = [(self.order.ranks[i], self.field.atoms[i], e) for i, e in self._with_tan(parts, outer).items()]
         parts.unite_squares()
         shared = self._shared(parts)
-        for poly, e in self._turned(parts):
-            shown, sign = self._oriented(poly, e, flip * parts.number < 0, shared)
+        turned = self._turned(parts)
+        for terms, e in turned:
+            shown, sign = self._oriented(terms, e, flip * parts.number < 0, shared)
             flip *= sign
-            items.append(((2, 0, repr(shown) if len(parts.sums) > 1 else "", ""), shown, e))
+            alone = sum((other > 0) == (e > 0) for _, other in turned) == 1
+            items.append(((2, 0, "" if alone else repr(shown), ""), shown, e))
         for rank, base, e in items:
             whole = int(e)
             if whole:
@@ -183,11 +182,15 @@ class Shaper:
                 inner.append((rank, base, 1 if e > 0 else -1))
         return assembled(parts.number * flip * shared, parts.root, one_exponential(outer), inner)
 
-    def _turned(self, parts: Parts) -> list[tuple[Poly, Exponent]]:
+    def _turned(self, parts: Parts) -> list[tuple[Terms, Exponent]]:
         """The brackets of a product, two that both lead with a minus turned round: (v − u) (y − x) is (u − v) (x − y)."""
-        backward = [poly for poly, e in parts.sums if e.denominator == 1 and e % 2 and self.order.leads_negative(poly)]
-        turned = backward[: len(backward) // 2 * 2] if parts.number > 0 else []
-        return [(-poly if poly in turned else poly, e) for poly, e in parts.sums]
+        if len(parts.sums) < 2 or parts.number < 0:
+            return parts.sums
+        backward = [
+            terms for terms, e in parts.sums if e.denominator == 1 and e % 2 and self.order.leads_negative(terms)
+        ]
+        turned = backward[: len(backward) // 2 * 2]
+        return [(negative(terms) if terms in turned else terms, e) for terms, e in parts.sums]
 
     def _with_tan(self, parts: Parts, outer: list[Item]) -> dict[int, Exponent]:
         """The powers of generators with sin/cos taken out as tan."""
@@ -201,39 +204,31 @@ class Shaper:
                 outer.append((self.order.ranks[s], Call("tan", atom.arguments), k))
         return powers
 
-    def _oriented(self, poly: Poly, power: Exponent, negative: bool, below: int = 1) -> tuple[Formula, int]:
+    def _oriented(self, terms: Terms, power: Exponent, minus: bool, below: int = 1) -> tuple[Formula, int]:
         """A bracket (over a number) with its sign: leading term positive, but turned to absorb a minus before the product."""
         if power.denominator != 1:
-            return self._radicand(poly), 1
+            return self._radicand(terms), 1
         odd = power % 2 == 1
-        turn = self.order.leads_negative(poly)
-        mixed = len({coefficient > 0 for coefficient, _ in self.field.terms(poly)}) == 2
-        if odd and mixed and (negative != turn):
+        turn = self.order.leads_negative(terms)
+        mixed = len({c > 0 for c in terms.values()}) == 2
+        if odd and mixed and (minus != turn):
             turn = not turn
-        shown = self.poly(-poly if turn else poly, below)
+        shown = self.sum(negative(terms) if turn else terms, below)
         if odd and isinstance(shown, Sum) and all(isinstance(term, Negative) for term in shown.terms):
             shown, turn = negate(shown), not turn
         return shown, -1 if turn and odd else 1
 
-    def _radicand(self, poly: Poly) -> Formula:
+    def _radicand(self, terms: Terms) -> Formula:
         """What stands under a root, in factors where it has any."""
-        content, factors = self.field.factor(poly)
+        content, factors = self.field.factor(self.field.poly(terms))
         if len(factors) == 1 and factors[0][1] == 1 and content == 1:
-            return self.poly(poly)
+            return self.sum(terms)
         parts = Parts(Fraction(content))
         for factor, e in factors:
-            i = self.field.generator_of(factor)
+            inner = self.field.terms(factor)
+            i = generator_of(inner)
             if i is None:
-                parts.add_sum(factor, e)
+                parts.add_sum(inner, e)
             else:
                 parts.gens[i] = parts.gens.get(i, 0) + e
         return self._build(parts)
-
-
-def length(node: Formula) -> int:
-    """How long a formula is to read: its number of nodes."""
-    count, waiting = 0, [node]
-    while waiting:
-        count += 1
-        waiting.extend(waiting.pop().children())
-    return count
