@@ -73,6 +73,7 @@ class Follower(Struct, dict=True):
         self.found = Followed()
         self.modes = self.decided(self.scene)
         self.ahead = list(self.arrangement.timeline.states[1:])
+        self.courses: dict[object, Course] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
 
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
@@ -141,9 +142,16 @@ class Follower(Struct, dict=True):
         else:
             numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
             self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part, hit))
-        following = compiled(self.scene, self.modes, course)
+        following = self._going_on(course)
         carried = (self._carried(course, following, state, time) for state, time in zip(states, times, strict=True))
         return following, tuple(carried)
+
+    def _going_on(self, course: Course) -> Course:
+        """The course that goes on from another one; it depends on that one's coordinates and their origins alone."""
+        key = (tuple(sorted(self.modes.items())), tuple((item.letter, item.origin) for item in course.variables))
+        if key not in self.courses:
+            self.courses[key] = compiled(self.scene, self.modes, course)
+        return self.courses[key]
 
     def _at_rest(self, part: Stretch, hit: Watch) -> set[str]:
         """What rubs without slipping at the end of a part: what has just stopped, and what slips no more by all that its numbers tell."""
@@ -176,7 +184,9 @@ class Follower(Struct, dict=True):
             self.scene.problem.connections,
             self.scene.problem.actions,
         )
-        self.scene = scene if changed else self.scene
+        if changed:
+            self.scene = scene
+            self.courses.clear()
         return changed
 
     def _coordinates(self, course: Course, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
