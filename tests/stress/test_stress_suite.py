@@ -63,7 +63,7 @@ def turned(solution: Solution) -> Solution:
     """The solution with the sign of one side of its laws turned."""
     section, *others = solution.derivation.sections
     laws = tuple(changed(law, equation=changed(law.equation, left=-law.equation.left)) for law in section.laws)
-    return replace(solution, derivation=changed(solution.derivation, sections=(changed(section, laws=laws), *others)))
+    return changed(solution, derivation=changed(solution.derivation, sections=(changed(section, laws=laws), *others)))
 
 
 def test_what_cancels_down_to_its_roundings_is_nothing() -> None:

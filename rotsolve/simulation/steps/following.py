@@ -73,7 +73,9 @@ class Follower(Struct, dict=True):
         self.found = Followed()
         self.modes = self.decided(self.scene)
         self.ahead = list(self.arrangement.timeline.states[1:])
-        self.courses: dict[object, Course] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
+        self.courses: dict[
+            object, Course
+        ] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
 
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
