@@ -11,12 +11,11 @@ from msgspec.structs import replace
 
 from rotsolve.run.attempt import attempt, internal_error, piped
 from rotsolve.run.delivery import deliver
+from rotsolve.run.progress import PATIENCE
 from rotsolve.run.request import BAD, Outcome, Request
 from rotsolve.run.scenes import scenes
 
 __all__ = ["Request", "internal_error", "run"]
-
-PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
 def run(request: Request) -> int:

@@ -1,0 +1,58 @@
+"""Student: the page of one student: every answer and every line of working with its verdict, and the marks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Words
+from rotsolve.grading.course.page import Judged, Judgements, Page, Paragraph, Section, of
+from rotsolve.grading.verdict import Line, Marked, Part
+
+FIRST = "wrong, here first"
+
+
+class Task(Struct, frozen=True):
+    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it."""
+
+    title: str
+    letters: Mapping[str, Formula]
+
+    def letter(self, name: str) -> Words:
+        return (self.letters[name],) if name in self.letters else (name,)
+
+
+def student_page(task: Task, marked: Marked, variant: str = "", notes: tuple[str, ...] = ()) -> Page:
+    """The page of one student."""
+    sections = [Section("", tuple(opening(marked, variant, notes)))]
+    sections.append(Section("Answers", (Judgements(tuple(judged(task, part) for part in marked.parts)),)))
+    if marked.lines:
+        numbered = tuple(working(number, line) for number, line in enumerate(marked.lines, 1))
+        sections.append(Section("Working", (Judgements(numbered),)))
+    sections.append(Section("Marks", (Paragraph((of(marked.marks, marked.of),)),)))
+    return Page(task.title, tuple(section for section in sections if section.blocks))
+
+
+def opening(marked: Marked, variant: str, notes: tuple[str, ...]) -> Iterator[Paragraph]:
+    """Whose page it is, and what was noted of the row that it comes from."""
+    whose = ", ".join(filter(None, (marked.student, f"variant {variant}" if variant else "")))
+    if whose:
+        yield Paragraph((whose,))
+    yield from (Paragraph((f"Note: {note}.",)) for note in notes)
+
+
+def judged(task: Task, part: Part) -> Judged:
+    """One answer."""
+    said = part.verdict.outcome
+    if part.followed:
+        said = f"{said}, by your own earlier answer"
+    return Judged(
+        task.letter(part.name), part.text, part.verdict, said if part.text else "no answer", of(part.marks, part.of)
+    )
+
+
+def working(number: int, line: Line) -> Judged:
+    """One line of working."""
+    return Judged((str(number),), line.text, line.verdict, FIRST if line.first_wrong else line.verdict.outcome)
