@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 
-from rotsolve.grading.course.handing.content import HandedInError
+from rotsolve.core.faults import SceneError
 from rotsolve.grading.course.judges import Judges
 from rotsolve.grading.course.request import BAD, Request
 from rotsolve.run.attempt import failure, name_of, piped, source
@@ -30,7 +30,7 @@ def run(request: Request) -> int:
         from rotsolve.grading.course.single import check as check_one
 
         return check_one(request, judges)
-    except HandedInError as error:
+    except SceneError as error:
         return refuse(error.render())
     except OSError as error:
         return refuse(f"error: cannot write {request.output or name_of('')}: {error.strerror or error}")

@@ -40,13 +40,13 @@ class Judges:
 
     def settings(self, number: int) -> Mapping[str, str]:
         """The givens of a variant, which all that come after it need not work out again."""
-        from rotsolve.keys.variants import variants
-
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
         if self.count is not None and number > self.count:
             raise NotMarked(f"there are {self.count} variants, so none has the number {number}")
         if self._variants is None:
+            from rotsolve.keys.variants import variants
+
             self._variants = variants(self.problem, self.count or HIGHEST, self.seed)
         for variant in self._variants:
             if variant.number == number:

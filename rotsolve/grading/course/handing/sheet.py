@@ -51,8 +51,7 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
             working[number] = line.strip()
     answers = {name: text_after(lines[found[name]]) for name in asked if name in found}
     if not answers:
-        help = f"write `{asked[0]} = …`; asked: {', '.join(asked)}"
-        raise HandedInError([Fault("there is no answer", None, help)], lines, file)
+        raise HandedInError([none_of(asked, "=")], lines, file)
     return Paper(told.get(STUDENT, ""), answers, tuple(working[key] for key in sorted(working)), told.get(VARIANT, ""))
 
 
@@ -79,18 +78,23 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
             told[name] = ""
             working = tuple(line for item in items(node, faults) for line in item.split("\n") if line.strip())
         else:
-            told[name] = single(name, node, faults)
-    if faults:
-        raise HandedInError(faults, lines, file)
+            told[name] = single(name, node, faults).replace("\n", " ")
     answers = {name: told[name] for name in asked if told.get(name)}
+    if faults or not answers:
+        raise HandedInError(faults or [none_of(asked, ":")], lines, file)
     student, variant = ("" if name in asked else told.get(name, "") for name in (STUDENT, VARIANT))
     return Paper(student, answers, working, variant)
+
+
+def none_of(asked: Sequence[str], sign: str) -> Fault:
+    blank = " " if sign == "=" else ""
+    return Fault("there is no answer", None, f"write `{asked[0]}{blank}{sign} …`; asked: {', '.join(asked)}")
 
 
 def items(node: Node, faults: list[Fault]) -> list[str]:
     """The texts of a list, or the one text."""
     nodes = node.items if isinstance(node, List) else (node,)
-    return [single("a line of working", item, faults) for item in nodes]
+    return [single(WORKING, item, faults) for item in nodes]
 
 
 def single(name: str, node: Node, faults: list[Fault]) -> str:
