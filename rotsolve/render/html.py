@@ -51,15 +51,14 @@ def document(bodies: Sequence[str]) -> str:
     return page(found[1] if found else "rotsolve", bodies)
 
 
-def page(title: str, bodies: Iterable[str]) -> str:
-    """A complete page; the title has been made safe already."""
+def page(title: str, bodies: Iterable[str], style: str = "") -> str:
+    """A complete page; the title has been made safe already. `style` goes behind the style sheet of all pages."""
     head = (
         '<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
         '<meta name="viewport" content="width=device-width, initial-scale=1">\n'
     )
-    return (
-        f"{head}<title>{title}</title>\n<style>\n{STYLE}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
-    )
+    styled = f"{head}<title>{title}</title>\n<style>\n{STYLE}{style}</style>\n</head>\n"
+    return f"{styled}<body>\n{''.join(bodies)}</body>\n</html>\n"
 
 
 def article(inner: Iterable[str]) -> str:

@@ -32,7 +32,7 @@ def write_report(course: Course, folder: Path, layout: Layout, tell: Callable[[f
     )
     for number, (result, target) in enumerate(zip(course.results, targets, strict=True), 1):
         if result.marked is not None:
-            page = student_page(course.task, result.marked, result.variant, result.entry.remarks)
+            page = student_page(course.task, result.marked, result.variant)
             if code := write_file(str(folder / target), layout.document(page)):
                 return code
         tell(number / len(targets))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
 from msgspec import Struct
 
@@ -24,23 +24,16 @@ class Task(Struct, frozen=True):
         return (self.letters[name],) if name in self.letters else (name,)
 
 
-def student_page(task: Task, marked: Marked, variant: str = "", notes: tuple[str, ...] = ()) -> Page:
+def student_page(task: Task, marked: Marked, variant: str = "") -> Page:
     """The page of one student."""
-    sections = [Section("", tuple(opening(marked, variant, notes)))]
+    whose = ", ".join(filter(None, (marked.student, f"variant {variant}" if variant else "")))
+    sections = [Section("", (Paragraph((whose,)),))] if whose else []
     sections.append(Section("Answers", (Judgements(tuple(judged(task, part) for part in marked.parts)),)))
     if marked.lines:
         numbered = tuple(working(number, line) for number, line in enumerate(marked.lines, 1))
         sections.append(Section("Working", (Judgements(numbered),)))
     sections.append(Section("Marks", (Paragraph((of(marked.marks, marked.of),)),)))
-    return Page(task.title, tuple(section for section in sections if section.blocks))
-
-
-def opening(marked: Marked, variant: str, notes: tuple[str, ...]) -> Iterator[Paragraph]:
-    """Whose page it is, and what was noted of the row that it comes from."""
-    whose = ", ".join(filter(None, (marked.student, f"variant {variant}" if variant else "")))
-    if whose:
-        yield Paragraph((whose,))
-    yield from (Paragraph((f"Note: {note}.",)) for note in notes)
+    return Page(task.title, tuple(sections))
 
 
 def judged(task: Task, part: Part) -> Judged:
