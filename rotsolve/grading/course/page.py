@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import cache
 
 from msgspec import Struct
 
@@ -54,6 +55,7 @@ class Page(Struct, frozen=True):
     sections: tuple[Section, ...]
 
 
+@cache
 def amount(marks: Fraction) -> str:
     """Marks as a decimal number where that is exact, else to two places: `5`, `2.5`, `0.33`."""
     hundredths = round(marks * 100)
