@@ -1,4 +1,4 @@
-"""Marking: how answers are marked: points alone (`T: 3`), or a map with tolerance, form, unit, sign and deductions; `all` for every answer."""
+"""Marking: how answers are marked: points alone (`T: 3`), or a map with tolerance, form, unit, sign, deductions; `all` for every answer."""
 
 from __future__ import annotations
 
