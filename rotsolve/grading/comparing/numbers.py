@@ -103,7 +103,9 @@ def half_figure(value: Certified, figures: int) -> Fraction:
     return HALF * Fraction(10) ** (rounded(largest, figures)[1] - figures + 1) if largest else Fraction(0)
 
 
-def near(typed: Typed, value: Certified, *, share: Fraction = Fraction(0), margin: Formula | None = None) -> bool | None:
+def near(
+    typed: Typed, value: Certified, *, share: Fraction = Fraction(0), margin: Formula | None = None
+) -> bool | None:
     """Whether |x − v| ≤ share · |v|, or ≤ margin."""
     number = evaluate(typed.value, {})
     for digits in DIGITS:
