@@ -13,62 +13,16 @@ NAMES = (  # commands that are letters or functions
     | {"imath": "i", "jmath": "j"}
 )
 FRACTION = frozenset(("frac", "dfrac", "tfrac", "cfrac"))
-CONTENT = frozenset(
-    [
-        "text",
-        "textrm",
-        "textit",
-        "textbf",
-        "textsf",
-        "mathrm",
-        "mathit",
-        "mathbf",
-        "mathsf",
-        "mathcal",
-        "boldsymbol",
-        "bm",
-        "rm",
-        "operatorname",
-        "mbox",
-        "vec",
-        "hat",
-        "bar",
-        "overline",
-        "unit",
-        "si",
-    ]
-)
-SILENT = frozenset(
-    [
-        "left",
-        "right",
-        "big",
-        "Big",
-        "bigg",
-        "Bigg",
-        "bigl",
-        "bigr",
-        "Bigl",
-        "Bigr",
-        "biggl",
-        "biggr",
-        "quad",
-        "qquad",
-        "displaystyle",
-        "textstyle",
-        "limits",
-        "nolimits",
-        ",",
-        ";",
-        ":",
-        "!",
-        "(",
-        ")",
-        "[",
-        "]",
-        "thinspace",
-    ]
-) | {" "}
+_CONTENT = """
+    text textrm textit textbf textsf mathrm mathit mathbf mathsf mathcal boldsymbol bm rm operatorname mbox vec hat bar
+    overline unit si
+"""
+_SILENT = """
+    left right big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr quad qquad displaystyle textstyle limits nolimits thinspace
+    , ; : ! ( ) [ ]
+"""
+CONTENT = frozenset(_CONTENT.split())  # how letters are set
+SILENT = frozenset((*_SILENT.split(), " "))  # what says nothing
 _MARKS = {
     "*": "cdot times ast bullet",
     "/": "div slash",
