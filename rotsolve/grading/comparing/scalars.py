@@ -46,6 +46,11 @@ class Scalar(Struct, frozen=True, dict=True):
     directed: bool = False
     turns: bool = False
 
+    @property
+    def sign(self) -> int | None:
+        """The sign of its value."""
+        return None if self.value is None else self.value.sign
+
     @cached_property
     def sought(self) -> Sought | None:
         """The number in every unit, where there is one."""
@@ -128,7 +133,7 @@ def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Soug
     if within(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
-        return right_but_for_sign(asked.directed, asked.direction, asked.marking)
+        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
     return None
 
 
@@ -206,7 +211,7 @@ def formula_judged(formula: Formula, asked: Scalar) -> Finding:
     if misfit:
         return found(WRONG, "dimension", misfit)
     if asked.same(-formula, asked.closed):
-        return right_but_for_sign(asked.directed, asked.direction, asked.marking)
+        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
     return Finding(WRONG)
 
 

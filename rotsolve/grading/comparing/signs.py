@@ -65,12 +65,12 @@ def turned_round(typed: str, sought: str) -> bool | None:
     return False if own == wanted else True if own == opposite(wanted) else None
 
 
-def right_but_for_sign(directed: bool, direction: str, marking: Marking, flaws: tuple[str, ...] = ()) -> Finding:
+def right_but_for_sign(directed: bool, direction: str, sign: int | None, marking: Marking) -> Finding:
     """What is said of an answer with the other sign: by the declared positive direction it is marked as the teacher chose."""
     if not directed:
-        return found(WRONG, "sign", "the size is right, but not the sign")
-    way = f", here {direction}" if direction else ""
-    said = f"right, had the other direction been called positive: look at the sign of the answer{way}"
-    return found(
-        RIGHT if marking.sign == LENIENT else WRONG, "sign", said, flaws=flaws if marking.sign == LENIENT else ()
-    )
+        return found(WRONG, "sign", "right but for the sign")
+    said = "right but for the sign: the other direction is declared positive"
+    if direction and sign:
+        value = "positive" if sign > 0 else "negative"
+        said = f"right but for the sign: by the declared positive direction the answer is {value}, that is {direction}"
+    return found(RIGHT if marking.sign == LENIENT else WRONG, "sign", said)

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, FREQUENCY, NONE, Dimension, describe
+from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, FREQUENCY, NONE, Dimension, describe, kind_of
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.grading.verdict import Remark
@@ -29,8 +29,9 @@ class Measured(Struct, frozen=True):
 def measured(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = False) -> Measured:
     """How a number in the typed unit is to be taken; `turns` says that a pure number counts turns."""
     if not typed.dimension.matches(dimension):
-        here, asked = describe(typed.dimension, article=True), describe(dimension, article=True)
-        return Measured(fault=Remark("dimension", (f"{typed.text} measures {here}, but {asked} is asked for",)))
+        kind, asked = kind_of(typed.dimension), describe(dimension, article=True)
+        here = f" is the unit of {kind.words}" if kind is not None else " is another unit"
+        return Measured(fault=Remark("dimension", (f"{typed.text}{here}, but {asked} is asked for",)))
     if dimension.matches(FREQUENCY):
         return of_rate(typed, wanted, dimension)
     if dimension == NONE and typed.dimension == ANGLE and counts_turns(typed):

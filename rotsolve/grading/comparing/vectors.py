@@ -27,7 +27,7 @@ def vector_judged(reading: Reading, parts: Sequence[Scalar], whole: Scalar | Non
     if finding.outcome == WRONG and not finding.flaws and any(part.directed for part in parts):
         other = components_judged([negated(part) for part in typed], wanted)
         if other.right:
-            return right_but_for_sign(True, "", parts[0].marking, other.flaws)
+            return right_but_for_sign(True, "", None, parts[0].marking)
     return finding
 
 
@@ -43,7 +43,11 @@ def size_judged(reading: Reading, whole: Scalar | None) -> Finding:
         return found(WRONG, "form", "its components are asked for")
     finding = judged(reading, whole)
     if finding.right and whole.direction and not reading.direction:
-        return Finding(RIGHT, (*finding.remarks, *found(RIGHT, "direction", f"its direction: {whole.direction}").remarks), finding.flaws)
+        return Finding(
+            RIGHT,
+            (*finding.remarks, *found(RIGHT, "direction", f"its direction: {whole.direction}").remarks),
+            finding.flaws,
+        )
     return finding
 
 
@@ -51,8 +55,15 @@ def entries(reading: Reading) -> list[Reading]:
     """The components of a vector, of a matrix row by row; a unit behind the bracket is that of each that has none."""
     if not reading.parts:
         return [reading]
-    parts = [part if part.unit is not None or part.kind != NUMBER else replace(part, unit=reading.unit) for part in reading.parts]
-    return [entry for part in parts for entry in (entries(replace(part, unit=part.unit or reading.unit)) if part.parts else [part])]
+    parts = [
+        part if part.unit is not None or part.kind != NUMBER else replace(part, unit=reading.unit)
+        for part in reading.parts
+    ]
+    return [
+        entry
+        for part in parts
+        for entry in (entries(replace(part, unit=part.unit or reading.unit)) if part.parts else [part])
+    ]
 
 
 def negated(reading: Reading) -> Reading:

@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from functools import cached_property
+from collections.abc import Mapping
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.formula import Formula
 from rotsolve.grading.comparing.equality import Domain, same
 from rotsolve.grading.comparing.finding import Finding, found
-from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import judged
 from rotsolve.grading.comparing.signs import is_direction, turned_round
 from rotsolve.grading.comparing.vectors import vector_judged
 from rotsolve.grading.marking.target import Letters, Target, targets_of
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
-from rotsolve.grading.reading.records import FORMULA, NUMBER, WORD
+from rotsolve.grading.reading.records import WORD
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Paper, Part, Remark, Verdict
 from rotsolve.solution import Solution
 
 LONGEST_ECHO = 400  # characters of a line that is said back
+PLAIN = str.maketrans("−⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "-0123456789-", " *·^")
 
 
 class Judged(Struct, frozen=True):
@@ -89,7 +88,9 @@ class Judge:
         """By the reading that makes the line right, else by the likeliest one."""
         tried = [(reading, self._read(target, reading)) for reading in readings]
         ranks = {RIGHT: 0, UNDECIDED: 2, WRONG: 2}
-        reading, finding = min(tried, key=lambda item: ranks[item[1].outcome] - bool(item[1].flaws and not item[1].right))
+        reading, finding = min(
+            tried, key=lambda item: ranks[item[1].outcome] - bool(item[1].flaws and not item[1].right)
+        )
         plain = len(readings) == 1 and squeezed(reading.text) == squeezed(text)
         echo = "" if plain or len(reading.text) > LONGEST_ECHO else reading.text
         return Judged(reading, Finding(finding.outcome, (*reading.remarks, *finding.remarks), finding.flaws), echo)
@@ -121,12 +122,14 @@ class Judge:
 
 def squeezed(text: str) -> str:
     """A text without what makes no difference between what was typed and its echo."""
-    return text.rpartition("=")[2].translate(str.maketrans("-*", "−·", " ")).replace("·", "")
+    return text.rpartition("=")[2].translate(PLAIN)
 
 
 def word_judged(text: str, target: Target) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (frozenset(plain(part) for part in words.split(",")) for words in (text.rpartition("=")[2], target.word))
+    typed, wanted = (
+        frozenset(plain(part) for part in words.split(",")) for words in (text.rpartition("=")[2], target.word)
+    )
     if typed == wanted or plain(text) == plain(target.word):
         return Finding(RIGHT)
     known = {plain(label) for label in (*target.options, "none")}
@@ -142,7 +145,9 @@ def direction_judged(text: str, target: Target) -> Finding:
         return found(WRONG, "form", "words are no answer here")
     if turned_round(text, direction) is not False:
         return found(WRONG, "direction", f"it points another way: {direction}")
-    return Finding(RIGHT) if target.directional else found(WRONG, "form", "the direction is right; its size is asked for")
+    return (
+        Finding(RIGHT) if target.directional else found(WRONG, "form", "the direction is right; its size is asked for")
+    )
 
 
 def plain(words: str) -> str:

@@ -14,6 +14,7 @@ from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import TIME
 from rotsolve.grading.comparing.scalars import Same, Scalar
+from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
 from rotsolve.scene.marks import Marking, marking_of
 from rotsolve.scene.model import Choice, Find, Problem
@@ -68,6 +69,11 @@ class Letters(Struct, frozen=True, dict=True):
         """The closed forms of the answers that have one, by name."""
         return {a.name: a.closed for a in self.solution.derivation.answers if a.closed is not None}
 
+    def written(self, closed: Formula | None) -> Formula | None:
+        """A closed form with the variables of its integrals as they are printed."""
+        names = {key: name for key, name in self.meanings.names.items() if key != TIME}
+        return None if closed is None else in_letters(closed, names)
+
     def meant(self, typed: Formula) -> Formula:
         """A typed formula with the running time under its own name."""
         return typed.substitute({self.meanings.time: Symbol(TIME)}) if self.runs else typed
@@ -106,7 +112,7 @@ def scalar(
 ) -> Scalar:
     """One number or formula of an answer."""
     return Scalar(
-        answer.closed,
+        letters.written(answer.closed),
         answer.value,
         answer.unit or ONE_UNIT,
         answer.dimension or NONE,
