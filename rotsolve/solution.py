@@ -15,6 +15,7 @@ from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.inquiry.meanings import Meanings
     from rotsolve.inquiry.validity import Validity
     from rotsolve.scene.model import Problem
 
@@ -27,6 +28,7 @@ class Trace:
     equations: Callable[[], str]
     plan: Callable[[], str]
     validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
+    meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
 
 
 @dataclass(frozen=True)

@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rotsolve.elements.events import Event
     from rotsolve.elements.shapes import Shape
     from rotsolve.elements.surfaces import Surface
+    from rotsolve.scene.marks import Marking
 
 
 class Given(Struct, frozen=True):
@@ -260,7 +261,7 @@ class Problem(Struct, frozen=True):
     assume: tuple[str, ...] = ()
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()
-    marking: object | None = None
+    marking: tuple[Marking, ...] = ()
     vary: object | None = None
 
     @property

@@ -17,6 +17,7 @@ from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
 from rotsolve.scene.reader.declared import read_value
 from rotsolve.scene.reader.elements import read_element
+from rotsolve.scene.reader.marking import read_marking
 from rotsolve.scene.reader.states import read_phase, read_state
 from rotsolve.scene.sections import SECTIONS
 from rotsolve.scene.tree.nodes import List, Map, Node, Text, plain
@@ -119,8 +120,8 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
-        for name in ("marking", "vary"):
-            fields[name] = self.raw(name)
+        fields["marking"] = read_marking(self.scope, self.node("marking"), asked)
+        fields["vary"] = self.raw("vary")
         return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
 
     def required(self) -> None:

@@ -1,0 +1,154 @@
+"""Judge: verdicts and marks for what students hand in, with one scene solved once; equal texts are judged once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.grading.comparing.equality import Domain, same
+from rotsolve.grading.comparing.finding import Finding, found
+from rotsolve.grading.comparing.scalars import judged
+from rotsolve.grading.comparing.signs import is_direction, turned_round
+from rotsolve.grading.comparing.vectors import vector_judged
+from rotsolve.grading.marking.target import Letters, Target, targets_of
+from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.reading.records import WORD
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Paper, Part, Remark, Verdict
+from rotsolve.solution import Solution
+
+LONGEST_ECHO = 400  # characters of a line that is said back
+PLAIN = str.maketrans("−⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "-0123456789-", " *·^")
+
+
+class Judged(Struct, frozen=True):
+    """One text, judged by itself: the reading that was used (None where there is none), and what was found."""
+
+    reading: Reading | None
+    finding: Finding
+    read_as: str = ""
+
+
+class Judge:
+    """Judges answers to the questions of one solved scene."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.letters = Letters.of(solution)
+        self.domain = Domain.of(solution)
+        self.targets = {target.name: target for target in targets_of(self.letters, self.same)}
+        self._judged: dict[tuple[str, str], Judged] = {}
+
+    def mark(self, paper: Paper) -> Marked:
+        """The paper, marked: every answer in the order in which the scene asks, then the working."""
+        parts = tuple(self._part(target, paper.answers) for target in self.targets.values())
+        total, of = (sum(getattr(part, word) for part in parts) for word in ("marks", "of"))
+        return Marked(paper.student, parts, (), total, of)
+
+    def _part(self, target: Target, answers: Mapping[str, str]) -> Part:
+        text = answers.get(target.name, "")
+        one = self.judged(target, text)
+        finding = one.finding
+        marking = target.marking
+        earned = finding.right or bool(finding.flaws)
+        marks = marking.left(finding.flaws) if earned else marking.points * 0
+        verdict = Verdict(finding.outcome, one.read_as, finding.remarks)
+        return Part(target.name, text, verdict, marks, marking.points)
+
+    def same(self, left: Formula, right: Formula) -> bool | None:
+        """Whether two formulas are equal in the scene's domain; the right one is the reference."""
+        return same(left, right, self.domain)
+
+    # one text by itself
+
+    def judged(self, target: Target, text: str) -> Judged:
+        """What is found in a text, whoever wrote it."""
+        known = self._judged.get((target.name, text))
+        if known is None:
+            known = self._judged[target.name, text] = self._judge(target, text)
+        return known
+
+    def _judge(self, target: Target, text: str) -> Judged:
+        if not text.strip():
+            return Judged(None, found(WRONG, "empty", "not answered"))
+        if target.word:
+            return Judged(None, word_judged(text, target))
+        try:
+            readings = read_answer(text, self.names(target.name))
+        except AnswerError as error:
+            remark = Remark("reading", (str(error),), error.start, error.end)
+            return Judged(None, Finding(UNDECIDED, (remark,)))
+        return self._best(target, text, readings)
+
+    def names(self, asked: str) -> Names:
+        """The letters that an answer may hold."""
+        return Names(self.letters.givens, frozenset(self.targets), asked)
+
+    def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
+        """By the reading that makes the line right, else by the likeliest one."""
+        tried = [(reading, self._read(target, reading)) for reading in readings]
+        ranks = {RIGHT: 0, UNDECIDED: 2, WRONG: 2}
+        reading, finding = min(
+            tried, key=lambda item: ranks[item[1].outcome] - bool(item[1].flaws and not item[1].right)
+        )
+        plain = len(readings) == 1 and squeezed(reading.text) == squeezed(text)
+        echo = "" if plain or len(reading.text) > LONGEST_ECHO else reading.text
+        return Judged(reading, Finding(finding.outcome, (*reading.remarks, *finding.remarks), finding.flaws), echo)
+
+    def _read(self, target: Target, reading: Reading) -> Finding:
+        """The finding for one reading."""
+        if reading.kind == WORD:
+            return direction_judged(reading.text, target)
+        reading = self.meant(reading)
+        if reading.formula is not None and self.circular(target, reading.formula):
+            return found(WRONG, "form", "the answer speaks of itself")
+        if target.parts:
+            return vector_judged(reading, target.parts, target.whole)
+        assert target.whole is not None
+        return judged(reading, target.whole)
+
+    def meant(self, reading: Reading) -> Reading:
+        """A reading with its formulas in the letters of closed forms."""
+        from msgspec.structs import replace
+
+        formula = None if reading.formula is None else self.letters.meant(reading.formula)
+        return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
+
+    def circular(self, target: Target, formula: Formula) -> bool:
+        """Whether an answer holds its own letter, which is no letter of its closed form."""
+        closed = self.letters.closed.get(target.name)
+        return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
+
+
+def squeezed(text: str) -> str:
+    """A text without what makes no difference between what was typed and its echo."""
+    return text.rpartition("=")[2].translate(PLAIN)
+
+
+def word_judged(text: str, target: Target) -> Finding:
+    """The finding for a label, or several in any order."""
+    typed, wanted = (
+        frozenset(plain(part) for part in words.split(",")) for words in (text.rpartition("=")[2], target.word)
+    )
+    if typed == wanted or plain(text) == plain(target.word):
+        return Finding(RIGHT)
+    known = {plain(label) for label in (*target.options, "none")}
+    if typed <= known:
+        return Finding(WRONG)
+    return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
+
+
+def direction_judged(text: str, target: Target) -> Finding:
+    """The finding for a direction in words where a number could stand."""
+    direction = "" if target.whole is None else target.whole.direction
+    if not direction or not is_direction(text):
+        return found(WRONG, "form", "words are no answer here")
+    if turned_round(text, direction) is not False:
+        return found(WRONG, "direction", f"it points another way: {direction}")
+    return (
+        Finding(RIGHT) if target.directional else found(WRONG, "form", "the direction is right; its size is asked for")
+    )
+
+
+def plain(words: str) -> str:
+    return " ".join(words.lower().split())
