@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 from rotsolve.grading.course.page import Judged, Judgements, Page, Paragraph, Section, of
-from rotsolve.grading.verdict import Line, Marked, Part
+from rotsolve.grading.verdict import Line, Marked, Part, Verdict
 
 FIRST = "wrong, here first"
 
@@ -37,13 +37,12 @@ def student_page(task: Task, marked: Marked, variant: str = "") -> Page:
 
 
 def judged(task: Task, part: Part) -> Judged:
-    """One answer."""
-    said = part.verdict.outcome
-    if part.followed:
-        said = f"{said}, by your own earlier answer"
-    return Judged(
-        task.letter(part.name), part.text, part.verdict, said if part.text else "no answer", of(part.marks, part.of)
-    )
+    """One answer; of one that is missing there is no more to say."""
+    label, marks = task.letter(part.name), of(part.marks, part.of)
+    if not part.text:
+        return Judged(label, "", Verdict(part.verdict.outcome), "no answer", marks)
+    said = f"{part.verdict.outcome}, by your own earlier answer" if part.followed else part.verdict.outcome
+    return Judged(label, part.text, part.verdict, said, marks)
 
 
 def working(number: int, line: Line) -> Judged:
