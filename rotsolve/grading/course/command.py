@@ -7,6 +7,8 @@ import sys
 from rotsolve.core.faults import SceneError
 from rotsolve.grading.course.judges import Judges
 from rotsolve.grading.course.request import BAD, Request
+from rotsolve.render.layout import release
+from rotsolve.render.voice import TEXT
 from rotsolve.run.attempt import failure, name_of, piped, source
 from rotsolve.run.scenes import PIPED
 
@@ -22,6 +24,10 @@ def run(request: Request) -> int:
         judges = Judges(scene, request.seed, request.variants)
     except Exception as error:
         return refuse(failure(request.problem, error).message)
+    for found in judges.solution.checks:
+        if found.holds is False:
+            said = release(TEXT.words(found.words))
+            return refuse(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
     try:
         if request.of_class:
             from rotsolve.grading.course.many import check

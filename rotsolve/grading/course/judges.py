@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+import dataclasses
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
 from rotsolve.grading.course.student import Task
@@ -13,6 +16,7 @@ from rotsolve.scene.read import read_source
 
 if TYPE_CHECKING:
     from rotsolve.keys.variants import Variant
+    from rotsolve.keys.working import Worked
     from rotsolve.solution import Solution
 
 
@@ -20,10 +24,10 @@ class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 
     def __init__(self, scene: Path | str, seed: int, count: int | None) -> None:
-        self.scene, self.seed, self.count = scene, seed, count
+        self.seed, self.count = seed, count
         self.problem = read_source(scene)
         self.solution = solve_problem(self.problem)
-        self._variants: Iterator[Variant] | None = None
+        self._worked: Iterator[tuple[Variant, Worked]] | None = None
 
     @property
     def task(self) -> Task:
@@ -35,23 +39,24 @@ class Judges:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
         if number == 0:
             return judge_of(self.solution)
-        problem = read_source(self.scene, self.settings(number))
-        return judge_of(solve_problem(problem))
-
-    def settings(self, number: int) -> Mapping[str, str]:
-        """The givens of a variant, which all that come after it need not work out again."""
         if self.problem.vary is None:
             raise NotMarked("the problem has no `vary`, so there are no variants of it")
         if self.count is not None and number > self.count:
             raise NotMarked(f"there are {self.count} variants, so none has the number {number}")
-        if self._variants is None:
-            from rotsolve.keys.variants import variants
+        if self._worked is None:
+            from rotsolve.keys.variants import worked_variants
 
-            self._variants = variants(self.problem, self.count or HIGHEST, self.seed)
-        for variant in self._variants:
-            if variant.number == number:
-                return variant.settings
-        raise NotMarked(f"there is no variant {number}")
+            self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
+        worked = next(worked for variant, worked in self._worked if variant.number == number)
+        return judge_of(self.varied(worked))
+
+    def varied(self, worked: Worked) -> Solution:
+        """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
+        problem = replace(worked.problem, marking=self.problem.marking, answers=self.problem.answers)
+        if worked.solution is not None:
+            return dataclasses.replace(worked.solution, problem=problem)
+        derivation = replace(self.solution.derivation, givens=problem.givens, answers=worked.answers)
+        return dataclasses.replace(self.solution, problem=problem, derivation=derivation)
 
 
 def judge_of(solution: Solution) -> Judge:
