@@ -22,8 +22,6 @@ _TAIL = re.compile(
 )
 _ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
 ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
-    ["ft", "ht", "rd", "ds", "up", "wn", "se", "cw", "ck", "ne", "pe", "mp", "ll", "ow"]
-)  # of these words; arrows are one mark
 LONGEST = 80  # columns of such words
 
 
