@@ -7,11 +7,11 @@ from msgspec import Struct
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, resolve
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.functions import RECIPROCAL
-from rotsolve.grading.reading.grammar import read_formula
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.formulas import read_formula
+from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 from rotsolve.grading.reading.records import NUMBER, Reading
-from rotsolve.grading.reading.units import looks_like_unit, read_unit
+from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
 NUMERIC = frozenset(("pi", "π", *FUNCTION_NAMES, *RECIPROCAL))  # names within a number
 NO_NAMES: frozenset[str] = frozenset()
@@ -104,6 +104,14 @@ def are_letters(tokens: tuple[Token, ...], names: frozenset[str]) -> bool:
     except FormulaError:
         return False
     return all(token.kind not in ("°", "%") for token in tokens)
+
+
+def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
+    """Whether a number stands in front of words of which none can be a letter of the scene: `12 hp`, `3.4 m/ss`."""
+    words = [token for token in parts.unit if token.kind == "name"]
+    marks = all(token.kind == "name" or token.kind in MARKS for token in parts.unit[:-1])
+    found = len(parts.number) > 1 and parts.has_unit and marks and likely_number(parts)
+    return found and not any(are_letters((word,), names) for word in words)
 
 
 def likely_number(parts: Parts) -> bool:

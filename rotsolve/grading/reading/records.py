@@ -32,6 +32,11 @@ class Reading(Struct, frozen=True):
     polar: tuple[Reading, ...] = ()
     direction: str = ""
 
+    @property
+    def has_units(self) -> bool:
+        """Whether a unit was read, perhaps in a component."""
+        return self.unit is not None or any(part.has_units for part in self.parts)
+
 
 class AnswerError(ValueError):
     """A line that can not be read: what is wrong, in which columns of the text as typed, and perhaps what was meant.

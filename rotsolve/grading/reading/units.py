@@ -9,8 +9,8 @@ from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.tokens import FormulaError, Token, suggest
 from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.grammar import read_formula
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.formulas import read_formula
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
 MARKS = frozenset(("*", "/", "^", "(", ")", "raised", "number", "-", "°", "%"))
@@ -68,8 +68,19 @@ def _words(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
         raise FormulaError(message, token.start, token.end, None if hint else suggest(name, UNITS))
     if name == "ms" and _negative(token, tokens) and forks.choose(True):  # ms⁻² is m s⁻², seldom 1/ms²
         found = ("m", "s")
+    return _spread(found, token)
+
+
+def _spread(words: tuple[str, ...], token: Token) -> list[Token]:
+    """Words that stand side by side in the columns of one token."""
     kinds = {"^": "^", "2": "number", "3": "number"}
-    return [Token(kinds.get(word, "symbol"), word, token.start, token.end) for word in found]
+    marks: list[Token] = []
+    start = token.start
+    for word in words:
+        end = min(start + len(word), token.end) if word is not words[-1] else token.end
+        marks.append(Token(kinds.get(word, "symbol"), word, start, end))
+        start = end
+    return marks
 
 
 def _negative(token: Token, tokens: list[Token]) -> bool:

@@ -17,8 +17,8 @@ from rotsolve.algebra.notation.letters import from_superscript
 from rotsolve.algebra.notation.limits import check_depth, check_power
 from rotsolve.algebra.notation.parse import Parser
 from rotsolve.algebra.notation.tokens import FormulaError, Token, read_number
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.functions import EULER, INVERSE, RECIPROCAL, TAKES_POWER
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.functions import EULER, INVERSE, RECIPROCAL, TAKES_POWER
 
 HALF_TURN = Number(Fraction(180))
 

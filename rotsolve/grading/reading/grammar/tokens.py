@@ -12,7 +12,7 @@ from unicodedata import normalize
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN
 from rotsolve.algebra.notation.tokens import NUMBER, SAME_MARK, FormulaError, Token
-from rotsolve.grading.reading.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
+from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
 
 MAX_LENGTH = 600
 MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
@@ -41,16 +41,16 @@ _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
 
-def tokens_of(text: str) -> list[Token]:
-    """The tokens of a line, an `end` token last."""
+def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
+    """The tokens of a line, or of a part of it, an `end` token last."""
     if len(text) > MAX_LENGTH:
         message = f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}"
         raise FormulaError(message, MAX_LENGTH, len(text))
-    reader = _Reader(text)
-    at = 0
-    while at < len(text):
+    reader = _Reader(text if end is None else text[:end])
+    at, last = start, len(reader.text)
+    while at < last:
         at = reader.step(at)
-    reader.emit("end", "", len(text), len(text))
+    reader.emit("end", "", last, last)
     return reader.tokens
 
 
