@@ -9,6 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
+from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.functions import RECIPROCAL
