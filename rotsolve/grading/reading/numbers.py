@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from msgspec import Struct
 
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, resolve
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
+from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.functions import RECIPROCAL
+from rotsolve.grading.reading.grammar.runs import meaning
 from rotsolve.grading.reading.records import NUMBER, Reading
 from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
@@ -95,26 +99,35 @@ def could_be_number(parts: Parts) -> bool:
     return len(parts.number) > 1 and (not parts.has_unit or looks_like_unit(list(parts.unit)))
 
 
-def are_letters(tokens: tuple[Token, ...], names: frozenset[str]) -> bool:
+def are_letters(tokens: Iterable[Token], names: frozenset[str]) -> bool:
     """Whether all words are letters of the scene."""
-    try:
-        for token in tokens:
-            if token.kind == "name":
-                resolve(token, names, (), split=True)
-    except FormulaError:
-        return False
-    return all(token.kind not in ("°", "%") for token in tokens)
+    return all(
+        meaning(token.text, names) is not None if token.kind == "name" else token.kind not in ("°", "%")
+        for token in tokens
+    )
 
 
 def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
     """Whether a number stands in front of words of which none can be a letter of the scene: `12 hp`, `3.4 m/ss`."""
     words = [token for token in parts.unit if token.kind == "name"]
     marks = all(token.kind == "name" or token.kind in MARKS for token in parts.unit[:-1])
-    found = len(parts.number) > 1 and parts.has_unit and marks and likely_number(parts)
-    return found and not any(are_letters((word,), names) for word in words)
+    apart = parts.has_unit and len(parts.number) > 1 and parts.unit[0].start > parts.number[-2].end
+    return apart and marks and not any(are_letters((word,), names) for word in words)
 
 
 def likely_number(parts: Parts) -> bool:
-    """Whether `12 m` is likelier a length than a product of letters: by a space, or by a decimal point."""
+    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space before the unit of a known kind."""
     last, first = parts.number[-2], parts.unit[0]
-    return first.start > last.end or any("." in token.text for token in parts.number)
+    if any("." in token.text for token in parts.number):
+        return True
+    if first.start == last.end:
+        return False
+    return all(len(token.text) == 1 or token.kind != "name" for token in parts.unit) and is_kind(parts.unit)
+
+
+def is_kind(unit: tuple[Token, ...]) -> bool:
+    """Whether a unit is that of a known kind of quantity: N m is, m g is not."""
+    try:
+        return kind_of(read_unit("", list(unit), Forks()).dimension) is not None
+    except FormulaError:
+        return False

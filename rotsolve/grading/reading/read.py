@@ -8,7 +8,6 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.grading.reading.commas import with_points
 from rotsolve.grading.reading.directions import direction_behind
@@ -59,11 +58,11 @@ def read_answer(text: str, names: Names) -> tuple[Reading, ...]:
 
 def told_apart(readings: list[Reading]) -> tuple[Reading, ...]:
     """The readings; where two have one echo, as those of `5 m`, it says which has the unit."""
-    texts = [reading.text for reading in readings]
+    texts = [reading.text for reading in readings] if len(readings) > 1 else []
     if len(set(texts)) == len(texts):
         return tuple(readings)
     return tuple(
-        replace(reading, text=f"{reading.text} (with {'units' if reading.has_units else 'letters'})")
+        replace(reading, written=f"{reading.text} (with {'units' if reading.has_units else 'letters'})")
         if texts.count(reading.text) > 1
         else reading
         for reading in readings
@@ -137,7 +136,9 @@ class Reader:
             return listed
         value = self.pointed(line.tokens)
         return (
-            replace(value, direction=line.direction, text=f"{value.text} {line.direction}") if line.direction else value
+            replace(value, direction=line.direction, written=f"{value.text} {line.direction}")
+            if line.direction
+            else value
         )
 
     def known_word(self, typed: str) -> str:
@@ -160,7 +161,7 @@ class Reader:
         if is_strange_unit(parts, letters):
             read_unit(self.text, list(parts.unit), self.forks)  # says which word is no unit
         formula = read_formula(self.text, tokens, letters, self.forks)
-        return Reading(FORMULA, to_text(formula), formula)
+        return Reading(FORMULA, formula=formula)
 
     def equation(self, tokens: list[Token]) -> Reading:
         """left = right."""

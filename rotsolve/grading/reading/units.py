@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Symbol
 from rotsolve.algebra.notation.limits import rational
@@ -11,6 +12,7 @@ from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
+from rotsolve.grading.reading.grammar.runs import REMEMBERED
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
 MARKS = frozenset(("*", "/", "^", "(", ")", "raised", "number", "-", "°", "%"))
@@ -32,6 +34,7 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     return factors.unit()
 
 
+@lru_cache(REMEMBERED)
 def split(name: str) -> tuple[str, ...]:
     """The units in a run of letters: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
     if name in UNITS:

@@ -115,7 +115,7 @@ def vector(parts: list[Reading], unit: Unit | None) -> Reading:
 
 
 def in_unit(part: Reading, unit: Unit) -> Reading:
-    return replace(part, unit=unit, text=unit.after(part.text))
+    return replace(part, unit=unit, written=unit.after(part.text))
 
 
 def by_axes(tokens: list[Token], letters: frozenset[str]) -> list[Token] | None:

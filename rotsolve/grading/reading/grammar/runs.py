@@ -1,0 +1,35 @@
+"""Runs: what a run of letters means, `mg` or `ω₀t`: letters of the scene, the longest first, functions, and e where it is raised."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+from rotsolve.algebra.notation.tokens import FormulaError, Token, UnknownName, resolve
+from rotsolve.grading.reading.grammar.functions import RECIPROCAL
+
+REMEMBERED = 4096  # runs: students write the same few over and over
+LONGEST = 24  # of a run in which the strange part is looked for
+
+
+@lru_cache(REMEMBERED)
+def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
+    """The letters and functions side by side in a run, with their columns in it; None where it holds anything else."""
+    if run in RECIPROCAL and run not in names:
+        return (Token("function", run, 0, len(run)),)
+    try:
+        return tuple(resolve(Token("name", run, 0, len(run)), names, (), split=True))
+    except FormulaError:
+        return None
+
+
+def fault(token: Token, names: frozenset[str]) -> FormulaError:
+    """Why a run has no meaning; of `mgx` the x is told to be strange."""
+    run = token.text
+    ends = range(1, len(run)) if len(run) <= LONGEST else ()
+    known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
+    for start in {known: None, 0: None}:
+        try:
+            resolve(Token("name", run[start:], token.start + start, token.end), names, (), split=True)
+        except FormulaError as error:
+            return error
+    return UnknownName(f"unknown name `{run}`", token.start, token.end)
