@@ -6,8 +6,9 @@ A line is right where it holds with what the letters stand for there, and says s
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from functools import cached_property
+from itertools import pairwise
 
 from msgspec import Struct
 
@@ -95,7 +96,10 @@ class Working:
         holds = self.holds(left, right, text)
         if holds is not False:
             return Finding(outcome_of(holds))
-        return self.misfit(left, right) or self.mistake(left, right) or Finding(WRONG)
+        numbers = one_is_a_number(left, right) or bool(
+            DECIMAL.search(text)
+        )  # which lost their units when they were read
+        return (None if numbers else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
 
     def settled(self, name: str) -> bool:
         """Whether it is known what a letter stands for."""
@@ -113,14 +117,14 @@ class Working:
         meanings = self.letters.meanings
         return meanings.number(name) if name in meanings.keys else None
 
-    def told(self, side: Formula, closed: Callable[[str], Formula | None]) -> Formula:
+    def told(self, side: Formula) -> Formula:
         """A side with the closed forms of its letters."""
-        forms = {name: closed(name) for name in side.symbols() - self.letters.givens}
+        forms = {name: self.meaning(name) for name in side.symbols() - self.letters.givens}
         return side.substitute({name: form for name, form in forms.items() if form is not None})
 
     def holds(self, left: Formula, right: Formula, text: str) -> bool | None:
         """Whether an equation holds on the scene's solution: exactly, or in its decimals."""
-        sides = [self.told(side, self.meaning) for side in (left, right)]
+        sides = [self.told(side) for side in (left, right)]
         held = self.same(*sides)
         if held is True or not (DECIMAL.search(text) or one_is_a_number(left, right)):
             return held
@@ -181,10 +185,8 @@ class Working:
             forms = {name: answer.closed for name, answer in one.answers.items() if name in names}
             if None in forms.values() or not forms:
                 continue
-            sides = [
-                self.told(side, lambda name, forms=forms: forms.get(name) or self.meaning(name))
-                for side in (left, right)
-            ]
+            put = {name: form for name, form in forms.items() if form is not None}
+            sides = [self.told(side.substitute(put)) for side in (left, right)]
             if self.same(*sides):
                 return told(one.mistake)
         return None
@@ -196,7 +198,7 @@ def links(text: str) -> Iterator[Link]:
     if len(pieces) < 3:
         yield Link(text, 0)
         return
-    for (start, _), (_, end) in zip(pieces, pieces[1:], strict=False):
+    for (start, _), (_, end) in pairwise(pieces):
         yield Link(text[start:end], start)
 
 
