@@ -17,7 +17,7 @@ _WORDS = {
 _GROUPS = "|".join(f"(?P<{word}>{pattern})" for word, pattern in _WORDS.items())
 _SLOPE = r"(?P<slope>\s+(?:along\s+)?the\s+(?:slope|incline|inclined plane|plane|ramp|hill))?"
 _TAIL = re.compile(
-    rf"(?<![A-Za-z_])[\s,;(]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}$]*$",
+    rf"(?<![A-Za-z_\\])[\s,;(]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}$]*$",
     re.IGNORECASE,
 )
 _ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"

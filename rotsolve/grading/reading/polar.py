@@ -20,10 +20,10 @@ from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import Remark
 
-_HINT = re.compile(r"°|∠|@|deg|rad\b|\\circ|\\angle|\bangle|horizontal|vertical|axis")
+_HINT = re.compile(r"°|∠|@|deg|rad\b|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis")
 _SPLIT = re.compile(
     r"(?:\s*[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|[,;])(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
-    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis))"
+    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
 )
 _WORD = (
     r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"

@@ -16,9 +16,11 @@ from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.tokens import tokens_of
 from rotsolve.grading.reading.names import Names
 from rotsolve.grading.reading.numbers import (
+    Parts,
     are_letters,
     could_be_number,
     cut,
+    is_kind,
     is_strange_unit,
     likely_number,
     read_number,
@@ -81,6 +83,8 @@ def line_of(text: str, names: Names) -> Line:
         return Line(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
     direction, end = direction_behind(text, start)
     tokens = [times_sign(token, text, names) for token in tokens_of(text, start, end)]
+    if len(tokens) > 2 and tokens[-2].kind in (".", ",", ";"):
+        del tokens[-2]  # the end of a sentence
     if len(tokens) == 1:
         raise FormulaError("the answer is empty", start, max(end, start))
     return Line(text, names, "", tokens, direction)
@@ -154,14 +158,18 @@ class Reader:
     def value(self, tokens: list[Token]) -> Reading:
         """A number with its unit, or a formula in the letters of the scene."""
         parts, letters = cut(tokens), self.names.letters
-        if could_be_number(parts) and (
-            not parts.has_unit or not are_letters(parts.unit, letters) or self.forks.choose(likely_number(parts))
-        ):
+        if could_be_number(parts) and self.is_number(parts):
             return read_number(self.text, parts, self.forks)
         if is_strange_unit(parts, letters):
             read_unit(self.text, list(parts.unit), self.forks)  # says which word is no unit
         formula = read_formula(self.text, tokens, letters, self.forks)
         return Reading(FORMULA, formula=formula)
+
+    def is_number(self, parts: Parts) -> bool:
+        """Whether a number with what can be a unit is one; where the unit can be letters too, it has to be of a known kind."""
+        if not parts.has_unit or not are_letters(parts.unit, self.names.letters):
+            return True
+        return is_kind(parts.unit) and self.forks.choose(likely_number(parts))
 
     def equation(self, tokens: list[Token]) -> Reading:
         """left = right."""

@@ -36,12 +36,12 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
 
 @lru_cache(REMEMBERED)
 def split(name: str) -> tuple[str, ...]:
-    """The units in a run of letters: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
+    """The units in a run of letters with the marks between them: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
     if name in UNITS:
         return (name,)
     meant = MEANT.get(name) or MEANT.get(name.lower())
-    if meant in UNITS:
-        return (meant,)
+    if meant is not None:
+        return tuple(re.findall(r"[A-Za-zµ]+|/", meant))
     powered = _INDEXED.fullmatch(name)
     if powered:
         before = split(powered[1])
@@ -76,7 +76,7 @@ def _words(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
 
 def _spread(words: tuple[str, ...], token: Token) -> list[Token]:
     """Words that stand side by side in the columns of one token."""
-    kinds = {"^": "^", "2": "number", "3": "number"}
+    kinds = {"^": "^", "/": "/", "2": "number", "3": "number"}
     marks: list[Token] = []
     start = token.start
     for word in words:

@@ -120,7 +120,7 @@ def in_unit(part: Reading, unit: Unit) -> Reading:
 
 def by_axes(tokens: list[Token], letters: frozenset[str]) -> list[Token] | None:
     """The tokens with each i, j or k by itself as an `axis`; None where the line has none."""
-    if letters.issuperset(AXES[:2]):
+    if not letters.isdisjoint(AXES[:2]):
         return None
     result: list[Token] = []
     for token in tokens:

@@ -31,6 +31,7 @@ _MARKS = {
     ")": "rangle rbrace }",
     "=": "approx simeq",
     "°": "degree circ",
+    ";": "\\",
     "%": "%",
     "relation": "le leq ge geq lt gt ne neq",
 }

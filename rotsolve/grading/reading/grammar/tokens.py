@@ -37,6 +37,7 @@ _TOKEN = re.compile(
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
+_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
@@ -136,6 +137,8 @@ class _Reader:
             return self.root(start, end)
         if word in CONTENT:
             return self.content(start, end)
+        if word in ("begin", "end"):
+            return self.matrix(word, start, end)
         mark = command_mark(word)
         if mark is None:
             raise unknown_command(found, start, end)
@@ -176,6 +179,15 @@ class _Reader:
             for mark in ("^", "(", "1", "/", nth[1], ")"):
                 self.emit("number" if mark.isdigit() else mark, mark, *nth.span(1))
         return last
+
+    def matrix(self, word: str, start: int, at: int) -> int:
+        """A column of components, which is a list in brackets."""
+        match = _MATRIX.match(self.text, at)
+        if match is None:
+            raise FormulaError(f"`\\{word}` needs the name of a matrix, such as {{pmatrix}}", start, at)
+        mark = "(" if word == "begin" else ")"
+        self.emit(mark, mark, start, match.end())
+        return match.end()
 
     def content(self, start: int, at: int) -> int:
         """The content of \\text{…} and its like, which only says how letters are set."""
