@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -138,7 +138,8 @@ class History(Struct, dict=True):
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
-        for equation in self._written():
+        altered = self.arrangement.alteration
+        for equation in self._written() if altered is None else altered.rewritten(self._written()):
             key = (equation.left, equation.right, equation.family)
             if equation.left != equation.right and key not in written and not self._empty(equation):
                 written[key] = equation
@@ -158,13 +159,20 @@ class History(Struct, dict=True):
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
-                from rotsolve.principles.momentum import collision
-
-                yield from collision.through_event(self.encounters[interval.name], interval.name)
+                yield from self._through(self.encounters[interval.name])
         yield from self._elongations()
         yield from self._grips()
         for swing in self.swings.values():
             yield from swing.equations()
+
+    def _through(self, encounter: Encounter) -> Iterable[Equation]:
+        """What an event keeps or changes."""
+        altered = self.arrangement.alteration
+        if altered is not None and altered.event is not None:
+            return altered.event(encounter)
+        from rotsolve.principles.momentum import collision
+
+        return collision.through_event(encounter, encounter.name)
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""

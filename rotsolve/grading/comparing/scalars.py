@@ -119,12 +119,7 @@ def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Soug
     turned = turned_round(direction, asked.direction) if direction and asked.direction else False
     if turned is None:
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
-    signed = typed
-    if (
-        direction and asked.direction
-    ):  # a size along the direction that was named, or the signed number with its direction
-        agrees = turned == ((typed.rational or 0) < 0)
-        signed = oriented(typed, value, 1 if agrees else -1)
+    signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within(signed, value, asked.marking.tolerance, unit)
     if holds is None:
         return found(outcome_of(None), "tolerance", "it lies on the edge of the tolerance")
@@ -137,11 +132,12 @@ def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Soug
     return None
 
 
-def oriented(typed: Typed, value: Certified, side: int) -> Typed:
-    """The number with the sign of the value, or against it."""
-    number = typed.rational
-    own = 1 if number is None or number >= 0 else -1
-    return typed.times(Fraction(side * own * (value.sign or 1)))
+def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
+    """The number that a size, or a signed number, with a direction stands for: `−8.8 m/s, left` and `8.8 m/s, left` are both −8.8 m/s
+    where right is positive, and so is `−8.8 m/s, right`."""
+    minus, wanted = (typed.rational or 0) < 0, (value.sign or 1) < 0
+    agrees = minus if turned else not minus or wanted
+    return typed if minus == (wanted == agrees) else typed.times(Fraction(-1))
 
 
 def well_formed(typed: Typed, value: Certified, asked: Scalar) -> Finding:

@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from msgspec import Struct
 
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, resolve
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.functions import RECIPROCAL
-from rotsolve.grading.reading.grammar import read_formula
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
+from rotsolve.algebra.units.dimension import kind_of
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.formulas import read_formula
+from rotsolve.grading.reading.grammar.functions import RECIPROCAL
+from rotsolve.grading.reading.grammar.runs import meaning
 from rotsolve.grading.reading.records import NUMBER, Reading
-from rotsolve.grading.reading.units import looks_like_unit, read_unit
+from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
 NUMERIC = frozenset(("pi", "π", *FUNCTION_NAMES, *RECIPROCAL))  # names within a number
+WEIGHT = "mg"  # seldom milligrams where both are letters
 NO_NAMES: frozenset[str] = frozenset()
 
 
@@ -31,6 +37,8 @@ class Parts(Struct, frozen=True):
 def cut(tokens: list[Token]) -> Parts:
     """The tokens before the first word that belongs to no number, and those from there on; `3/s` and `3 1/s` have 1/s."""
     at = next((index for index, token in enumerate(tokens) if begins_unit(token)), len(tokens) - 1)
+    while at and at < len(tokens) - 1 and tokens[at - 1].kind == "(":
+        at -= 1  # that of a fraction of units
     before, unit = tokens[:at], tokens[at:]
     if len(unit) > 1 and before and before[-1].kind == "/":
         slash = before.pop()
@@ -63,6 +71,8 @@ def literal(tokens: list[Token]) -> tuple[str, int | None]:
 
     Zeros at the end of a whole number do not count: 1200 may be told to two figures.
     """
+    if tokens[0].kind == "(" and tokens[-2].kind == ")":
+        tokens = [*tokens[1:-2], tokens[-1]]
     sign = "−" if tokens[0].kind == "-" else ""
     plain = tokens[tokens[0].kind in ("-", "+") : -1]
     if not plain or plain[0].kind != "number":
@@ -95,18 +105,37 @@ def could_be_number(parts: Parts) -> bool:
     return len(parts.number) > 1 and (not parts.has_unit or looks_like_unit(list(parts.unit)))
 
 
-def are_letters(tokens: tuple[Token, ...], names: frozenset[str]) -> bool:
+def are_letters(tokens: Iterable[Token], names: frozenset[str]) -> bool:
     """Whether all words are letters of the scene."""
-    try:
-        for token in tokens:
-            if token.kind == "name":
-                resolve(token, names, (), split=True)
-    except FormulaError:
-        return False
-    return all(token.kind not in ("°", "%") for token in tokens)
+    return all(
+        meaning(token.text, names) is not None if token.kind == "name" else token.kind not in ("°", "%")
+        for token in tokens
+    )
+
+
+def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
+    """Whether a number stands apart in front of words of which none begins with a letter of the scene: `12 hp`, `3.4 m/ss`."""
+    words = [token.text for token in parts.unit if token.kind == "name"]
+    plain = all(token.kind == "name" or token.kind in MARKS for token in parts.unit[:-1])
+    apart = parts.has_unit and len(parts.number) > 1 and parts.unit[0].start > parts.number[-2].end
+    numeric = all(token.kind not in ("name", "√") for token in parts.number)
+    return plain and apart and numeric and all(word in AMBIGUOUS or meaning(word[0], names) is None for word in words)
 
 
 def likely_number(parts: Parts) -> bool:
-    """Whether `12 m` is likelier a length than a product of letters: by a space, or by a decimal point."""
+    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space."""
     last, first = parts.number[-2], parts.unit[0]
-    return first.start > last.end or any("." in token.text for token in parts.number)
+    if any("." in token.text for token in parts.number):
+        return True
+    if first.start == last.end:
+        return False
+    whole = all(token.kind != "name" or (token.text in UNITS and token.text != WEIGHT) for token in parts.unit)
+    return whole
+
+
+def is_kind(unit: tuple[Token, ...]) -> bool:
+    """Whether a unit is that of a known kind of quantity: N m is, m g is not."""
+    try:
+        return kind_of(read_unit("", list(unit), Forks()).dimension) is not None
+    except FormulaError:
+        return False

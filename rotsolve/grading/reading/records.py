@@ -5,6 +5,7 @@ from __future__ import annotations
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, UnknownName
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.grading.verdict import Remark
@@ -13,7 +14,7 @@ FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word",
 
 
 class Reading(Struct, frozen=True):
-    """What a line says, read in one way; `text` is its echo, as the program would print it.
+    """What a line says, read in one way; `written` is its echo where that is not just its formula.
 
     `formula` is that of a formula or the exact number in the unit as typed; of an equation it is the left side, with numbers in SI units.
     `unit` is the unit as typed, `figures` the significant figures of a number, None where it is exact (1/2, √3) or worked out.
@@ -22,7 +23,7 @@ class Reading(Struct, frozen=True):
     """
 
     kind: str
-    text: str
+    written: str = ""
     formula: Formula | None = None
     unit: Unit | None = None
     figures: int | None = None
@@ -31,6 +32,16 @@ class Reading(Struct, frozen=True):
     remarks: tuple[Remark, ...] = ()
     polar: tuple[Reading, ...] = ()
     direction: str = ""
+
+    @property
+    def text(self) -> str:
+        """The echo of the line, as the program would print it."""
+        return self.written or (to_text(self.formula) if self.formula is not None else "")
+
+    @property
+    def has_units(self) -> bool:
+        """Whether a unit was read, perhaps in a component."""
+        return self.unit is not None or any(part.has_units for part in self.parts)
 
 
 class AnswerError(ValueError):

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Symbol
 from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.tokens import FormulaError, Token, suggest
 from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.grammar import read_formula
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.formulas import read_formula
+from rotsolve.grading.reading.grammar.runs import REMEMBERED
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
 MARKS = frozenset(("*", "/", "^", "(", ")", "raised", "number", "-", "°", "%"))
@@ -32,13 +34,14 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     return factors.unit()
 
 
+@lru_cache(REMEMBERED)
 def split(name: str) -> tuple[str, ...]:
-    """The units in a run of letters: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
+    """The units in a run of letters with the marks between them: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
     if name in UNITS:
         return (name,)
     meant = MEANT.get(name) or MEANT.get(name.lower())
-    if meant in UNITS:
-        return (meant,)
+    if meant is not None:
+        return tuple(re.findall(r"[A-Za-zµ]+|/", meant))
     powered = _INDEXED.fullmatch(name)
     if powered:
         before = split(powered[1])
@@ -68,8 +71,19 @@ def _words(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
         raise FormulaError(message, token.start, token.end, None if hint else suggest(name, UNITS))
     if name == "ms" and _negative(token, tokens) and forks.choose(True):  # ms⁻² is m s⁻², seldom 1/ms²
         found = ("m", "s")
-    kinds = {"^": "^", "2": "number", "3": "number"}
-    return [Token(kinds.get(word, "symbol"), word, token.start, token.end) for word in found]
+    return _spread(found, token)
+
+
+def _spread(words: tuple[str, ...], token: Token) -> list[Token]:
+    """Words that stand side by side in the columns of one token."""
+    kinds = {"^": "^", "/": "/", "2": "number", "3": "number"}
+    marks: list[Token] = []
+    start = token.start
+    for word in words:
+        end = min(start + len(word), token.end) if word is not words[-1] else token.end
+        marks.append(Token(kinds.get(word, "symbol"), word, start, end))
+        start = end
+    return marks
 
 
 def _negative(token: Token, tokens: list[Token]) -> bool:

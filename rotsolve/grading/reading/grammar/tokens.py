@@ -12,7 +12,7 @@ from unicodedata import normalize
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN
 from rotsolve.algebra.notation.tokens import NUMBER, SAME_MARK, FormulaError, Token
-from rotsolve.grading.reading.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
+from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
 
 MAX_LENGTH = 600
 MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
@@ -37,20 +37,21 @@ _TOKEN = re.compile(
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
+_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
 
-def tokens_of(text: str) -> list[Token]:
-    """The tokens of a line, an `end` token last."""
+def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
+    """The tokens of a line, or of a part of it, an `end` token last."""
     if len(text) > MAX_LENGTH:
         message = f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}"
         raise FormulaError(message, MAX_LENGTH, len(text))
-    reader = _Reader(text)
-    at = 0
-    while at < len(text):
+    reader = _Reader(text if end is None else text[:end])
+    at, last = start, len(reader.text)
+    while at < last:
         at = reader.step(at)
-    reader.emit("end", "", len(text), len(text))
+    reader.emit("end", "", last, last)
     return reader.tokens
 
 
@@ -136,6 +137,8 @@ class _Reader:
             return self.root(start, end)
         if word in CONTENT:
             return self.content(start, end)
+        if word in ("begin", "end"):
+            return self.matrix(word, start, end)
         mark = command_mark(word)
         if mark is None:
             raise unknown_command(found, start, end)
@@ -176,6 +179,15 @@ class _Reader:
             for mark in ("^", "(", "1", "/", nth[1], ")"):
                 self.emit("number" if mark.isdigit() else mark, mark, *nth.span(1))
         return last
+
+    def matrix(self, word: str, start: int, at: int) -> int:
+        """A column of components, which is a list in brackets."""
+        match = _MATRIX.match(self.text, at)
+        if match is None:
+            raise FormulaError(f"`\\{word}` needs the name of a matrix, such as {{pmatrix}}", start, at)
+        mark = "(" if word == "begin" else ")"
+        self.emit(mark, mark, start, match.end())
+        return match.end()
 
     def content(self, start: int, at: int) -> int:
         """The content of \\text{…} and its like, which only says how letters are set."""

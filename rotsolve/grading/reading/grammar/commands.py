@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.notation.letters import GREEK_LETTERS
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError
-from rotsolve.grading.reading.functions import RECIPROCAL
+from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 
 NAMES = (  # commands that are letters or functions
     GREEK_LETTERS
@@ -31,6 +31,7 @@ _MARKS = {
     ")": "rangle rbrace }",
     "=": "approx simeq",
     "°": "degree circ",
+    ";": "\\",
     "%": "%",
     "relation": "le leq ge geq lt gt ne neq",
 }

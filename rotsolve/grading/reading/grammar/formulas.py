@@ -10,16 +10,19 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from functools import lru_cache
 
 from rotsolve.algebra.formula import FUNCTIONS, ONE, PI, Call, Formula, Number, Power, Product, Quotient, Symbol
 from rotsolve.algebra.notation.cursor import STARTS
 from rotsolve.algebra.notation.letters import from_superscript
-from rotsolve.algebra.notation.limits import check_depth, check_power
+from rotsolve.algebra.notation.limits import MAX_TREE_DEPTH, check_depth, check_power
 from rotsolve.algebra.notation.parse import Parser
 from rotsolve.algebra.notation.tokens import FormulaError, Token, read_number
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.functions import EULER, INVERSE, RECIPROCAL, TAKES_POWER
+from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.grammar.functions import EULER, INVERSE, RECIPROCAL, TAKES_POWER
+from rotsolve.grading.reading.grammar.runs import REMEMBERED, fault, meaning
 
+ELLIPTIC = "K"  # which is an integral before a bracket, where no letter is called so
 HALF_TURN = Number(Fraction(180))
 
 
@@ -29,12 +32,26 @@ def read_formula(text: str, tokens: list[Token], names: frozenset[str], forks: F
     result = grammar.sum()
     if grammar.token.kind != "end":
         raise grammar.unexpected()
-    check_depth(result, len(text))
+    if len(tokens) > MAX_TREE_DEPTH // 2:  # fewer can not make so deep a tree
+        check_depth(result, len(text))
     return result
 
 
 def _product(factors: list[Formula]) -> Formula:
     return factors[0] if len(factors) == 1 else Product(tuple(factors))
+
+
+@lru_cache(REMEMBERED)
+def _plain(text: str) -> Number:
+    return Number(read_number(text))
+
+
+def number_of(token: Token) -> Number:
+    """The exact number that a token writes; the same few are met over and over."""
+    try:
+        return _plain(token.text)
+    except FormulaError:
+        return Number(read_number(token.text, token.start))  # fails again, at its place
 
 
 class Grammar(Parser):
@@ -54,16 +71,22 @@ class Grammar(Parser):
         return self.starts_factor() and not self.at_function()
 
     def expand(self) -> int:
-        """Also e, where a power of it follows, and the reciprocals of functions."""
+        """What a run of letters means, from memory where it is known; with e where a power of it follows."""
         token = self.token
         if token.kind != "name":
             return 1
-        if token.text in RECIPROCAL and token.text not in self.letters:
-            self.tokens[self.index] = Token("function", token.text, token.start, token.end)
-            return 1
+        if self.bound or token.text == ELLIPTIC:
+            return super().expand()
         powered = token.text.endswith(EULER) and self.tokens[self.index + 1].kind in ("^", "raised")
-        self.names = self.letters | {EULER} if powered else self.letters
-        return super().expand()
+        names = self.letters | {EULER} if powered else self.letters
+        found = meaning(token.text, names)
+        if found is None:
+            raise fault(token, names)
+        start, end = token.start, token.end
+        pieces = [Token(piece.kind, piece.text, start + piece.start, start + piece.end) for piece in found[:-1]]
+        last = found[-1]
+        self.tokens[self.index : self.index + 1] = [*pieces, Token(last.kind, last.text, start + last.start, end)]
+        return len(found)
 
     def divided(self, numerator: Formula) -> list[Formula]:
         """The numerator over what follows: over one factor, or over several that stand side by side."""
@@ -95,9 +118,9 @@ class Grammar(Parser):
     def number(self) -> Formula:
         """A number; `2e3` may be 2 e 3 where a letter is called e."""
         token = self.next()
-        letter = next((letter for letter in "eE" if letter in token.text), "")
+        letter = "e" if "e" in token.text else "E" if "E" in token.text else ""
         if letter not in self.letters or self.forks.choose(True):
-            return Number(read_number(token.text, token.start))
+            return number_of(token)
         cut = token.text.index(letter)
         sign = [mark for mark in token.text[cut + 1] if mark in "+-−"]
         after = token.start + cut + 1
