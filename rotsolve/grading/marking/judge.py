@@ -18,6 +18,7 @@ from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned
 from rotsolve.grading.comparing.vectors import vector_judged
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.following import Following, Own, own_number
+from rotsolve.grading.marking.matrices import read_matrix
 from rotsolve.grading.marking.target import Letters, Target, targets_of
 from rotsolve.grading.marking.working import Working
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
@@ -149,7 +150,8 @@ class Judge:
             return Judged(None, direction_judged(said(text), target))
         line, direction = cut_direction(text)
         try:
-            readings = read_answer(line, self.names(target.name))
+            read = read_answer if target.rows == 1 else read_matrix
+            readings = read(line, self.names(target.name))
         except AnswerError as error:
             remark = Remark("reading", (str(error),), error.start, error.end)
             return Judged(None, Finding(UNDECIDED, (remark,)))
