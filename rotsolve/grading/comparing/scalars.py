@@ -15,7 +15,7 @@ from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
-from rotsolve.grading.comparing.units import likely_meant, measured, without_unit
+from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
 from rotsolve.grading.verdict import RIGHT, WRONG
 from rotsolve.scene import marks
@@ -97,17 +97,17 @@ def unitless_judged(typed: Typed, direction: str, asked: Scalar, sought: Sought)
     """The finding for a number without a unit, in whichever unit it is right."""
     if typed.rational == 0:
         return valued(typed, asked.unit, direction, asked, sought) or slip(typed, asked.unit, asked, sought)
-    for unit, may_lack in without_unit(asked.unit, sought.si, asked.dimension):
+    for unit in without_unit(asked.unit, sought.si, asked.dimension):
         finding = valued(typed, unit, direction, asked, sought)
         if finding is not None:
-            return finding if may_lack else lacking_unit(finding, unit, asked)
+            return lacking_unit(finding, unit, asked)
     finding = slip(typed, asked.unit, asked, sought)
     return lacking_unit(finding, asked.unit, asked) if finding.flaws else finding
 
 
 def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
     """A finding for a number whose unit should have been there."""
-    if asked.marking.unit == marks.OPTIONAL:
+    if asked.marking.unit == marks.OPTIONAL or may_lack(unit, asked.dimension):
         return finding
     remark = found(finding.outcome, "unit", f"the unit is missing: {unit.text}").remarks
     return Finding(finding.outcome, (*finding.remarks, *remark), (*finding.flaws, marks.UNIT))

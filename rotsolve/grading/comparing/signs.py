@@ -59,6 +59,15 @@ def is_direction(words: str) -> bool:
     return bool(parts) and parts <= OPPOSITE.keys()
 
 
+def cut_direction(text: str) -> tuple[str, str]:
+    """A line without the direction in words behind its last commas, and these words: `5 N, up and to the left`."""
+    for match in re.finditer(",", text):
+        tail = text[match.end() :]
+        if is_direction(tail):
+            return text[: match.start()], tail.strip()
+    return text, ""
+
+
 def turned_round(typed: str, sought: str) -> bool | None:
     """Whether a direction is the other way round, None where it is neither this nor the same."""
     own, wanted = heading(typed), heading(sought)

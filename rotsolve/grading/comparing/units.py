@@ -7,7 +7,16 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.algebra.units.dimension import ANGLE, ANGULAR_VELOCITY, FREQUENCY, NONE, Dimension, describe, kind_of
+from rotsolve.algebra.units.dimension import (
+    ANGLE,
+    ANGULAR_ACCELERATION,
+    ANGULAR_VELOCITY,
+    FREQUENCY,
+    NONE,
+    Dimension,
+    describe,
+    kind_of,
+)
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.grading.verdict import Remark
@@ -16,6 +25,7 @@ TURNS = ("rev", "turn", "rpm")  # units that count turns
 ALIKE = {  # units that are taken for one another
     ANGLE: ("rad", "°", "rev"),
     ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
+    ANGULAR_ACCELERATION: ("rad/s²", "rev/s²", "°/s²"),
 }
 
 
@@ -34,10 +44,10 @@ def measured(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = Fals
         return Measured(fault=Remark("dimension", (f"{typed.text}{here}, but {asked} is asked for",)))
     if dimension.matches(FREQUENCY):
         return of_rate(typed, wanted, dimension)
-    if dimension == NONE and typed.dimension == ANGLE and counts_turns(typed):
-        if turns:
+    if turns and typed.dimension == ANGLE:
+        if counts_turns(typed):
             return Measured(ONE_UNIT)
-        return Measured(fault=Remark("unit", ("a pure number is asked for, not an angle",)))
+        return Measured(fault=Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",)))
     return Measured(typed)
 
 
@@ -62,11 +72,14 @@ def counts_turns(unit: Unit) -> bool:
     return any(word in unit.text for word in TURNS)
 
 
-def without_unit(wanted: Unit, si: Unit, dimension: Dimension) -> tuple[tuple[Unit, bool], ...]:
-    """The units that a number without one may be meant in, each with whether it may be left out: radians may."""
-    if dimension.matches(NONE):
-        return (si, True), (wanted, wanted.scale == 1 and not wanted.pi_power)
-    return (wanted, False), (si, False)
+def without_unit(wanted: Unit, si: Unit, dimension: Dimension) -> tuple[Unit, ...]:
+    """The units that a number without one may be meant in, the likeliest first."""
+    return (si, wanted) if dimension.matches(NONE) else (wanted, si)
+
+
+def may_lack(unit: Unit, dimension: Dimension) -> bool:
+    """Whether a unit may be left out: radians may, where there is no other."""
+    return dimension.matches(NONE) and unit.scale == 1 and not unit.pi_power
 
 
 def likely_meant(typed: Unit | None, wanted: Unit, si: Unit, dimension: Dimension) -> tuple[Unit, ...]:

@@ -14,6 +14,8 @@ from rotsolve.grading.comparing.signs import right_but_for_sign
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import RIGHT, WRONG
 
+AXES = ("x", "y", "z")
+
 
 def vector_judged(reading: Reading, parts: Sequence[Scalar], whole: Scalar | None) -> Finding:
     """The finding for a vector."""
@@ -34,7 +36,18 @@ def vector_judged(reading: Reading, parts: Sequence[Scalar], whole: Scalar | Non
 def components_judged(typed: Sequence[Reading], wanted: Sequence[Scalar]) -> Finding:
     """Every component by itself, strictly: the sign of one alone is no convention."""
     strict = [replace(one, directed=False) for one in wanted]
-    return together(judged(part, one) for part, one in zip(typed, strict, strict=True))
+    findings = [judged(part, one) for part, one in zip(typed, strict, strict=True)]
+    if len(wanted) <= len(AXES):
+        findings = [named(finding, axis) for finding, axis in zip(findings, AXES, strict=False)]
+    return together(findings)
+
+
+def named(finding: Finding, axis: str) -> Finding:
+    """What is said of a component that is wrong, with its name in front."""
+    if finding.outcome != WRONG or finding.flaws:
+        return finding
+    remarks = [replace(one, words=(f"{axis} component: ", *one.words)) for one in finding.remarks]
+    return replace(finding, remarks=tuple(remarks))
 
 
 def size_judged(reading: Reading, whole: Scalar | None) -> Finding:
@@ -42,7 +55,7 @@ def size_judged(reading: Reading, whole: Scalar | None) -> Finding:
     if whole is None:
         return found(WRONG, "form", "its components are asked for")
     finding = judged(reading, whole)
-    if finding.right and whole.direction and not reading.direction:
+    if finding.right and whole.direction and not reading.direction and reading.kind == NUMBER:
         return Finding(
             RIGHT,
             (*finding.remarks, *found(RIGHT, "direction", f"its direction: {whole.direction}").remarks),

@@ -14,10 +14,11 @@ from rotsolve.grading.comparing.equality import Domain, same
 from rotsolve.grading.comparing.finding import Finding, found
 from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import judged, lacking_unit
-from rotsolve.grading.comparing.signs import is_direction, turned_round
+from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
 from rotsolve.grading.comparing.vectors import vector_judged
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.following import Following, Own, own_number
+from rotsolve.grading.marking.matrices import read_matrix
 from rotsolve.grading.marking.target import Letters, Target, targets_of
 from rotsolve.grading.marking.working import Working
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
@@ -145,11 +146,20 @@ class Judge:
             return Judged(None, found(WRONG, "empty", "not answered"))
         if target.word:
             return Judged(None, word_judged(text, target))
+        if is_direction(said(text)):
+            return Judged(None, direction_judged(said(text), target))
+        line, direction = cut_direction(text)
         try:
-            readings = read_answer(text, self.names(target.name))
+            read = read_answer if target.rows == 1 else read_matrix
+            readings = read(line, self.names(target.name))
         except AnswerError as error:
             remark = Remark("reading", (str(error),), error.start, error.end)
             return Judged(None, Finding(UNDECIDED, (remark,)))
+        if direction:
+            readings = (
+                tuple(replace(one, direction=direction) for one in readings if one.kind in (NUMBER, FORMULA))
+                or readings
+            )
         return self._best(target, text, readings)
 
     def names(self, asked: str) -> Names:
@@ -170,7 +180,7 @@ class Judge:
     def _read(self, target: Target, reading: Reading) -> Finding:
         """The finding for one reading."""
         if reading.kind == WORD:
-            return direction_judged(reading.text, target)
+            return found(WRONG, "form", "words are no answer here")
         reading = self.meant(reading)
         if reading.formula is not None and self.circular(target, reading.formula):
             return found(WRONG, "form", "the answer speaks of itself")
@@ -201,14 +211,17 @@ def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
 
 def squeezed(text: str) -> str:
     """A text without what makes no difference between what was typed and its echo."""
-    return text.rpartition("=")[2].translate(PLAIN)
+    return said(text).translate(PLAIN)
+
+
+def said(text: str) -> str:
+    """A text without the letter of the answer in front."""
+    return text.rpartition("=")[2].strip()
 
 
 def word_judged(text: str, target: Target) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (
-        frozenset(plain(part) for part in words.split(",")) for words in (text.rpartition("=")[2], target.word)
-    )
+    typed, wanted = (frozenset(plain(part) for part in words.split(",")) for words in (said(text), target.word))
     if typed == wanted or plain(text) == plain(target.word):
         return Finding(RIGHT)
     known = {plain(label) for label in (*target.options, "none")}
@@ -220,7 +233,7 @@ def word_judged(text: str, target: Target) -> Finding:
 def direction_judged(text: str, target: Target) -> Finding:
     """The finding for a direction in words where a number could stand."""
     direction = "" if target.whole is None else target.whole.direction
-    if not direction or not is_direction(text):
+    if not direction:
         return found(WRONG, "form", "words are no answer here")
     if turned_round(text, direction) is not False:
         return found(WRONG, "direction", f"it points another way: {direction}")
