@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from rotsolve.algebra.notation.tokens import Token
+import re
+
+from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.verdict import Remark
 
@@ -52,12 +54,17 @@ def digit_groups(tokens: list[Token], index: int) -> list[Token]:
 def joined(groups: list[Token], forks: Forks) -> tuple[Token, Remark]:
     """One number out of the groups, with what is to be said about it."""
     first, last = groups[0], groups[-1]
-    typed = ",".join(token.text for token in groups)
-    threes = all(len(token.text) == 3 for token in groups[1:]) and len(first.text) <= 3 and first.text[0] != "0"
-    if len(groups) > 2 or (threes and forks.choose(last.text == "000")):
-        text = "".join(token.text for token in groups)
+    typed = ",".join(token.text for token in groups).rstrip(".")
+    heads = [re.match("[0-9]*", token.text) for token in groups]
+    sizes = [len(head[0]) if head else 0 for head in heads]
+    threes = sizes[0] <= 3 and set(sizes[1:]) == {3} and first.text[0] != "0"
+    pointed = "." in typed
+    if (pointed or len(groups) > 2) and not threes:
+        raise FormulaError(f"`{typed}` is no number: it has too many marks", first.start, last.end)
+    if threes and (pointed or len(groups) > 2 or forks.choose(last.text == "000")):
+        text = typed.replace(",", "")
         words = f"`{typed}` is read as {text}"
     else:
-        text = f"{first.text}.{last.text}"
+        text = typed.replace(",", ".")
         words = f"`{typed}` is read as {text}: a decimal number takes a point"
     return Token("number", text, first.start, last.end), Remark("comma", (words,), first.start, last.end)

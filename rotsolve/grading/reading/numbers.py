@@ -8,17 +8,15 @@ from msgspec import Struct
 
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token
+from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
-from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 from rotsolve.grading.reading.grammar.runs import meaning
 from rotsolve.grading.reading.records import NUMBER, Reading
 from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
-NUMERIC = frozenset(("pi", "π", *FUNCTION_NAMES, *RECIPROCAL))  # names within a number
 WEIGHT = "mg"  # seldom milligrams where both are letters
 NO_NAMES: frozenset[str] = frozenset()
 
@@ -53,7 +51,7 @@ def cut(tokens: list[Token]) -> Parts:
 
 
 def begins_unit(token: Token) -> bool:
-    return token.kind in ("°", "%") or (token.kind == "name" and token.text not in NUMERIC)
+    return token.kind in ("°", "%") or (token.kind == "name" and meaning(token.text, NO_NAMES) is None)
 
 
 def read_number(text: str, parts: Parts, forks: Forks) -> Reading:

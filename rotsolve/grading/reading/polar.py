@@ -22,7 +22,7 @@ from rotsolve.grading.verdict import Remark
 
 _HINT = re.compile(r"°|∠|@|deg|rad\b|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis")
 _SPLIT = re.compile(
-    r"(?:\s*[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|[,;])(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
+    r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)[,;])(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
     r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
 )
 _WORD = (

@@ -26,7 +26,7 @@ from rotsolve.grading.reading.numbers import (
     read_number,
 )
 from rotsolve.grading.reading.polar import Cut, cut_polar, polar_vector
-from rotsolve.grading.reading.records import EQUATION, FORMULA, WORD, AnswerError, Reading
+from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, WORD, AnswerError, Reading
 from rotsolve.grading.reading.units import read_unit
 from rotsolve.grading.reading.vectors import by_axes, end_at, noted, read_axes, read_list
 
@@ -53,7 +53,7 @@ def read_answer(text: str, names: Names) -> tuple[Reading, ...]:
     """All readings that a line allows; AnswerError where there is none."""
     try:
         line = line_of(text, names)
-        return told_apart(all_ways(lambda forks: Reader(line, forks).line()))
+        return told_apart(all_ways(lambda forks: Reader(line, forks).line(), len(line.tokens)))
     except FormulaError as error:
         raise AnswerError.of(error, text) from None
 
@@ -163,7 +163,7 @@ class Reader:
         if is_strange_unit(parts, letters):
             read_unit(self.text, list(parts.unit), self.forks)  # says which word is no unit
         formula = read_formula(self.text, tokens, letters, self.forks)
-        return Reading(FORMULA, formula=formula)
+        return Reading(FORMULA if formula.symbols() else NUMBER, formula=formula)
 
     def is_number(self, parts: Parts) -> bool:
         """Whether a number with what can be a unit is one; where the unit can be letters too, it has to be of a known kind."""

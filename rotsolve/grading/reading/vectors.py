@@ -11,7 +11,7 @@ from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.grading.reading.commas import with_points
 from rotsolve.grading.reading.grammar.forks import Forks
-from rotsolve.grading.reading.numbers import NUMERIC, are_letters
+from rotsolve.grading.reading.numbers import are_letters
 from rotsolve.grading.reading.records import NUMBER, VECTOR, Reading
 from rotsolve.grading.reading.units import looks_like_unit, read_unit
 from rotsolve.grading.verdict import Remark
@@ -136,7 +136,7 @@ def _split_axis(token: Token, letters: frozenset[str]) -> list[Token]:
     if token.text in AXES:
         return [Token("axis", token.text, token.start, token.end)]
     front = Token("name", token.text[:-1], token.start, token.end - 1)
-    if token.text in NUMERIC or are_letters((token,), letters) or not are_letters((front,), letters):
+    if are_letters((token,), letters) or not are_letters((front,), letters):
         return [token]
     return [front, Token("axis", token.text[-1], token.end - 1, token.end)]
 

@@ -9,7 +9,7 @@ from typing import TypeVar
 from rotsolve.algebra.notation.tokens import FormulaError
 
 MOST_READINGS = 8
-MOST_TRIES = 24
+MOST_TRIES, MOST_TOKENS = 24, 1500  # of a line, and of all its tries together
 
 Found = TypeVar("Found")
 
@@ -29,13 +29,17 @@ class Forks:
         return likely != departs
 
 
-def all_ways(read: Callable[[Forks], Found]) -> list[Found]:
-    """What a line says, read in all ways that make sense, with fewest unlikely branches first; the first fault where none does."""
+def all_ways(read: Callable[[Forks], Found], tokens: int) -> list[Found]:
+    """What a line says, read in all ways that make sense, with fewest unlikely branches first; the first fault where none does.
+
+    A line of many tokens is tried less often.
+    """
+    most = min(MOST_TRIES, 1 + MOST_TOKENS // max(tokens, 1))
     waiting: deque[tuple[bool, ...]] = deque([()])
     found: list[Found] = []
     fault: FormulaError | None = None
     tries = 0
-    while waiting and tries < MOST_TRIES and len(found) < MOST_READINGS:
+    while waiting and tries < most and len(found) < MOST_READINGS:
         way = waiting.popleft()
         forks = Forks(way)
         tries += 1

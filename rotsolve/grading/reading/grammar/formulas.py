@@ -215,7 +215,7 @@ class Grammar(Parser):
                 if not self.goes_on(factors, root, numeric):
                     break
                 factors.append(self.primary())
-            elif self.token.kind == "/" and self.forks.choose(root and not numeric):
+            elif self.token.kind == "/" and self.forks.choose(root and len(factors) > 1):
                 factors = self.divided(_product(factors))
                 break
             else:
