@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from rotsolve.elements.events import Event
     from rotsolve.elements.shapes import Shape
     from rotsolve.elements.surfaces import Surface
+    from rotsolve.scene.variation import Variation
 
 
 class Given(Struct, frozen=True):
@@ -261,7 +262,7 @@ class Problem(Struct, frozen=True):
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()
     marking: object | None = None
-    vary: object | None = None
+    vary: Variation | None = None
 
     @property
     def values(self) -> dict[str, Formula]:
