@@ -242,9 +242,14 @@ class Sections:
         node = self.node("vary")
         if node is None:
             return None
-        from rotsolve.scene.reader.vary import read_vary  # few scenes have variants
+        from rotsolve.scene.reader.vary import check_told, read_vary  # few scenes have variants
 
-        return read_vary(self.scope, node)
+        variation = read_vary(self.scope, node)
+        if variation is not None:
+            check_told(
+                self.scope, variation, {name: self.top[name][1] for name in ("title", "text") if name in self.top}
+            )
+        return variation
 
     def all_givens(self) -> tuple[Given, ...]:
         """The givens with the dimensions that their use has settled."""

@@ -46,6 +46,17 @@ def read_vary(scope: Scope, node: Node) -> Variation | None:
     return Variation(varied, conditions) if len(scope.faults) == before else None
 
 
+def check_told(scope: Scope, variation: Variation, told: Mapping[str, Node]) -> None:
+    """What is told with the number of a letter that varies would be wrong for all variants but one."""
+    for name in (item.name for item in variation.letters):
+        value = scope.givens[name].text
+        for section, node in told.items():
+            if isinstance(node, Text) and (found := re.search(rf"(?<![\w.]){re.escape(value)}(?!\w)", node.value)):
+                help = f"write `{{{name}}}` or `{{value of {name}}}`" if section == "text" else "choose another"
+                message = f"`{section}` tells {quoted(value)}, the value of `{name}`, which varies"
+                scope.fault(node.part(*found.span()), message, help, "form")
+
+
 def letter(scope: Scope, name: str, key: Text, node: Node) -> Varied | None:
     """One given with its values."""
     given = scope.givens.get(name)
