@@ -41,7 +41,7 @@ def judged(task: Task, part: Part) -> Judged:
     label, marks = task.letter(part.name), of(part.marks, part.of)
     if not part.text:
         return Judged(label, "", Verdict(part.verdict.outcome), "no answer", marks)
-    said = f"{part.verdict.outcome}, by your own earlier answer" if part.followed else part.verdict.outcome
+    said = f"{part.verdict.outcome}, but followed through" if part.followed else part.verdict.outcome
     return Judged(label, part.text, part.verdict, said, marks)
 
 

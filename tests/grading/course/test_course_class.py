@@ -47,10 +47,25 @@ RIGHT = {
         *("g/(2/M + 1/m)", "m·M·g/(2·m + M)"),
     ),
 }  # fmt: skip
-PLANTED = {  # a wrong answer, and what has to be said of it, '' where nobody can know
-    "a": {"2mg/(2m-M)": "", "mg/M": "", "4.36 m/s": "velocity", "4.36 rad/s²": "angular acceleration"},
-    "alpha": {"2mg/(2m+M)": "measures an acceleration", "21.78 m/s": "velocity", "25 rad/s^2": ""},
-    "T": {"2mg": "", "10.89 m": "length", "98 N": ""},
+PLANTED = {  # a wrong answer, what has to be said of it ('' where nobody can know), and the mistake that later answers may share
+    "a": {
+        "g": ("inertia of the disc was left out", "light"),
+        "mg/(m+M)": ("ring", "ring"),
+        "2mg/(2m-M)": ("wrong sign", "sign"),
+        "-2mg/(2m+M)": ("sign", ""),
+        "mg/M": ("", ""),
+        "4.36 m/s": ("velocity", ""),
+        "4.36 rad/s²": ("angular acceleration", ""),
+    },
+    "alpha": {
+        "g/R": ("inertia of the disc was left out", "light"),
+        "mg/(R(m+M))": ("ring", "ring"),
+        "2mg/(2m+M)": ("measures an acceleration", ""),
+        "10.89 rad/s^2": ("diameter", ""),
+        "21.78 m/s": ("velocity", ""),
+        "25 rad/s^2": ("", ""),
+    },
+    "T": {"mMg/(m+M)": ("ring", "ring"), "2mg": ("", ""), "10.89 m": ("length", ""), "50 N": ("", "")},
 }
 REFUSED = (
     "9**9**9**9",
@@ -73,8 +88,8 @@ class Cell(NamedTuple):
     said: str = ""
 
 
-def cell(name: str, chance: random.Random) -> Cell:
-    """One generated answer."""
+def cell(name: str, chance: random.Random, mistakes: set[str]) -> Cell:
+    """One generated answer; one with a mistake that an answer before it has follows from that."""
     points = POINTS[name]
     kind = chance.random()
     if kind < 0.4:
@@ -83,7 +98,10 @@ def cell(name: str, chance: random.Random) -> Cell:
         number = VALUES[name] * (1 + chance.uniform(-0.008, 0.008))
         return Cell(f"{number:.{chance.choice((4, 5, 6))}g} {chance.choice(UNITS[name])}", "right", points)
     if kind < 0.85:
-        text, said = chance.choice(list(PLANTED[name].items()))
+        text, (said, mistake) = chance.choice(list(PLANTED[name].items()))
+        if mistake in mistakes:
+            return Cell(text, "wrong", points * 3 / 4, "right with your own")
+        mistakes |= {mistake} - {""}
         return Cell(text, "wrong", 0, said)
     if kind < 0.92:
         return Cell("", "no answer", 0)
@@ -91,8 +109,10 @@ def cell(name: str, chance: random.Random) -> Cell:
 
 
 def rows(chance: random.Random) -> Iterator[tuple[str, dict[str, Cell]]]:
+    """Every student with the answers."""
     for number in range(ROWS):
-        yield f"Student {number}", {name: cell(name, chance) for name in POINTS}
+        mistakes: set[str] = set()
+        yield f"Student {number}", {name: cell(name, chance, mistakes) for name in POINTS}
 
 
 class Marked(NamedTuple):
