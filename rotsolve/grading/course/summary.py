@@ -17,6 +17,7 @@ from rotsolve.render.voice import TEXT
 CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
 COMMONEST = 20
+FOLLOWED = "followed"  # the kind of a remark that tells of no mistake of its own
 Blocks = tuple[Paragraph | Table, ...]
 
 
@@ -91,12 +92,13 @@ def right(part: Part) -> bool:
 
 
 def commonest(course: Course, papers: list[Marked]) -> Iterator[Table]:
-    """What was said of wrong answers, the commonest first."""
+    """What was said of answers that lost marks, the commonest first."""
     counts: Counter[tuple[str, Words]] = Counter()
     for paper in papers:
         for part in paper.parts:
-            if part.text and part.verdict.outcome == WRONG:
-                counts.update({(part.name, remark.words): 1 for remark in part.verdict.remarks})
+            if part.text and part.marks < part.of and part.verdict.outcome != UNDECIDED:
+                said = dict.fromkeys(remark.words for remark in part.verdict.remarks if remark.kind != FOLLOWED)
+                counts.update((part.name, words) for words in said)
     rows = [((str(count),), course.task.letter(name), words) for (name, words), count in counts.most_common(COMMONEST)]
     if rows:
         yield Table(("papers", "answer", "what was said"), tuple(rows))
