@@ -18,6 +18,7 @@ code { font: .95em/1.4 "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-
 mark { background: #fff3a3; border-bottom: 2px solid #c80; }
 th { text-align: left; padding: .25em .6em .25em 0; border-bottom: 1px solid #bbb; font-weight: normal; color: #555; }
 td.verdict, td.marks { white-space: nowrap; padding-left: 1em; }
+td.marks { width: 100%; }
 td.good { color: #060; } td.bad { color: #a00; font-weight: bold; } td.open { color: #850; font-weight: bold; }
 td.remark { padding-top: 0; }
 """
