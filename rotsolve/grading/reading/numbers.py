@@ -139,7 +139,10 @@ def likely_number(parts: Parts) -> bool:
 
 
 def is_kind(unit: tuple[Token, ...]) -> bool:
-    """Whether a unit is that of a known kind of quantity: N m is, m g is not."""
+    """Whether a unit is that of a known kind of quantity, or a power of one unit: N m and m⁴ are, m g is not."""
+    names = [token.text for token in unit if token.kind == "name"]
+    if len(names) == 1 and names[0] in UNITS and any(token.kind in ("raised", "^") for token in unit):
+        return True
     try:
         return kind_of(read_unit("", list(unit), Forks()).dimension) is not None
     except FormulaError:
