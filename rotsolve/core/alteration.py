@@ -15,7 +15,7 @@ class Alteration(Struct, frozen=True):
     """Other facts at every moment, other laws through an event, and another equation for each one (None leaves it out)."""
 
     facts: Callable[[Facts], Facts] | None = None
-    event: Callable[[Encounter], Iterable[Equation]] | None = None
+    event: Callable[[Encounter, str], Iterable[Equation]] | None = None
     equation: Callable[[Equation], Equation | None] | None = None
 
     def rewritten(self, equations: Iterable[Equation]) -> list[Equation]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -159,20 +159,15 @@ class History(Struct, dict=True):
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
-                yield from self._through(self.encounters[interval.name])
+                from rotsolve.principles.momentum import collision
+
+                altered = self.arrangement.alteration
+                laws = collision.through_event if altered is None or altered.event is None else altered.event
+                yield from laws(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
         for swing in self.swings.values():
             yield from swing.equations()
-
-    def _through(self, encounter: Encounter) -> Iterable[Equation]:
-        """What an event keeps or changes."""
-        altered = self.arrangement.alteration
-        if altered is not None and altered.event is not None:
-            return altered.event(encounter)
-        from rotsolve.principles.momentum import collision
-
-        return collision.through_event(encounter, encounter.name)
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""

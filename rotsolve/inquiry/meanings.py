@@ -83,10 +83,8 @@ class Meanings(Struct, frozen=True, dict=True):
 
     @cached_property
     def laws(self) -> tuple[Equality, ...]:
-        """All equations that the laws write, in printed letters."""
-        equations = self.inquiry.history.equations
-        return tuple(
-            Equality(in_letters(one.left, self.names), in_letters(one.right, self.names))
-            for one in equations
-            if one.relation == "="
-        )
+        """All equations that the laws write, and what the questions stand for, in printed letters."""
+        asked = [item.asked for item in self.inquiry.wholes()]
+        sides: list[tuple[Formula, Formula]] = [(Symbol(one.letter), one.formula) for one in asked if not one.direct]
+        sides += [(one.left, one.right) for one in self.inquiry.history.equations if one.relation == "="]
+        return tuple(Equality(in_letters(left, self.names), in_letters(right, self.names)) for left, right in sides)

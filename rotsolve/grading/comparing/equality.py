@@ -64,7 +64,7 @@ class Reference:
         """The form by which most formulas are judged; None where the reference has no such form."""
         letters = [letter.name for letter in self.region.letters]
         try:
-            return Yardstick(self.formula, letters, self.region.positive)
+            return Yardstick(self.formula, letters, self.region.positive, self.region.ranks)
         except (ValueError, ArithmeticError):
             return None
 

@@ -6,11 +6,12 @@ are equal where q₁² p₁ = q₂² p₂ and the signs of q₁ and q₂ agree.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable
+from collections.abc import Collection, Iterable, Sequence
 from fractions import Fraction
+from itertools import pairwise
 from math import ceil, comb, prod
 
-from rotsolve.algebra.exact.field import Field, Ratio, is_integer_power
+from rotsolve.algebra.exact.field import RADICALS, Field, Ratio, is_integer_power
 from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import Call, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
@@ -25,10 +26,20 @@ class Beyond(ValueError):
 class Yardstick:
     """A reference in the form q √p, with the field in which formulas are held against it."""
 
-    def __init__(self, reference: Formula, letters: Iterable[str], positive: Collection[str]) -> None:
+    def __init__(
+        self,
+        reference: Formula,
+        letters: Iterable[str],
+        positive: Collection[str],
+        ranks: Iterable[Sequence[str]] = (),
+    ) -> None:
         atoms = [node for node in reference.walk() if _is_atom(node)]
         self.field = Field([*atoms, *(Symbol(name) for name in letters)])
         self.signs = Signs(self.field, positive)
+        self.steps = list(self.field.gens)  # each letter of a rank as the one below it and a positive step
+        for ranked in ranks:
+            for lower, higher in pairwise(self.field.index[Symbol(name)] for name in ranked):
+                self.steps[higher] = self.steps[lower] + self.field.gens[higher]
         self.own = self.rooted(reference)
 
     def equals(self, formula: Formula) -> bool | None:
@@ -44,15 +55,17 @@ class Yardstick:
         if not self._same(self._times(self._times(q, q), p), self._times(self._times(own_q, own_q), own_p)):
             return False
         above, below = self._times(q, own_q)
-        return True if self.signs.nonnegative(above * below) else None
+        ranked = (above * below).compose(*self.steps, ctx=self.field.context)
+        return True if self.signs.nonnegative(ranked) else None
 
     def rooted(self, node: Formula) -> Rooted:
         """q and p of a formula q √p."""
         one = self.field.one, self.field.one
-        if not node.holds("sqrt") and not _has_root(node):
+        if not _has_root(node):
             return self.field.convert(node), one
-        if isinstance(node, Call) and node.function == "sqrt":
-            return one, self._rational(node.arguments[0])
+        if isinstance(node, Call) and node.function in RADICALS:
+            inner = self._rational(node.arguments[0])
+            return one, inner if node.function == "sqrt" else self._times(inner, inner)  # |x| = √(x²)
         if isinstance(node, Negative):
             q, p = self.rooted(node.operand)
             return (-q[0], q[1]), p
@@ -87,7 +100,7 @@ class Yardstick:
         return self._raised(value, (exponent.numerator - 1) // 2), value
 
     def _rational(self, node: Formula) -> Ratio:
-        if node.holds("sqrt") or _has_root(node):
+        if _has_root(node):
             raise Beyond
         return self.field.convert(node)
 
@@ -114,7 +127,9 @@ def _is_atom(node: Formula) -> bool:
 
 
 def _has_root(node: Formula) -> bool:
-    return any(not is_integer_power(power) for power in node.walk(Power) if isinstance(power, Power))
+    return node.holds(*RADICALS) or any(
+        not is_integer_power(power) for power in node.walk(Power) if isinstance(power, Power)
+    )
 
 
 def extent(node: Formula) -> int:

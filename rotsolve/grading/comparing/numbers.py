@@ -13,6 +13,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import Ball, Certified, Precision, Undefined, ends, evaluate, rounded
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import Unit, in_unit, unit_for
 from rotsolve.scene.marks import Tolerance
@@ -32,7 +33,7 @@ class Typed(Struct, frozen=True):
     @property
     def rational(self) -> Fraction | None:
         """The number where it is rational: every decimal is."""
-        return self.value.value if isinstance(self.value, Number) else None
+        return rational(self.value)
 
     @property
     def half_unit(self) -> Fraction | None:

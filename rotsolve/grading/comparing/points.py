@@ -59,6 +59,16 @@ class Region(Struct, frozen=True):
     positive: frozenset[str]
     bounds: tuple[Formula, ...]
 
+    @property
+    def ranks(self) -> list[list[str]]:
+        """Letters of one dimension from the smallest to the largest, where the scene's numbers tell them apart."""
+        groups: dict[Dimension, list[Letter]] = {}
+        for letter in self.letters:
+            if letter.order is not None:
+                groups.setdefault(letter.order, []).append(letter)
+        apart = [group for group in groups.values() if len({letter.number for letter in group}) == len(group) > 1]
+        return [[letter.name for letter in sorted(group, key=lambda letter: letter.number)] for group in apart]
+
 
 def region_of(solution: Solution) -> Region:
     """The region in which the closed forms of a solution hold."""
@@ -70,8 +80,10 @@ def region_of(solution: Solution) -> Region:
     told |= {name: form for name, form in closed_forms(solution.derivation.answers) if name not in givens}
     told = {name: in_givens(form, told) for name, form in told.items()}
     free = [_letter(given, values, positive) for name, given in givens.items() if name not in told]
-    free.append(Letter(TIME, TYPICAL, False, False, None))
-    return Region(tuple(free), told, positive | {TIME}, valid.bounds if valid is not None else ())
+    bounds = valid.bounds if valid is not None else ()
+    others = {TIME, *(name for bound in bounds for name in bound.symbols())} - givens.keys() - told.keys()
+    free += [Letter(name, TYPICAL, name not in positive | {TIME}, False, None) for name in sorted(others)]
+    return Region(tuple(free), told, positive | {TIME}, bounds)
 
 
 def closed_forms(answers: tuple[Answer, ...]) -> Iterator[tuple[str, Formula]]:
@@ -113,7 +125,7 @@ def _point(region: Region, random: Random, spread: float) -> Point | None:
         point: dict[str, Ball] = {name: arb(value.numerator) / value.denominator for name, value in values.items()}
         balls = RealBalls({}, bound=point)
         try:
-            if not all(balls(bound) > 0 for bound in region.bounds):
+            if any(balls(bound) < 0 for bound in region.bounds):
                 return None
         except Undefined:
             return None
@@ -133,13 +145,6 @@ def _number(letter: Letter, random: Random, spread: float) -> float:
 
 def _ordered(region: Region, numbers: dict[str, float]) -> dict[str, float]:
     """The numbers of letters of one dimension exchanged so that they have the order of the scene's."""
-    groups: dict[Dimension, list[Letter]] = {}
-    for letter in region.letters:
-        if letter.order is not None:
-            groups.setdefault(letter.order, []).append(letter)
-    for group in groups.values():
-        if len({letter.number for letter in group}) == len(group):
-            ranked = sorted(group, key=lambda letter: letter.number)
-            sizes = sorted(numbers[letter.name] for letter in group)
-            numbers |= {letter.name: size for letter, size in zip(ranked, sizes, strict=True)}
+    for ranked in region.ranks:
+        numbers |= dict(zip(ranked, sorted(numbers[name] for name in ranked), strict=True))
     return numbers

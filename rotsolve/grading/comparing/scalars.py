@@ -17,7 +17,7 @@ from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
 from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
-from rotsolve.grading.verdict import RIGHT, WRONG
+from rotsolve.grading.verdict import RIGHT, WRONG, Remark
 from rotsolve.scene import marks
 from rotsolve.scene.marks import Marking
 
@@ -142,17 +142,31 @@ def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
 
 def well_formed(typed: Typed, value: Certified, asked: Scalar) -> Finding:
     """A right number, with what its form costs: too few figures, or a number where a formula is wanted."""
-    marking, number = asked.marking, typed.rational
-    exact = typed.figures is None or (number is not None and value.equals(number))
-    finding = Finding(RIGHT)
-    wanted = marking.tolerance.figures
-    if wanted is not None and typed.figures is not None and typed.figures < wanted and not exact:
-        said = f"right as far as it goes, but {wanted} figures are wanted"
-        finding = found(RIGHT, "figures", said, flaws=(marks.ROUNDING,))
-    if marking.form == marks.EXACT and not (exact and asked.closed is not None and not asked.closed.symbols()):
-        remark = found(RIGHT, "form", "the number is right, but a formula is wanted").remarks
-        finding = Finding(RIGHT, (*finding.remarks, *remark), (*finding.flaws, marks.FORM))
-    return finding
+    remarks: list[Remark] = []
+    flaws: list[str] = []
+    wanted = asked.marking.tolerance.figures
+    if wanted is not None and typed.figures is not None and typed.figures < wanted and not is_exactly(typed, value):
+        remarks.append(Remark("figures", (f"right as far as it goes, but {wanted} figures are wanted",)))
+        flaws.append(marks.ROUNDING)
+    if asked.marking.form == marks.EXACT and not is_form(typed, asked):
+        remarks.append(Remark("form", ("the number is right, but a formula is wanted",)))
+        flaws.append(marks.FORM)
+    return Finding(RIGHT, tuple(remarks), tuple(flaws))
+
+
+def is_form(typed: Typed, asked: Scalar) -> bool:
+    """Whether a number is the closed form: ⅝, π/12."""
+    closed = asked.closed
+    return (
+        closed is not None
+        and not closed.symbols()
+        and bool(asked.same(typed.value * (typed.unit or asked.unit).factor, closed))
+    )
+
+
+def is_exactly(typed: Typed, value: Certified) -> bool:
+    """Whether a number is the one that is sought, not just near it."""
+    return typed.rational is not None and value.equals(typed.rational)
 
 
 def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:

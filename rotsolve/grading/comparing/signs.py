@@ -34,6 +34,7 @@ SAID = {  # other words for a direction
     "uphill": "up",
     "downhill": "down",
 }
+SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SAID}, key=len)), re.IGNORECASE)
 BESIDE = re.compile(r"\b(?:i\.e\.|to the|straight|vertically|horizontally|directed|pointing|and|along)(?=\W|$)|,")
 WHERE = re.compile(
     r"\b(?:round|on|in|of)?\s*(?:the|a|an)\s+(?:slope|incline|ramp|plane|hill|dome|loop|bowl|hoop|rail|bar)\b"
@@ -55,12 +56,16 @@ def opposite(direction: Heading) -> Heading:
 
 def is_direction(words: str) -> bool:
     """Whether every word says a direction."""
+    if SPOKEN.search(words) is None:
+        return False
     parts = heading(words)
     return bool(parts) and parts <= OPPOSITE.keys()
 
 
 def cut_direction(text: str) -> tuple[str, str]:
     """A line without the direction in words behind its last commas, and these words: `5 N, up and to the left`."""
+    if SPOKEN.search(text) is None:
+        return text, ""
     for match in re.finditer(",", text):
         tail = text[match.end() :]
         if is_direction(tail):

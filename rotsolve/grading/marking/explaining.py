@@ -19,6 +19,7 @@ from rotsolve.grading.verdict import WRONG
 from rotsolve.scene import marks
 
 ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
+FAR = 0.1  # the share by which no number of two figures is rounded
 ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
 LEAST = 2  # figures of a number that may name a mistake
 
@@ -73,11 +74,14 @@ class Explaining:
         if typed.figures is not None and typed.figures < LEAST:
             return None
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
+        same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
+        rough = number_of(number.value, {})
         for one in self.mistaken():
             answer = one.answers.get(name)
-            if answer is None or answer.value is None or answer.unit != asked.unit:
+            if answer is None or answer.value is None or answer.unit != asked.unit or rough is None:
                 continue
-            same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
+            if abs(answer.value.float - rough.float) > FAR * abs(rough.float):
+                continue  # most are told apart by their size
             if (same_unit and rounds_to(typed, answer.value)) or near(number, answer.value, share=ALIKE):
                 return told(one.mistake)
         return None

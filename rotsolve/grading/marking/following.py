@@ -8,13 +8,15 @@ T = ½ M a and T = m (g − a).
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from itertools import product
+from itertools import combinations, product
 from math import floor, log10
 
 from msgspec import Struct
 
 from rotsolve.algebra.certified.balls import RealBalls, Undefined
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.writing.shape import length
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality
@@ -50,7 +52,7 @@ class Following:
         self.letters = letters
         self.same = same
         self._laws: dict[str, tuple[Equality, ...]] = {}
-        self._eliminated: dict[tuple[str, str], tuple[Formula, ...]] = {}
+        self._eliminated: dict[tuple[str, tuple[str, ...]], tuple[Formula, ...]] = {}
 
     def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> tuple[str, ...]:
         """The earlier answers from which an answer follows; nothing where it follows from none."""
@@ -63,10 +65,11 @@ class Following:
         return ()
 
     def relations(self, name: str, earlier: Mapping[str, Own]) -> Iterator[Equality]:
-        """All relations that tell an answer by some of these."""
-        for other in earlier:
-            yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, other))
+        """All relations that tell an answer by some of these, by fewer of them first."""
         yield from self.laws(name)
+        for count in (1, 2):
+            for others in combinations(earlier, count):
+                yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, others))
 
     def laws(self, name: str) -> tuple[Equality, ...]:
         """The laws that speak of an answer, with all letters but those of answers and givens put in."""
@@ -85,27 +88,46 @@ class Following:
                 put = {letter: form for letter, form in inner.items() if form is not None}
                 yield Equality(law.left.substitute(put), law.right.substitute(put))
 
-    def eliminated(self, name: str, other: str) -> tuple[Formula, ...]:
-        """An answer by another and the givens but one, for each given that can be eliminated."""
-        key = name, other
+    def eliminated(self, name: str, others: tuple[str, ...]) -> tuple[Formula, ...]:
+        """An answer by others and the rest of the givens, where that is shorter than its closed form: what is longer nobody uses."""
+        key = name, others
         if key not in self._eliminated:
-            self._eliminated[key] = tuple(dict.fromkeys(self._eliminate(name, other)))
+            closed = self.letters.closed.get(name)
+            forms = (
+                ()
+                if closed is None
+                else self._eliminate(closed, [(other, self.letters.closed[other]) for other in others])
+            )
+            short = dict.fromkeys(simplify(form, positive=self.letters.positive) for form in forms)
+            self._eliminated[key] = tuple(
+                form for form in short if closed is not None and length(form) < length(closed)
+            )
         return self._eliminated[key]
 
-    def _eliminate(self, name: str, other: str) -> Iterator[Formula]:
-        closed = self.letters.closed
-        wanted, known = closed.get(name), closed.get(other)
-        if wanted is None or known is None or wanted.holds(Integral) or known.holds(Integral):
+    def _eliminate(self, wanted: Formula, others: list[tuple[str, Formula]]) -> Iterator[Formula]:
+        """A formula with a given eliminated for each of the others, whichever it can be."""
+        if not others:
+            yield wanted
+            return
+        (other, known), *rest = others
+        if wanted.holds(Integral) or known.holds(Integral):
             return
         for given in sorted(wanted.symbols() & known.symbols()):
-            for power in (1, 2):  # a letter within the root of a speed comes out of its square
-                try:
-                    value = solve_linear(known**power - Symbol(other) ** power, given)
-                except (ValueError, ArithmeticError):
-                    continue
-                if value is not None:
-                    yield wanted.substitute({given: value})
-                    break
+            value = self._solved(other, known, given)
+            if value is not None:
+                put = {given: value}
+                yield from self._eliminate(wanted.substitute(put), [(one, form.substitute(put)) for one, form in rest])
+
+    def _solved(self, other: str, known: Formula, given: str) -> Formula | None:
+        """A given by an answer: of a speed by its square, since the given stands within a root."""
+        for power in (1, 2):
+            try:
+                value = solve_linear(known**power - Symbol(other) ** power, given)
+            except (ValueError, ArithmeticError):
+                continue
+            if value is not None:
+                return value
+        return None
 
     # whether a relation holds with what the student wrote
 

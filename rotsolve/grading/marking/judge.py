@@ -28,7 +28,6 @@ from rotsolve.scene import marks
 from rotsolve.solution import Solution
 
 LONGEST_ECHO = 400  # characters of a line that is said back
-PLAIN = str.maketrans("−⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "-0123456789-", " *·^")
 
 
 class Judged(Struct, frozen=True):
@@ -49,6 +48,7 @@ class Judge:
         self.following = Following(self.letters, self.same)
         self.explaining = Explaining(self.letters)
         self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
+        self._names: dict[str, Names] = {}
         self._judged: dict[tuple[str, str], Judged] = {}
         self._explained: dict[tuple[str, str], Judged] = {}
         self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], Judged | None] = {}
@@ -164,17 +164,16 @@ class Judge:
 
     def names(self, asked: str) -> Names:
         """The letters that an answer may hold."""
-        return Names(self.letters.givens, frozenset(self.targets), asked)
+        known = self._names.get(asked)
+        if known is None:
+            known = self._names[asked] = Names(self.letters.givens, frozenset(self.targets), asked)
+        return known
 
     def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
         """By the reading that makes the line right, else by the likeliest one."""
         tried = [(reading, self._read(target, reading)) for reading in readings]
-        ranks = {RIGHT: 0, UNDECIDED: 2, WRONG: 2}
-        reading, finding = min(
-            tried, key=lambda item: ranks[item[1].outcome] - bool(item[1].flaws and not item[1].right)
-        )
-        plain = len(readings) == 1 and squeezed(reading.text) == squeezed(text)
-        echo = "" if plain or len(reading.text) > LONGEST_ECHO else reading.text
+        reading, finding = min(tried, key=lambda item: rank(item[1]))
+        echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO else ""
         return Judged(reading, Finding(finding.outcome, (*reading.remarks, *finding.remarks), finding.flaws), echo)
 
     def _read(self, target: Target, reading: Reading) -> Finding:
@@ -191,6 +190,8 @@ class Judge:
 
     def meant(self, reading: Reading) -> Reading:
         """A reading with its formulas in the letters of closed forms."""
+        if not self.letters.runs:
+            return reading
         formula = None if reading.formula is None else self.letters.meant(reading.formula)
         return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
 
@@ -200,6 +201,13 @@ class Judge:
         return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
 
 
+def rank(finding: Finding) -> int:
+    """The order in which the readings of one line are preferred: none is called wrong while another may be right."""
+    if finding.outcome == WRONG and finding.flaws:
+        return 1
+    return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
+
+
 def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
     """One answer with its marks."""
     finding, marking = one.finding, target.marking
@@ -207,11 +215,6 @@ def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
     left = marking.left(finding.flaws) if earned else Fraction(0)
     verdict = Verdict(finding.outcome, one.read_as, finding.remarks)
     return Part(target.name, text, verdict, left, marking.points, followed)
-
-
-def squeezed(text: str) -> str:
-    """A text without what makes no difference between what was typed and its echo."""
-    return said(text).translate(PLAIN)
 
 
 def said(text: str) -> str:

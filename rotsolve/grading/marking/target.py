@@ -16,6 +16,7 @@ from rotsolve.core.registry import TIME
 from rotsolve.grading.comparing.scalars import Same, Scalar
 from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
+from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.marks import Marking, marking_of
 from rotsolve.scene.model import Choice, Find, Problem
 from rotsolve.solution import Solution
@@ -49,7 +50,7 @@ class Letters(Struct, frozen=True, dict=True):
     def problem(self) -> Problem:
         return self.solution.problem
 
-    @property
+    @cached_property
     def runs(self) -> bool:
         """Whether the running time is a letter of the answers."""
         return any(find.runs for find in self.problem.finds)
@@ -63,6 +64,11 @@ class Letters(Struct, frozen=True, dict=True):
     @property
     def values(self) -> dict[str, Formula]:
         return self.problem.values
+
+    @cached_property
+    def positive(self) -> frozenset[str]:
+        """The givens that are surely positive."""
+        return positive_letters(self.problem.givens)
 
     @cached_property
     def closed(self) -> dict[str, Formula]:

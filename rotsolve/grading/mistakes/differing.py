@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 from msgspec.structs import replace
 
@@ -45,3 +45,18 @@ def same_number(wrong: Certified, right: Certified | None) -> bool:
     if right is None:
         return False
     return bool(abs(wrong.ball - right.ball) <= NEARLY * abs(right.ball)) or wrong.ball.overlaps(right.ball)
+
+
+def alike(some: Mapping[str, Answer], others: Mapping[str, Answer]) -> bool:
+    """Whether two mistakes give the same answers: the same forms as they are written, and the same numbers."""
+    return some.keys() == others.keys() and all(same(one, others[name]) for name, one in some.items())
+
+
+def same(one: Answer, other: Answer) -> bool:
+    """Whether two answers have the same form and number, part by part."""
+    if one.closed != other.closed or one.word != other.word or len(one.components) != len(other.components):
+        return False
+    if one.value is None or other.value is None:
+        return one.value is other.value
+    parts = zip(one.components, other.components, strict=True)
+    return same_number(one.value, other.value) and all(same(part, twin) for part, twin in parts)

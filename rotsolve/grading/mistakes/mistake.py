@@ -14,17 +14,28 @@ from rotsolve.scene.model import Problem
 class Change(Struct, frozen=True):
     """What a mistake changes: what is read of the scene, what the laws say of it, or what is put in for a given at the end.
 
-    problem: the scene as it is misread; altered: its facts and equations. `aside` is the law by which the answer is found
-    without making the mistake, hence not used; `modes_kept` says that what slips, and which way, is taken over from the right scene.
-    letters: what is written for a given in the answers (2 R for R); numbers: the value that is put in for it. Neither needs the laws.
+    problem: the scene as it is misread, for which friction is decided anew; altered: its facts and equations, while what slips stays as
+    it is. `aside` are the laws by which the answer is found without making the mistake, hence not used.
+    letters: what is written for a given in the answers (2 R for R); factors: by what the number is wrong that is put in for it. Neither
+    needs the laws.
     """
 
     problem: Callable[[Problem], Problem] | None = None
     altered: Alteration | None = None
-    aside: str | None = None
-    modes_kept: bool = False
+    aside: tuple[str, ...] = ()
     letters: Mapping[str, Formula] = field(default_factory=dict)
-    numbers: Mapping[str, Formula] = field(default_factory=dict)
+    factors: Mapping[str, Formula] = field(default_factory=dict)
+
+    @property
+    def reread(self) -> bool:
+        """Whether the laws are right, and only what is put in at the end is not."""
+        return bool(self.letters or self.factors)
+
+    @property
+    def throughout(self) -> bool:
+        """Whether all laws speak of the change alike, so that they must agree with each other."""
+        one_sided = self.altered is not None and (self.altered.equation is not None or self.altered.event is not None)
+        return not self.aside and not one_sided
 
 
 class Mistake(Struct, frozen=True):

@@ -1,4 +1,4 @@
-"""Numbers misread: what is put in for a given at the end, in an answer that is right otherwise."""
+"""Numbers: an answer in closed form with other letters written in it, and other numbers put in."""
 
 from __future__ import annotations
 
@@ -8,18 +8,21 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.algebra.formula import ONE, Call, Formula
 from rotsolve.core.derivation import Answer
 
 
-def reread(right: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:
-    """An answer with something else written for letters, and other numbers put in."""
-    closed = None if right.closed is None else right.closed.substitute(letters)
+def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:
+    """An answer with something else written for letters, and with other numbers; without one where it has no closed form."""
+    closed = None if answer.closed is None else answer.closed.substitute(letters)
     value = None
-    if closed is not None and right.value is not None:
-        value = number(closed, ONE if right.unit is None else right.unit.factor, values)
-    parts = tuple(reread(part, letters, values) for part in right.components)
-    return replace(right, formula=closed, closed=closed, value=value, components=parts, remark=(), angle=None)
+    if closed is not None:
+        signed = (
+            Call("abs", (closed,)) if answer.components else closed
+        )  # the size of a vector, whatever its letters come to
+        value = number(signed, ONE if answer.unit is None else answer.unit.factor, values)
+    parts = tuple(reread(part, letters, values) for part in answer.components)
+    return replace(answer, formula=closed, closed=closed, value=value, components=parts, remark=(), angle=None)
 
 
 def number(closed: Formula, factor: Formula, values: Mapping[str, Formula]) -> Certified | None:

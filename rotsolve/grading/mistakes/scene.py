@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from functools import cached_property
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
@@ -14,6 +15,7 @@ from rotsolve.grading.mistakes.differing import differing
 from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.grading.mistakes.numbers import reread
 from rotsolve.inquiry.answering import answer
+from rotsolve.inquiry.checks import disagreement
 from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
@@ -22,8 +24,9 @@ from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
-from rotsolve.scene.model import Problem
+from rotsolve.scene.model import Find, Problem
 
+ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
 
 
@@ -55,13 +58,13 @@ class Scene(Struct, frozen=True, dict=True):
         """The facts at all states."""
         return tuple(self.history.facts(state.name) for state in self.arrangement.timeline.states)
 
-    def bodies(self) -> Iterator[BodyFacts]:
-        """The facts of each body, at the first state at which it is there."""
-        seen: set[str] = set()
+    @cached_property
+    def bodies(self) -> Mapping[str, BodyFacts]:
+        """The facts of each body by its name, at the first state at which it is there."""
+        found: dict[str, BodyFacts] = {}
         for body in (body for facts in self.moments for body in facts.bodies):
-            if body.name not in seen:
-                seen.add(body.name)
-                yield body
+            found.setdefault(body.name, body)
+        return found
 
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
@@ -74,34 +77,53 @@ class Scene(Struct, frozen=True, dict=True):
             given = self._answers(mistake.change)
         except NO_ANSWER:
             return None
+        return self._wrong(given, self.answers)
+
+    def with_values(
+        self, mistake: Mistake, answers: Mapping[str, Answer], values: Mapping[str, Formula]
+    ) -> Mapping[str, Answer] | None:
+        """The answers that a mistake changes, from those for the numbers of the scene, for other numbers; nothing is solved again."""
+        right = {name: reread(one, {}, values) for name, one in self.answers.items()}
+        if mistake.change.reread:
+            return self._wrong(self._reread(mistake.change, values), right)
+        return self._wrong({name: reread(one, {}, values) for name, one in answers.items()}, right)
+
+    def _wrong(self, given: Mapping[str, Answer], right: Mapping[str, Answer]) -> Mapping[str, Answer] | None:
+        """Those of some answers that are not right, as far as they are not; None where all are."""
         positive = positive_letters(self.problem.givens)
-        both = ((name, wrong, self.answers.get(name)) for name, wrong in given.items())
-        pairs = ((name, differing(wrong, right, positive)) for name, wrong, right in both if right is not None)
+        pairs = ((name, differing(one, right[name], positive)) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
+
+    def _reread(self, change: Change, values: Mapping[str, Formula]) -> Mapping[str, Answer]:
+        """The right answers with other letters and numbers in them."""
+        wrong = {name: values[name] * factor for name, factor in change.factors.items() if name in values}
+        return {name: reread(one, change.letters, {**values, **wrong}) for name, one in self.answers.items()}
 
     def _answers(self, change: Change) -> Mapping[str, Answer]:
         """The answers of the scene with a change in it, right ones among them."""
-        if change.letters or change.numbers:
-            values = {**self.problem.values, **change.numbers}
-            return {name: reread(one, change.letters, values) for name, one in self.answers.items()}
+        if change.reread:
+            return self._reread(change, self.problem.values)
         problem = self.problem if change.problem is None else change.problem(self.problem)
         arrangement = Arrangement(problem, change.altered)
-        modes = self.modes if change.modes_kept else decide(arrangement).modes
-        families = tuple(family for family in families_for(None) if family != change.aside)
-        return answers_of(Inquiry(History(arrangement, modes), families, confirming=True))
+        modes = self.modes if change.problem is None else decide(arrangement).modes
+        families = tuple(family for family in families_for(None) if family not in change.aside)
+        inquiry = Inquiry(History(arrangement, modes), families, confirming=True)
+        answers = answers_of(inquiry)
+        return {} if change.throughout and disagreement(inquiry) is not None else answers
 
 
 def answers_of(inquiry: Inquiry) -> dict[str, Answer]:
-    """The answers to those questions that have one, by name; the others may need what is left out."""
+    """The answers to those questions that have one, by name; the others may need what is left out, or one that comes later."""
     pending = list(inquiry.history.arrangement.problem.finds)
-    while pending:
-        waiting = []
+    for _ in range(ROUNDS):
+        waiting: list[Find] = []
+        later = False  # whether something was answered after a question that was not
         for find in pending:
             try:
                 answer(inquiry, find)
             except NO_ANSWER:
                 waiting.append(find)
-        if len(waiting) == len(pending):
-            break
-        pending = waiting
+            else:
+                later = later or bool(waiting)
+        pending = waiting if later else []
     return {one.name: one for one in Composer(inquiry).results.answers()}

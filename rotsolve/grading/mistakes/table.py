@@ -7,9 +7,10 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec import Struct
 
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.mistakes import angles, energies, forces, inertias, misread
+from rotsolve.grading.mistakes.differing import alike
+from rotsolve.grading.mistakes.kinds import angles, energies, forces, inertias, misread
+from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Mistake
-from rotsolve.grading.mistakes.places import Made
 from rotsolve.grading.mistakes.scene import Scene
 from rotsolve.scene.model import Problem
 
@@ -57,6 +58,9 @@ MISTAKES: tuple[Kind, ...] = (
     Kind("radius left out", "the radius is left out of a torque", forces.no_radius),
     Kind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
     Kind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
+    Kind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
+    Kind("start from rest", "a velocity at the start is left out", misread.from_rest),
+    Kind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.exchanged),
     Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
     Kind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
     Kind("units not converted", "cm is put in as m, g as kg", misread.units),
@@ -69,12 +73,18 @@ def mistakes_in(scene: Scene) -> Iterator[Mistake]:
 
 
 def wrong_answers(problem: Problem) -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
-    """Every mistake that changes an answer, with the answers that it gives, solved one after the other as they are asked for."""
+    """Every mistake that changes an answer, with the answers that it gives, solved one after the other as they are asked for.
+
+    Of mistakes of one kind that give the same answers, only the first.
+    """
     scene = Scene(problem)
-    for mistake in mistakes_in(scene):
-        answers = scene.with_mistake(mistake)
-        if answers is not None:
-            yield mistake, answers
+    for kind in MISTAKES:
+        given: list[Mapping[str, Answer]] = []
+        for mistake in kind.mistakes(scene):
+            answers = scene.with_mistake(mistake)
+            if answers is not None and not any(alike(answers, other) for other in given):
+                given.append(answers)
+                yield mistake, answers
 
 
 def with_mistake(problem: Problem, mistake: Mistake) -> Mapping[str, Answer] | None:

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
-from rotsolve.grading.reading.grammar.runs import meaning
+from rotsolve.grading.reading.grammar.runs import LONGEST, meaning
 from rotsolve.grading.reading.records import NUMBER, Reading
 from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
@@ -117,22 +117,32 @@ def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
     plain = all(token.kind == "name" or token.kind in MARKS for token in parts.unit[:-1])
     apart = parts.has_unit and len(parts.number) > 1 and parts.unit[0].start > parts.number[-2].end
     numeric = all(token.kind not in ("name", "√") for token in parts.number)
-    return plain and apart and numeric and all(word in AMBIGUOUS or meaning(word[0], names) is None for word in words)
+    strange = all(word in AMBIGUOUS or not begins_with_letter(word, names) for word in words)
+    return plain and apart and numeric and strange
+
+
+def begins_with_letter(word: str, names: frozenset[str]) -> bool:
+    """Whether a letter of the scene stands first in a run, so that it is rather a product than a unit."""
+    return any(meaning(word[:end], names) is not None for end in range(1, min(len(word), LONGEST) + 1))
 
 
 def likely_number(parts: Parts) -> bool:
-    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space."""
+    """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space before m, N or km, not before g."""
     last, first = parts.number[-2], parts.unit[0]
     if any("." in token.text for token in parts.number):
         return True
     if first.start == last.end:
         return False
-    whole = all(token.kind != "name" or (token.text in UNITS and token.text != WEIGHT) for token in parts.unit)
-    return whole
+    words = [token.text for token in parts.unit if token.kind == "name"]
+    long = any(len(word) > 1 and word in UNITS and word != WEIGHT for word in words)
+    return long or all(word in UNITS and UNITS[word].scale == 1 for word in words)
 
 
 def is_kind(unit: tuple[Token, ...]) -> bool:
-    """Whether a unit is that of a known kind of quantity: N m is, m g is not."""
+    """Whether a unit is that of a known kind of quantity, or a power of one unit: N m and m⁴ are, m g is not."""
+    names = [token.text for token in unit if token.kind == "name"]
+    if len(names) == 1 and names[0] in UNITS and any(token.kind in ("raised", "^") for token in unit):
+        return True
     try:
         return kind_of(read_unit("", list(unit), Forks()).dimension) is not None
     except FormulaError:

@@ -162,7 +162,7 @@ class Reader:
             return read_number(self.text, parts, self.forks)
         if is_strange_unit(parts, letters):
             read_unit(self.text, list(parts.unit), self.forks)  # says which word is no unit
-        formula = read_formula(self.text, tokens, letters, self.forks)
+        formula = self.names.meant(read_formula(self.text, tokens, letters, self.forks))
         return Reading(FORMULA if formula.symbols() else NUMBER, formula=formula)
 
     def is_number(self, parts: Parts) -> bool:

@@ -17,10 +17,16 @@ Made = Iterator[tuple[str, Change]]  # words that complete "It looks as if ", an
 MOST = 8  # places that are tried one by one; of more only all together
 
 
+def each(names: Iterable[str]) -> tuple[str, ...]:
+    """The names, each once; none where there are too many to try one by one."""
+    known = tuple(dict.fromkeys(names))
+    return known if len(known) <= MOST else ()
+
+
 def each_and_all(names: Iterable[str]) -> Iterator[tuple[tuple[str, ...], str]]:
     """Each name with its words ("the pulley"), then all of them with theirs ("the wheel and the drum")."""
     known = tuple(dict.fromkeys(names))
-    for name in known if len(known) <= MOST else ():
+    for name in each(known):
         yield (name,), f"the {spoken(name)}"
     if len(known) > 1:
         yield known, listed([f"the {spoken(name)}" for name in known])

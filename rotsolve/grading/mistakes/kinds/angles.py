@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import PI, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.vectors.heading import heading
+from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Change
-from rotsolve.grading.mistakes.places import Made
 from rotsolve.scene.keys import Element
 from rotsolve.scene.model import Condition, Problem
 

@@ -16,14 +16,17 @@ from rotsolve.core.facts import Force
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, moved, spoken
+from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Change
-from rotsolve.grading.mistakes.places import Made
+from rotsolve.inquiry.planning import SECOND_CHOICE
 from rotsolve.principles.momentum import collision
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
 HALF = Number(Fraction(1, 2))
+
+Laws = Callable[[Encounter, str], Iterator[Equation]]  # of an event, for the section in which they are written
 
 
 # halves
@@ -43,14 +46,36 @@ def halves(scene: Scene) -> Made:
         ("in ½ m v²", lambda term: inertias.isdisjoint(term.symbols())),
     )
     for where, fits in kinds:
-        yield f"the half was left out {where}", Change(altered=Alteration(equation=doubled(ENERGY, fits)), aside=NEWTON)
+        yield (
+            f"the half was left out {where}",
+            Change(altered=Alteration(equation=doubled(ENERGY, fits)), aside=(NEWTON,)),
+        )
 
 
 def half_of_way(scene: Scene) -> Made:
-    """a t² for ½ a t²."""
+    """a t² for ½ a t², and (v₁ + v₂) t for its half."""
     if scene.history.passages:
-        altered = Alteration(equation=doubled(KINEMATICS, lambda term: True))
-        yield "the half was left out in ½ a t²", Change(altered=altered)
+        for words, mean in (("½ a t²", False), ("½ (v₁ + v₂) t", True)):
+            altered = Alteration(equation=in_time(mean))
+            yield f"the half was left out in {words}", Change(altered=altered, aside=(ANGULAR_MOMENTUM,))
+
+
+def in_time(mean: bool) -> Callable[[Equation], Equation]:
+    """The equations of constant acceleration without the half of one, which is the first choice; the others are the second.
+
+    Of those, v₂ = v₁ + a t comes first, since most would take it next.
+    """
+    fits = doubled(KINEMATICS, lambda term: True)
+
+    def changed(equation: Equation) -> Equation:
+        if equation.family != KINEMATICS or not equation.label.startswith("constant"):
+            return equation
+        whole = fits(equation)
+        if whole != equation and bool(equation.remark) == mean:
+            return replace(whole, cost=1)
+        return replace(equation, cost=SECOND_CHOICE + equation.cost)
+
+    return changed
 
 
 def doubled(family: str, fits: Callable[[Formula], bool]) -> Callable[[Equation], Equation]:
@@ -79,7 +104,8 @@ def no_work(scene: Scene) -> Made:
     works = {work.owner for passage in scene.history.passages.values() for work in passage.works}
     if works:
         altered = Alteration(equation=workless)
-        yield "energy was taken as conserved though work is done", Change(altered=altered, aside=NEWTON)
+        words = "energy was taken as conserved though work is done"
+        yield words, Change(altered=altered, aside=(NEWTON, ANGULAR_MOMENTUM))
 
 
 def workless(equation: Equation) -> Equation:
@@ -101,17 +127,17 @@ def energy_kept(scene: Scene) -> Made:
         yield words, Change(altered=Alteration(event=in_event(encounter.name, elastic)))
 
 
-def elastic(encounter: Encounter) -> Iterator[Equation]:
+def elastic(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
     if encounter.restitution is not None:
         _, approach, separation = encounter.restitution
-        yield from collision.through_event(replace(encounter, restitution=(ONE, approach, separation)), encounter.name)
+        yield from collision.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
         return
     before = [term for meeting in encounter.meetings for term in kinetic(meeting, after=False)]
     after = [term for meeting in encounter.meetings for term in kinetic(meeting, after=True)]
     names = tuple(sorted(meeting.body.name for meeting in encounter.meetings))
     label = "conservation of kinetic energy"
-    yield Equation(*moved(before, after), label, encounter.name, ANGULAR_MOMENTUM, 3, bodies=names)
+    yield Equation(*moved(before, after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
 
 
 def kinetic(meeting: Meeting, *, after: bool) -> list[Formula]:
@@ -133,13 +159,13 @@ def momentum_kept(scene: Scene) -> Made:
             yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported)))
 
 
-def unsupported(encounter: Encounter) -> Iterator[Equation]:
+def unsupported(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The momenta of an event without the impulse of the support."""
     for group in encounter.groups:
         members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
-        momenta = collision.linear(members, blows_from_outside(encounter), encounter.name, tuple(sorted(group)))
+        momenta = collision.linear(members, blows_from_outside(encounter), section, tuple(sorted(group)))
         yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
-    yield from collision.rebound(encounter, encounter.name)
+    yield from collision.rebound(encounter, section)
 
 
 def blows_from_outside(encounter: Encounter) -> list[Force]:
@@ -147,10 +173,10 @@ def blows_from_outside(encounter: Encounter) -> list[Force]:
     return [blow for meeting in encounter.meetings for blow in meeting.blows if not blow.internal]
 
 
-def in_event(name: str, laws: Callable[[Encounter], Iterator[Equation]]) -> Callable[[Encounter], Iterator[Equation]]:
+def in_event(name: str, laws: Laws) -> Laws:
     """Other laws for one event of a scene."""
 
-    def changed(encounter: Encounter) -> Iterator[Equation]:
-        return laws(encounter) if encounter.name == name else collision.through_event(encounter, encounter.name)
+    def changed(encounter: Encounter, section: str) -> Iterator[Equation]:
+        return laws(encounter, section) if section == name else collision.through_event(encounter, section)
 
     return changed

@@ -17,8 +17,8 @@ from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.elements.shapes.round import Annulus
+from rotsolve.grading.mistakes.kinds.places import Made, each_and_all, of_bodies
 from rotsolve.grading.mistakes.mistake import Change
-from rotsolve.grading.mistakes.places import Made, each_and_all, of_bodies
 from rotsolve.motion.bodies.rigid import Piece, tidy
 from rotsolve.scene.model import Body, Problem
 
@@ -49,7 +49,7 @@ def turning(scene: Scene) -> Iterator[BodyFacts]:
     joined = {
         name for state in states for member in scene.arrangement.members(state) for name in (member.name, member.host)
     }
-    return (body for body in scene.bodies() if has_inertia(body) and body.name not in joined)
+    return (body for body in scene.bodies.values() if has_inertia(body) and body.name not in joined)
 
 
 def without(body: BodyFacts, facts: Facts) -> BodyFacts:
@@ -83,7 +83,11 @@ def rotational_energy(scene: Scene) -> Made:
 
 def hinged(scene: Scene) -> Iterator[str]:
     """The bodies that turn about an axis which is not that through their centre of mass."""
-    return (body.name for body in scene.bodies() if body.motion.kind == "axis" and has_inertia(body) and body.cm.parts)
+    return (
+        body.name
+        for body in scene.bodies.values()
+        if body.motion.kind == "axis" and has_inertia(body) and body.cm.parts
+    )
 
 
 def parallel_axes(scene: Scene) -> Made:
@@ -97,7 +101,7 @@ def parallel_axes(scene: Scene) -> Made:
 
 
 def point_masses(scene: Scene) -> Made:
-    """m d² for I_cm + m d²."""
+    """m d² for I_cm + m d², piece by piece."""
     for names, who in each_and_all(hinged(scene)):
         words = f"{who} was taken as a point mass at its centre of mass"
         yield words, Change(altered=of_bodies(names, about_axis(scene, lambda own, moved: moved)))
@@ -107,7 +111,15 @@ def twice_moving(scene: Scene) -> Made:
     """I + m d² for I: the energy of the centre of mass added to that about the axis, which holds it already."""
     for names, who in each_and_all(hinged(scene)):
         words = f"the motion of the centre of mass of {who} was counted twice"
-        yield words, Change(altered=of_bodies(names, about_axis(scene, lambda own, moved: own + moved + moved)))
+        yield words, Change(altered=of_bodies(names, counted_twice))
+
+
+def counted_twice(body: BodyFacts, facts: Facts) -> BodyFacts:
+    """The body with m d² of its centre of mass added to its moment of inertia about the axis."""
+    if body.inertia is None:
+        return body
+    formula = simplify(body.inertia.formula + body.mass * body.cm.dot(body.cm))
+    return replace(body, inertia=Inertia(formula, formula, ""))
 
 
 def about_axis(scene: Scene, share: Callable[[Formula, Formula], Formula]) -> Callable[[BodyFacts, Facts], BodyFacts]:
