@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
+from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
 from rotsolve.grading.course.student import Task
 from rotsolve.pipeline import solve_problem
@@ -47,7 +48,12 @@ class Judges:
             from rotsolve.keys.variants import worked_variants
 
             self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
-        worked = next(worked for variant, worked in self._worked if variant.number == number)
+        try:
+            worked = next((worked for variant, worked in self._worked if variant.number == number), None)
+        except Unsolvable as error:
+            raise NotMarked(error.fault.message) from None
+        if worked is None:
+            raise NotMarked("there are no variants that can be used")
         return judge_of(self.varied(worked))
 
     def varied(self, worked: Worked) -> Solution:

@@ -30,6 +30,7 @@ WITHOUT = (  # what one right answer has no use for
     "rotsolve.cli",
     "rotsolve.keys",
     "rotsolve.simulation",
+    "rotsolve.grading.mistakes",
     "rotsolve.grading.course.many",
     "rotsolve.grading.course.report",
     "rotsolve.grading.course.summary",

@@ -170,3 +170,22 @@ def test_harmless_texts_stay_as_they_are() -> None:
     for text in ("Ada Lovelace", "O'Neill", "3,5", "", "a = 3"):
         assert harmless(text) == text
     assert harmless("-3 m/s²") == "'-3 m/s²"
+
+
+def test_variants_that_do_not_exist_are_said_row_by_row(command: Command) -> None:
+    """Without `vary`, beyond the number that was handed out, and where no set of values can be used."""
+    rows = "name,variant,a\nAda,,49/9 m/s²\nBob,2,1 m/s²\nEve,two,1 m/s²\nGus,31,1 m/s²\n"
+    Path("class.csv").write_text(rows, encoding="utf-8")
+    scene = Path("scene.yaml").read_text(encoding="utf-8")
+    for vary, bob, gus in (
+        ("", "the problem has no `vary`", "the problem has no `vary`"),
+        ("vary: {m: 1 kg to 3 kg by 1 kg}\n", None, "there are 30 variants, so none has the number 31"),
+        ("vary: {m: 1 kg to 3 kg by 1 kg, where: m > 3 kg}\n", "none of 3 sets of values can be used", "there are 30"),
+    ):
+        Path("scene.yaml").write_text(scene + vary, encoding="utf-8")
+        assert command("class.csv", "--variants", "30", "-o", "report").code == 1
+        with Path("report/marks.csv").open(encoding="utf-8", newline="") as stream:
+            found = {row["student"]: row for row in csv.DictReader(stream)}
+        assert found["Ada"]["marks"] != "" and found["Eve"]["remarks"] == "`two` is no number of a variant"
+        assert bob in found["Bob"]["remarks"] if bob else found["Bob"]["marks"] != ""
+        assert gus in found["Gus"]["remarks"] and found["Gus"]["marks"] == ""

@@ -117,6 +117,11 @@ def test_what_is_noted_of_rows() -> None:
     ]
 
 
+def test_an_apostrophe_by_which_a_spreadsheet_kept_a_text() -> None:
+    found = table("name,a,alpha,T\n'=Ada,'-4.36 m/s²,'=g/R,5' 3\n").entries[0]
+    assert (found.student, answers(found)) == ("=Ada", {"a": "-4.36 m/s²", "alpha": "=g/R", "T": "5' 3"})
+
+
 def test_a_name_in_a_thousand_rows() -> None:
     found = table("name,a\n" + "Ada,1\n" * 5000).entries
     assert found[0].remarks == ("the same name stands in lines 3, 4, 5, 6, 7",)

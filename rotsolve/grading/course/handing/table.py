@@ -21,6 +21,7 @@ NAMED = 5  # lines that are named where a name stands in many
 LONGEST = 20_000  # characters of a cell
 ROWS = 200_000
 SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
+KEPT = re.compile(r"'[-+=@−]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
 TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header
 
 
@@ -100,7 +101,8 @@ def entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
     """One row as a paper; too many cells shift what they hold, so they are not marked."""
 
     def cell(place: int | None) -> str:
-        return cells[place].strip() if place is not None and place < len(cells) else ""
+        text = cells[place].strip() if place is not None and place < len(cells) else ""
+        return text[1:] if KEPT.match(text) else text
 
     student = " ".join(cell(found.student).split())
     if any(text.strip() for text in cells[found.width :]):
