@@ -26,6 +26,7 @@ from rotsolve.scene.read import read_source
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
+    from rotsolve.inquiry.meanings import Meanings
     from rotsolve.inquiry.validity import Validity
 
 MOST_DIGITS = 1000
@@ -94,6 +95,7 @@ def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int
         lambda: stages_before().equations_text(inquiry, composer.letters),
         lambda: stages_before().plan_text(inquiry, composer.letters),
         lambda: validity_of(inquiry),
+        lambda: meanings_of(composer),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
@@ -119,6 +121,13 @@ def validity_of(inquiry: Inquiry) -> Validity:
     from rotsolve.inquiry.validity import validity
 
     return validity(inquiry)
+
+
+def meanings_of(composer: Composer) -> Meanings:
+    """What the letters of the scene stand for; worked out when someone asks."""
+    from rotsolve.inquiry.meanings import Meanings
+
+    return Meanings(composer)
 
 
 def asked_part(problem: Problem) -> Arrangement:

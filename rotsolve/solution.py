@@ -16,6 +16,7 @@ from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
+    from rotsolve.inquiry.meanings import Meanings
     from rotsolve.inquiry.validity import Validity
     from rotsolve.scene.model import Problem
 
@@ -27,6 +28,7 @@ class Trace(Struct, frozen=True):
     equations: Callable[[], str]
     plan: Callable[[], str]
     validity: Callable[[], Validity] | None = None  # for which numbers the closed forms hold
+    meanings: Callable[[], Meanings] | None = None  # what the letters of the scene stand for
 
 
 class AnswerView(Struct, frozen=True):
@@ -168,11 +170,11 @@ class Solution(Struct, frozen=True, dict=True):
         return standard if width is None else Options(standard.digits, width, standard.file)
 
     def body(self, format: str = "text", *, width: int | None = None) -> str:
-        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex' or 'json'."""
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'."""
         return format_named(format).body(self.derivation, self.options(width))
 
     def to(self, format: str = "text", *, width: int | None = None) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex' or 'json'."""
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
         return format_named(format).document([self.body(format, width=width)])
 
     def __repr__(self) -> str:

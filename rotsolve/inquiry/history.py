@@ -138,7 +138,8 @@ class History(Struct, dict=True):
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
-        for equation in self._written():
+        altered = self.arrangement.alteration
+        for equation in self._written() if altered is None else altered.rewritten(self._written()):
             key = (equation.left, equation.right, equation.family)
             if equation.left != equation.right and key not in written and not self._empty(equation):
                 written[key] = equation
@@ -160,7 +161,9 @@ class History(Struct, dict=True):
             elif interval.name in self.encounters:
                 from rotsolve.principles.momentum import collision
 
-                yield from collision.through_event(self.encounters[interval.name], interval.name)
+                altered = self.arrangement.alteration
+                laws = collision.through_event if altered is None or altered.event is None else altered.event
+                yield from laws(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
         for swing in self.swings.values():

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -28,11 +29,18 @@ from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.timeline import Timeline, timeline
 from rotsolve.scene.model import Body, PointRef, Problem
 
+if TYPE_CHECKING:
+    from rotsolve.core.alteration import Alteration
+
 
 class Arrangement(Struct, frozen=True, dict=True):
-    """A problem with its timeline; answers what is connected to what at each state."""
+    """A problem with its timeline; answers what is connected to what at each state.
+
+    `alteration` is what is changed on purpose in what the laws say of it; nothing, save where a mistake is looked for.
+    """
 
     problem: Problem
+    alteration: Alteration | None = None
 
     @cached_property
     def timeline(self) -> Timeline:

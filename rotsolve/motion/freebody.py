@@ -36,7 +36,13 @@ from rotsolve.scene.model import Body, PointRef
 
 
 def free_bodies(instant: Instant) -> Facts:
-    """The facts of all bodies that are present at an instant."""
+    """The facts of all bodies that are present at an instant, as they are changed where that is done on purpose."""
+    altered, stated = instant.arrangement.alteration, facts_at(instant)
+    return stated if altered is None or altered.facts is None else altered.facts(stated)
+
+
+def facts_at(instant: Instant) -> Facts:
+    """The facts that the elements of the scene state."""
     arrangement = instant.arrangement
     stated = [fact for item in arrangement.connections(instant.state) for fact in item.facts(instant)]
     stated += [fact for item in arrangement.actions(instant.state) for fact in item.facts(instant)]

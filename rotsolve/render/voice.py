@@ -43,10 +43,13 @@ class Voice(Struct, frozen=True):
         """Prose with formulas in it."""
         return "".join(self.prose(word) if isinstance(word, str) else self.math(self.formula(word)) for word in words)
 
+    def relation(self, sign: str) -> str:
+        """The sign between two sides."""
+        return self.relations.get(sign, sign)
+
     def sides(self, equality: Equality) -> tuple[str, str]:
         """The left side; and the sign with the right side."""
-        relation = self.relations.get(equality.relation, equality.relation)
-        return self.formula(equality.left), f"{relation} {self.formula(equality.right)}"
+        return self.formula(equality.left), f"{self.relation(equality.relation)} {self.formula(equality.right)}"
 
     def equality(self, equality: Equality) -> str:
         return " ".join(self.sides(equality))
@@ -55,7 +58,10 @@ class Voice(Struct, frozen=True):
         """A number and its unit; `number` is plain decimal text, as `2`, `−0.5` or `1e-3`."""
         mantissa, exponent = in_powers_of_ten(number.strip())
         exponent = exponent.translate(LOWERED).replace("−", "-").lstrip("+")
-        said = self.number(mantissa, exponent)
+        return self.measured(self.number(mantissa, exponent), unit)
+
+    def measured(self, said: str, unit: Unit | None) -> str:
+        """A number, as it is set, with its unit behind it."""
         if unit is None or unit.text in ("", "1"):
             return said
         return said + ("" if unit.text.startswith(CLOSE) else self.blank) + self.unit(unit)
@@ -65,17 +71,23 @@ class Voice(Struct, frozen=True):
         name = self.formula(Symbol(given.name))
         if given.value is None:
             return name
-        return f"{name} = {self._given_value(given.value, given)}"
+        return f"{name} {self.relation('=')} {self.given_value(given)}"
 
-    def _given_value(self, value: Formula, given: Given) -> str:
-        """The number as the scene writes it, in its unit; a formula of other givens as it stands."""
+    def given_value(self, given: Given) -> str:
+        """The number as the scene writes it, in its unit; a formula of other givens as it stands; '' without a value."""
+        value = given.value
+        if value is None:
+            return ""
         if value.symbols():
             return self.formula(value)
         number = value if given.unit is None else in_unit(value, given.unit)
         written = WRITTEN.match(given.text.strip())
         if written and number == Number(Fraction(written[0].replace("−", "-"))):
             return self.quantity(written[0], given.unit)
-        return self.quantity(self.formula(number), given.unit)
+        plain = to_text(number)
+        if in_powers_of_ten(plain)[1]:
+            return self.quantity(plain, given.unit)
+        return self.measured(self.formula(number), given.unit)
 
     def amount(self, answer: Answer, digits: int) -> str:
         """The certified value of an answer with its unit; '' without one."""

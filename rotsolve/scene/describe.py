@@ -11,7 +11,7 @@ from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.phrase.clauses import CLAUSES
 from rotsolve.scene.phrase.phrases import MODIFIERS
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.sections import BODY, PART, PHASE, SECTIONS
+from rotsolve.scene.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
 from rotsolve.scene.words import hint, quoted
 
 BEGIN = "<!-- generated from the tables: begin -->"
@@ -53,7 +53,7 @@ def words() -> Iterator[tuple[str, str]]:
             entry.word,
             f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}{owned(entry)}{parts(entry)}",
         )
-    for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE)):
+    for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE), ("marking", MARKING), ("deduction", DEDUCT)):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {meaning(key)}"
     for modifier in MODIFIERS:
@@ -71,6 +71,8 @@ def chapters() -> Iterator[tuple[str, str]]:
     for section, (kind, table) in TABLES.items():
         yield section, chapter(section.capitalize(), [element(cls, kind) for cls in table])
     yield "phases", chapter("Keys of a phase", rows(PHASE.items()))
+    yield "marking", chapter("Keys of an answer's marking", rows(MARKING.items()))
+    yield "deductions", chapter("Keys of `deduct`", rows(DEDUCT.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
     lines += [quantity(entry) for entry in QUANTITIES]
     yield "quantities", "### Quantities\n\n" + "\n".join(lines)

@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from rotsolve.elements.events import Event
     from rotsolve.elements.shapes import Shape
     from rotsolve.elements.surfaces import Surface
+    from rotsolve.scene.marks import Marking
+    from rotsolve.scene.variation import Variation
 
 
 class Given(Struct, frozen=True):
@@ -260,8 +262,8 @@ class Problem(Struct, frozen=True):
     assume: tuple[str, ...] = ()
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()
-    marking: object | None = None
-    vary: object | None = None
+    marking: tuple[Marking, ...] = ()
+    vary: Variation | None = None
 
     @property
     def values(self) -> dict[str, Formula]:

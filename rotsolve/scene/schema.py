@@ -8,7 +8,7 @@ from rotsolve.elements.shapes import SHAPES
 from rotsolve.scene.keys import Key, keys_of
 from rotsolve.scene.phrase.choices import IS, WORD
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.sections import BODY, PART, PHASE, SECTIONS
+from rotsolve.scene.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
 from rotsolve.scene.values.scope import NAME
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
@@ -42,6 +42,9 @@ FRICTION: dict[str, Any] = {
         SCALAR,
         {"type": "object", "properties": {"static": SCALAR, "kinetic": SCALAR}, "additionalProperties": False},
     ]
+}
+DEDUCTIONS: dict[str, Any] = {
+    "anyOf": [SCALAR, {"type": "object", "properties": dict.fromkeys(DEDUCT, SCALAR), "additionalProperties": False}]
 }
 
 
@@ -81,8 +84,8 @@ def section(name: str, key: Key) -> dict[str, Any]:
         "phases": named(table(PHASE)),
         "find": {**named({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
         "answers": {"type": "object"},
-        "marking": {"type": "object"},
-        "vary": {"type": "object"},
+        "marking": named({"anyOf": [SCALAR, table(MARKING)]}),
+        "vary": named({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
         "assume": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]},
         "unknown": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
     }
@@ -155,6 +158,10 @@ def value(key: Key, word: str = "") -> dict[str, Any]:
         "count": {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]},
         "axis": {"anyOf": [SCALAR, PLACE]},
         "motion": {"anyOf": [SCALAR, PLACE]},
+        "marks": SCALAR,
+        "tolerance": SCALAR,
+        "deductions": DEDUCTIONS,
+        "deduction": SCALAR,
     }
     return kinds.get(key.kind, ANYTHING)
 

@@ -11,7 +11,7 @@ LATER = {"later": True}
 SECTIONS: dict[str, Key] = {
     "title": Key("text", "what the scene is, in one line"),
     "source": Key("text", "where the problem comes from"),
-    "text": Key("text", "the statement, for answer keys"),
+    "text": Key("text", "the statement, for answer keys; `{m}` prints a given as m = 2 kg, `{value of m}` as 2 kg"),
     "given": Key("map", "letters with values (`m: 2 kg`), dimensions (`m: kg`), formulas (`L: 2*R`) or `unknown`"),
     "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
     "gravity": Key(
@@ -32,8 +32,10 @@ SECTIONS: dict[str, Key] = {
     "assume": Key("texts", "approximations", later=True),
     "find": Key("map", "what is asked", required=True),
     "answers": Key("map", "published answers, by the names of `find`"),
-    "marking": Key("raw", "marks for graders"),
-    "vary": Key("raw", "ranges of givens for variants"),
+    "marking": Key("map", "how answers are marked, by the names of `find`, or `all`: points alone, or a map"),
+    "vary": Key(
+        "vary", "givens that vary: `m: 1 kg to 3 kg by 0.5 kg`, `theta: [30 deg, 45 deg]`; `where: M > m`, or a list"
+    ),
 }
 
 BODY: dict[str, Key] = {
@@ -91,4 +93,28 @@ PHASE: dict[str, Key] = {
     "to": Key("name", "the state after", refers=("state",), required=True),
     "without": Key("names", "connections that do not act in it", refers=("connection", "action")),
     "constant": Key("text", "what stays constant", later=True),
+}
+
+MARKING: dict[str, Key] = {
+    "points": Key("marks", "marks for the answer (default 1)"),
+    "tolerance": Key(
+        "tolerance",
+        "how far a number may be off: a share `2 %`, an amount `0.05 m/s^2`, or half a unit of the last of `3 figures` "
+        "(default 1 %)",
+    ),
+    "form": Key("choice", "whether a formula or a number is wanted (default any)", choices=("any", "exact", "number")),
+    "unit": Key("choice", "whether a number needs its unit (default wanted)", choices=("wanted", "optional")),
+    "sign": Key(
+        "choice",
+        "of an answer that is right up to the declared positive direction (default strict: it is wrong)",
+        choices=("strict", "lenient"),
+    ),
+    "deduct": Key("deductions", "what flaws cost: one value for all, or a map; a share of the points, or marks"),
+}
+
+DEDUCT: dict[str, Key] = {
+    "unit": Key("deduction", "the unit is missing (default 25 %)"),
+    "rounding": Key("deduction", "rounded too early, or to too few figures (default 25 %)"),
+    "form": Key("deduction", "a number where a formula is wanted, or the other way round (default 25 %)"),
+    "followed": Key("deduction", "right by the student's own earlier answers alone (default 25 %)"),
 }

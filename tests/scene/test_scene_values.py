@@ -156,7 +156,7 @@ def test_answers(problem: Problem) -> None:
     assert answers["share"].values == (Number(Fraction(1)), Number(Fraction(2)))
     assert answers["loss"].value == Number(Fraction(4)) and answers["loss"].tolerance == Number(Fraction(1, 100))
     assert answers["w"].text == "up the slope" and answers["w"].formula is None
-    assert problem.marking == {"T": "2"}
+    assert [(item.name, item.points) for item in problem.marking] == [("T", 2), ("all", 1)]
 
 
 @pytest.mark.parametrize(

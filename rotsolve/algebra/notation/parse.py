@@ -35,12 +35,12 @@ from rotsolve.algebra.notation.limits import check_depth, check_power, rational
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token, read_number, resolve, tokenize
 
-__all__ = ["FormulaError", "parse", "rational"]
+__all__ = ["FormulaError", "Parser", "parse", "rational"]
 
 
 def parse(text: str, names: Collection[str] | None = None, *, paths: bool = False, strict: bool = False) -> Formula:
     """The formula that `text` writes; `names` are the known symbols (None: any), `paths` admits `rod.end.speed`."""
-    parser = _Parser(text, tokenize(text), names, paths, strict)
+    parser = Parser(text, tokenize(text), names, paths, strict)
     result = parser.sum()
     if parser.token.kind != "end":
         raise parser.unexpected()
@@ -56,7 +56,7 @@ def _product(factors: list[Formula]) -> Formula:
     return factors[0] if len(factors) == 1 else Product(tuple(factors))
 
 
-class _Parser(Cursor):
+class Parser(Cursor):
     """One pass over the tokens; a method reads one level of the grammar, from sums down to single names."""
 
     def bracketed(self, opening: Token) -> Formula:
@@ -92,13 +92,14 @@ class _Parser(Cursor):
                 self.next()
                 factors.append(self.signed_factor())
             elif self.token.kind == "/":
-                factors = [self.quotient(_product(factors))]
+                factors = self.divided(_product(factors))
             elif self.starts_factor():
                 factors.append(self.factor())
             else:
                 return _product(factors)
 
-    def quotient(self, numerator: Formula) -> Formula:
+    def divided(self, numerator: Formula) -> list[Formula]:
+        """The quotient that a slash begins, as the factors that are read so far."""
         start = self.next().start
         first = self.token
         if self.expand() > 1:
@@ -106,7 +107,7 @@ class _Parser(Cursor):
         result = Quotient(numerator, self.signed_factor())
         if self.strict and self.token.kind != "number" and self.starts_factor() and rational(result) is None:
             raise self.two_ways(start, self.token.end, "brackets")
-        return result
+        return [result]
 
     def signed_factor(self) -> Formula:
         sign = self.sign()

@@ -37,6 +37,10 @@ class FormulaError(ValueError):
         self.suggestion = suggestion
 
 
+class UnknownName(FormulaError):
+    """A name that is none of those that are known."""
+
+
 class Token(Struct, frozen=True):
     """A piece of the text; marks have their own text as kind."""
 
@@ -90,7 +94,7 @@ def resolve(token: Token, names: Collection[str] | None, bound: Collection[str],
         if found:
             return found
         known = [*names, *bound, *FUNCTION_NAMES]
-        raise FormulaError(f"unknown name `{raw}`", token.start, token.end, suggest(raw, known))
+        raise UnknownName(f"unknown name `{raw}`", token.start, token.end, suggest(raw, known))
     if len(pieces) == 1 or sum(len(piece.text) for piece in pieces) < len(raw):
         return [Token("symbol", spellings(raw)[0], token.start, token.end)]
     return [

@@ -151,7 +151,7 @@ def _exponent(match: re.Match[str]) -> str:
     return from_superscript(raised) if raised else match["power"].strip("()").replace("−", "-")
 
 
-class _Factors:
+class Factors:
     """Collects the factors of a unit: name -> exponent, in the order written."""
 
     def __init__(self) -> None:
@@ -181,7 +181,7 @@ class _Factors:
 def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:
     """The unit in text[start:], which begins with its slash if `over_one`."""
     tokens = [match for match in _TOKEN.finditer(text, start) if match.lastgroup]
-    factors = _Factors()
+    factors = Factors()
     index, sign, in_bracket = 0, 1, False
     expected, after_slash = not over_one, False  # whether a unit must come; whether the last one stood below a slash
     while index < len(tokens):

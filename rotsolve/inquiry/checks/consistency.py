@@ -29,7 +29,15 @@ ALONG_THE_WAY = ("separating the variables, dt = dx/v", "separating the variable
 
 
 def contradiction(inquiry: Inquiry) -> Equation | None:
-    """The first equation that can not hold with what is known and found, or None."""
+    """The first equation that can not hold with what is known and found, or that time would have to run backwards; or None."""
+    with Precision(BITS):
+        numbers = Numbers.known(inquiry)
+        broken = first_broken(inquiry, numbers)
+        return backwards(inquiry, numbers) if broken is None else broken
+
+
+def disagreement(inquiry: Inquiry) -> Equation | None:
+    """The first equation that can not hold, whichever way time runs; or None."""
     with Precision(BITS):
         return first_broken(inquiry, Numbers.known(inquiry))
 
@@ -54,7 +62,7 @@ def first_broken(inquiry: Inquiry, numbers: Numbers) -> Equation | None:
             pending.append(equation)
         if len(numbers.found) == settled:
             break
-    return backwards(inquiry, numbers)
+    return None
 
 
 def summed(inquiry: Inquiry) -> list[Equation]:

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.finds.conversion import conversion
@@ -20,6 +21,7 @@ from rotsolve.inquiry.questions import Asked, Meaning, in_parts
 from rotsolve.scene.model import Find
 
 if TYPE_CHECKING:
+    from rotsolve.core.alteration import Alteration
     from rotsolve.inquiry.courses import Beside
 
 Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
@@ -29,7 +31,17 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}),
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
     terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
     swings = tuple((history.swing(term), term.path.quantity) for term in terms)
-    return replace(quantity_asked(find, history, earlier, beside), swings=swings)
+    question, altered = quantity_asked(find, history, earlier, beside), history.arrangement.alteration
+    return replace(question if altered is None else rewritten(question, altered), swings=swings)
+
+
+def rewritten(question: Asked, altered: Alteration) -> Asked:
+    """The question with what leads to it changed on purpose; a direct one is told by the laws alone."""
+    steps = tuple(altered.rewritten(question.definitions))
+    if question.direct:
+        return replace(question, definitions=steps)
+    meaning = altered.rewritten([Equation(Symbol(question.letter), question.formula, question.label, question.section)])
+    return replace(question, definitions=steps, formula=meaning[0].right if meaning else question.formula)
 
 
 def quantity_asked(find: Find, history: History, earlier: Earlier, beside: Beside | None) -> Asked:

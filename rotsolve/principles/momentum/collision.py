@@ -21,6 +21,11 @@ def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:
         yield from whole(encounter, group, members, section)
     for meeting in encounter.meetings:
         yield from single(meeting, section)
+    yield from rebound(encounter, section)
+
+
+def rebound(encounter: Encounter, section: str) -> Iterator[Equation]:
+    """Speed of separation = e · speed of approach, where the scene tells e."""
     if encounter.restitution is not None:
         coefficient, approach, separation = encounter.restitution
         yield Equation(separation, coefficient * approach, "coefficient of restitution", section, "", 2)

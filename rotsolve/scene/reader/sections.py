@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.quantities import parse_quantity
+from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem
 from rotsolve.scene.phrase.phrases import read_find
@@ -16,13 +17,19 @@ from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
 from rotsolve.scene.reader.declared import read_value
 from rotsolve.scene.reader.elements import read_element
+from rotsolve.scene.reader.marking import read_marking
 from rotsolve.scene.reader.states import read_phase, read_state
 from rotsolve.scene.sections import SECTIONS
+from rotsolve.scene.statement import slots
 from rotsolve.scene.tree.nodes import List, Map, Node, Text, plain
 from rotsolve.scene.values.givens import read_givens
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
+from rotsolve.scene.words import hint, quoted
+
+if TYPE_CHECKING:
+    from rotsolve.scene.variation import Variation
 
 STANDARD_GRAVITY = "9.8 m/s^2"
 NAMED = {
@@ -104,7 +111,7 @@ class Sections:
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
-        fields["title"] = fields["title"] or ""
+        self.slots(fields["text"], lines)
         fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         self.choice("up")
@@ -118,8 +125,8 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
-        for name in ("marking", "vary"):
-            fields[name] = self.raw(name)
+        fields["marking"] = read_marking(self.scope, self.node("marking"), asked)
+        fields["vary"] = self.vary()
         return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
 
     def required(self) -> None:
@@ -184,6 +191,16 @@ class Sections:
         self.scope.fault(node, f"`{name}` wants a text", "put it in quotes", "form")
         return ""
 
+    def slots(self, text: str, lines: tuple[str, ...]) -> None:
+        """Whether each `{m}` in the statement names a given."""
+        for slot in slots(text) if "{" in text else ():
+            if slot.name not in self.scope.names("given"):
+                start = self.top["text"][1].span
+                found = ((number, line.find(slot.text)) for number, line in enumerate(lines, 1) if number >= start.line)
+                place = next((Span(number, at + 1, len(slot.text)) for number, at in found if at >= 0), start)
+                help = hint(slot.name, self.scope.names("given"), "givens")
+                self.scope.fault(place, f"{quoted(slot.text)} in `text` names no given", help, "unknown")
+
     def choice(self, name: str) -> str | None:
         node = self.node(name)
         if node is None:
@@ -222,6 +239,19 @@ class Sections:
         if not isinstance(node, Map):
             self.scope.fault(node, f"`{name}` wants a map", kind="form")
         return plain(node)
+
+    def vary(self) -> Variation | None:
+        node = self.node("vary")
+        if node is None:
+            return None
+        from rotsolve.scene.reader.vary import check_told, read_vary  # few scenes have variants
+
+        variation = read_vary(self.scope, node)
+        if variation is not None:
+            check_told(
+                self.scope, variation, {name: self.top[name][1] for name in ("title", "text") if name in self.top}
+            )
+        return variation
 
     def all_givens(self) -> tuple[Given, ...]:
         """The givens with the dimensions that their use has settled."""

@@ -1,0 +1,1 @@
+"""Grading: what a student wrote is read, compared with the answers of the scene, and marked."""

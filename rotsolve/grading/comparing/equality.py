@@ -1,0 +1,123 @@
+"""Equality: whether two formulas say the same in a scene; a difference is proved by balls at points, agreement by exact algebra."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.formula import Formula
+from rotsolve.grading.comparing.forms import Yardstick, extent
+from rotsolve.grading.comparing.points import BITS, Point, Region, points_of, region_of
+
+if TYPE_CHECKING:
+    from rotsolve.solution import Solution
+
+REFERENCES = 256  # that a domain remembers
+LARGEST = 20_000  # terms that a formula may have when it is multiplied out
+
+
+class Domain:
+    """The region of a scene with its points; what a reference is there is worked out once."""
+
+    def __init__(self, region: Region) -> None:
+        self.region = region
+        self.points = points_of(region)
+        self._references: dict[Formula, Reference] = {}
+
+    @classmethod
+    def of(cls, solution: Solution) -> Domain:
+        """The domain of a solved scene."""
+        return cls(region_of(solution))
+
+    def reference(self, formula: Formula) -> Reference:
+        """The formula made ready for comparisons."""
+        if formula not in self._references:
+            if len(self._references) >= REFERENCES:
+                self._references.clear()
+            self._references[formula] = Reference(formula, self)
+        return self._references[formula]
+
+
+class Reference:
+    """A formula with its values at the points of a domain and its exact form, each found when first needed."""
+
+    def __init__(self, formula: Formula, domain: Domain) -> None:
+        self.region = domain.region
+        self.formula = formula.substitute(domain.region.told)
+        self.points = tuple(point for point in domain.points if formula.symbols() <= point.keys())
+        self._values: dict[int, Ball | None] = {}
+
+    def value(self, index: int) -> Ball | None:
+        """The value at a point; None where there is none."""
+        if index not in self._values:
+            try:
+                self._values[index] = value_at(self.formula, self.points[index])
+            except Undefined:
+                self._values[index] = None
+        return self._values[index]
+
+    @cached_property
+    def yardstick(self) -> Yardstick | None:
+        """The form by which most formulas are judged; None where the reference has no such form."""
+        letters = [letter.name for letter in self.region.letters]
+        try:
+            return Yardstick(self.formula, letters, self.region.positive, self.region.ranks)
+        except (ValueError, ArithmeticError):
+            return None
+
+    def is_exactly(self, formula: Formula) -> bool | None:
+        """Whether the exact layer finds the formula equal to this one wherever both are defined; None where it can not tell."""
+        formula = formula.substitute(self.region.told)
+        if extent(formula) > LARGEST:
+            return None
+        found = self.yardstick.equals(formula) if self.yardstick is not None else None
+        if found is not None:
+            return found
+        try:
+            return equal(formula, self.formula, self.region.positive) or None
+        except (ValueError, ArithmeticError):
+            return None
+
+
+def value_at(formula: Formula, point: Point) -> Ball | None:
+    """The value of a formula at a point, None where it can not be told; Undefined where there surely is none."""
+    with Precision(BITS):
+        ball = RealBalls({}, bound=point)(formula)
+    return ball if ball.is_finite() else None
+
+
+def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
+    """Whether both formulas are equal wherever both are defined; None where neither that nor a difference could be proved.
+
+    `right` is the reference. A point at which one side is undefined is no difference, unless the left side is so at all of them.
+    """
+    if left == right:
+        return True
+    reference = domain.reference(right)
+    tried = undefined = 0
+    for index, point in enumerate(reference.points):
+        value = reference.value(index)
+        if value is None:
+            continue
+        if not left.symbols() <= point.keys():
+            return None
+        tried += 1
+        try:
+            other = value_at(left, point)
+        except Undefined:
+            undefined += 1
+            continue
+        if other is None:
+            continue
+        if not (other - value).contains(0):
+            return False
+        if tried - undefined == 1:  # the first point at which both are defined
+            exact = reference.is_exactly(left)
+            if exact is not None:
+                return exact
+    if undefined and undefined == tried:
+        return False
+    return reference.is_exactly(left) if not tried else None

@@ -1,0 +1,158 @@
+"""Forms: whether two formulas are one, by polynomials that are laid out once for a reference.
+
+A formula q √p, with q and p rational in the letters and in the sines and cosines of letters, is compared by q and p themselves: two such
+are equal where q₁² p₁ = q₂² p₂ and the signs of q₁ and q₂ agree.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from fractions import Fraction
+from itertools import pairwise
+from math import ceil, comb, prod
+
+from rotsolve.algebra.exact.field import RADICALS, Field, Ratio, is_integer_power
+from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.formula import Call, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
+
+HUGE = 10**9  # beyond this nobody counts terms
+Rooted = tuple[Ratio, Ratio]  # q and p of q √p
+
+
+class Beyond(ValueError):
+    """The formula is not of this form, or has what the reference has not."""
+
+
+class Yardstick:
+    """A reference in the form q √p, with the field in which formulas are held against it."""
+
+    def __init__(
+        self,
+        reference: Formula,
+        letters: Iterable[str],
+        positive: Collection[str],
+        ranks: Iterable[Sequence[str]] = (),
+    ) -> None:
+        atoms = [node for node in reference.walk() if _is_atom(node)]
+        self.field = Field([*atoms, *(Symbol(name) for name in letters)])
+        self.signs = Signs(self.field, positive)
+        self.steps = list(self.field.gens)  # each letter of a rank as the one below it and a positive step
+        for ranked in ranks:
+            for lower, higher in pairwise(self.field.index[Symbol(name)] for name in ranked):
+                self.steps[higher] = self.steps[lower] + self.field.gens[higher]
+        self.own = self.rooted(reference)
+
+    def equals(self, formula: Formula) -> bool | None:
+        """Whether the formula is the reference; None where only the whole exact layer can tell."""
+        try:
+            (q, p), (own_q, own_p) = self.rooted(formula), self.own
+        except ValueError:
+            return None
+        if self._is_one(p) and self._is_one(own_p):
+            return self._same(q, own_q)
+        if self._same(p, own_p):
+            return self._same(q, own_q)
+        if not self._same(self._times(self._times(q, q), p), self._times(self._times(own_q, own_q), own_p)):
+            return False
+        above, below = self._times(q, own_q)
+        ranked = (above * below).compose(*self.steps, ctx=self.field.context)
+        return True if self.signs.nonnegative(ranked) else None
+
+    def rooted(self, node: Formula) -> Rooted:
+        """q and p of a formula q √p."""
+        one = self.field.one, self.field.one
+        if not _has_root(node):
+            return self.field.convert(node), one
+        if isinstance(node, Call) and node.function in RADICALS:
+            inner = self._rational(node.arguments[0])
+            return one, inner if node.function == "sqrt" else self._times(inner, inner)  # |x| = √(x²)
+        if isinstance(node, Negative):
+            q, p = self.rooted(node.operand)
+            return (-q[0], q[1]), p
+        if isinstance(node, Product):
+            return self._product(node.factors)
+        if isinstance(node, Quotient):
+            (q, p), (below, root) = self.rooted(node.numerator), self.rooted(node.denominator)
+            self.field.check_divisor(below[0])
+            self.field.check_divisor(root[0])
+            return self._times(q, below[::-1]), self._times(p, root[::-1])
+        if isinstance(node, Power) and isinstance(node.exponent, Number):
+            return self._power(node.base, node.exponent.value)
+        raise Beyond
+
+    def _product(self, factors: tuple[Formula, ...]) -> Rooted:
+        q, p = self.rooted(factors[0])
+        for factor in factors[1:]:
+            more_q, more_p = self.rooted(factor)
+            q, p = self._times(q, more_q), self._times(p, more_p)
+        return q, p
+
+    def _power(self, base: Formula, exponent: Fraction) -> Rooted:
+        """(q √p)ⁿ, or b^(n/2) as b^((n−1)/2) √b."""
+        if exponent.denominator == 1:
+            (q, p), n = self.rooted(base), exponent.numerator
+            half, odd = divmod(n, 2)
+            whole = self._times(self._raised(q, n), self._raised(p, half))
+            return whole, p if odd else (self.field.one, self.field.one)
+        if exponent.denominator != 2:
+            raise Beyond
+        value = self._rational(base)
+        return self._raised(value, (exponent.numerator - 1) // 2), value
+
+    def _rational(self, node: Formula) -> Ratio:
+        if _has_root(node):
+            raise Beyond
+        return self.field.convert(node)
+
+    def _raised(self, ratio: Ratio, n: int) -> Ratio:
+        if n < 0:
+            self.field.check_divisor(ratio[0])
+            ratio, n = ratio[::-1], -n
+        return ratio[0] ** n, ratio[1] ** n
+
+    @staticmethod
+    def _times(left: Ratio, right: Ratio) -> Ratio:
+        return left[0] * right[0], left[1] * right[1]
+
+    @staticmethod
+    def _is_one(ratio: Ratio) -> bool:
+        return bool(ratio[0].is_one() and ratio[1].is_one())
+
+    def _same(self, left: Ratio, right: Ratio) -> bool:
+        return not len(self.field.reduce(left[0] * right[1] - right[0] * left[1]))
+
+
+def _is_atom(node: Formula) -> bool:
+    return isinstance(node, Call) and node.function in ("sin", "cos") and isinstance(node.arguments[0], Symbol)
+
+
+def _has_root(node: Formula) -> bool:
+    return node.holds(*RADICALS) or any(
+        not is_integer_power(power) for power in node.walk(Power) if isinstance(power, Power)
+    )
+
+
+def extent(node: Formula) -> int:
+    """A bound on the number of terms of a formula that is multiplied out, also within its functions."""
+    return sum(_extents(node))
+
+
+def _extents(node: Formula) -> tuple[int, int]:
+    """Bounds on the terms of the numerator and of the denominator."""
+    parts = [_extents(child) for child in node.children()]
+    match node:
+        case Sum():
+            below = prod(part[1] for part in parts)
+            result = sum(above * (below // one) for above, one in parts), below
+        case Product():
+            result = prod(part[0] for part in parts), prod(part[1] for part in parts)
+        case Quotient():
+            result = parts[0][0] * parts[1][1], parts[0][1] * parts[1][0]
+        case Power(_, Number(value)):
+            n = ceil(abs(value))
+            result = comb(parts[0][0] + n - 1, n), comb(parts[0][1] + n - 1, n)
+        case Negative():
+            result = parts[0]
+        case _:
+            result = 1 + sum(map(sum, parts)), 1
+    return min(result[0], HUGE), min(result[1], HUGE)

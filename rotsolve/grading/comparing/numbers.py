@@ -1,0 +1,153 @@
+"""Numbers: whether a typed number is within the tolerance of the number that is sought, |x − v| ≤ margin, in certified balls.
+
+A number on the very edge is within; where neither the balls nor exact arithmetic tell, nothing is decided.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Ball, Certified, Precision, Undefined, ends, evaluate, rounded
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.notation.limits import rational
+from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.quantities import Unit, in_unit, unit_for
+from rotsolve.scene.marks import Tolerance
+
+DIGITS = (15, 40, 120, 400)  # how closely both numbers are known, until they can be told apart
+BITS = 1600  # of precision in which they are compared
+HALF = Fraction(1, 2)
+
+
+class Typed(Struct, frozen=True):
+    """A number as a student typed it: its value before the unit, its significant figures (None where it is exact), its unit."""
+
+    value: Formula
+    figures: int | None = None
+    unit: Unit | None = None
+
+    @property
+    def rational(self) -> Fraction | None:
+        """The number where it is rational: every decimal is."""
+        return rational(self.value)
+
+    @property
+    def half_unit(self) -> Fraction | None:
+        """Half a unit of its last figure; None where it is exact, or zero."""
+        number = self.rational
+        if not number or self.figures is None:
+            return None
+        return HALF * Fraction(10) ** (rounded(number, self.figures)[1] - self.figures + 1)
+
+    def times(self, factor: Fraction) -> Typed:
+        """The same figures for a number so many times as large."""
+        return Typed(factor * self.value, self.figures, self.unit)
+
+
+class Sought(Struct, frozen=True, dict=True):
+    """The number that is asked for, known in every unit: by its closed form in SI units, or by its ball in `unit` alone."""
+
+    closed: Formula | None
+    values: Mapping[str, Formula]
+    value: Certified
+    unit: Unit
+    dimension: Dimension
+
+    def in_unit(self, unit: Unit) -> Certified:
+        """The number before a unit; each is worked out once."""
+        known: dict[tuple[Fraction, int], Certified] = self.__dict__.setdefault("known", {})
+        scale = unit.scale, unit.pi_power
+        if scale not in known:
+            known[scale] = self._in_unit(unit)
+        return known[scale]
+
+    def _in_unit(self, unit: Unit) -> Certified:
+        if (unit.scale, unit.pi_power) == (self.unit.scale, self.unit.pi_power):
+            return self.value
+        if self.closed is not None:
+            return evaluate(self.closed / unit.factor, self.values)
+        ratio, value = evaluate(self.unit.factor / unit.factor, {}, digits=30), self.value
+        return Certified(
+            value.ball * ratio.ball,
+            lambda digits: value.refine(digits + 3) * ratio.refine(digits + 3),
+            lambda _: False,
+        )
+
+    @property
+    def si(self) -> Unit:
+        return unit_for(self.dimension)
+
+    @property
+    def pure(self) -> bool:
+        """Whether it is a number without a unit."""
+        return self.dimension == NONE
+
+
+def within(typed: Typed, value: Certified, tolerance: Tolerance, unit: Unit) -> bool | None:
+    """Whether |x − v| is no more than the tolerance allows; both numbers before `unit`. None where that can't be told."""
+    if tolerance.share is not None:
+        return near(typed, value, share=tolerance.share)
+    if tolerance.amount is not None:
+        return near(typed, value, margin=in_unit(tolerance.amount, unit))
+    assert tolerance.figures is not None
+    return near(typed, value, margin=Number(half_figure(value, tolerance.figures)))
+
+
+def half_figure(value: Certified, figures: int) -> Fraction:
+    """Half a unit of the last of so many figures of a number."""
+    with Precision(BITS):
+        largest = ends(value.ball.abs_upper())[1]
+    return HALF * Fraction(10) ** (rounded(largest, figures)[1] - figures + 1) if largest else Fraction(0)
+
+
+def near(
+    typed: Typed, value: Certified, *, share: Fraction = Fraction(0), margin: Formula | None = None
+) -> bool | None:
+    """Whether |x − v| ≤ share · |v|, or ≤ margin."""
+    number = evaluate(typed.value, {})
+    for digits in DIGITS:
+        x, v = (one.ball if digits == DIGITS[0] else one.refine(digits) for one in (number, value))
+        with Precision(BITS):
+            allowed = abs(v) * share_ball(share) if margin is None else evaluate(margin, {}, digits=digits).ball
+            gap = abs(x - v) - allowed
+        if gap <= 0:
+            return True
+        if gap > 0:
+            return False
+    return True if any(value.equals(edge) for edge in edges(typed, share, margin)) else None
+
+
+def share_ball(share: Fraction) -> Ball:
+    return arb(share.numerator) / share.denominator
+
+
+def edges(typed: Typed, share: Fraction, margin: Formula | None) -> Iterator[Fraction]:
+    """The values for which a rational number lies exactly on the edge."""
+    number = typed.rational
+    if number is None or not (margin is None or isinstance(margin, Number)):
+        return
+    for side in (1, -1):
+        if isinstance(margin, Number):
+            yield number + side * margin.value
+        elif share < 1 or side == 1:
+            yield number / (1 + side * share)
+
+
+def rounds_to(typed: Typed, value: Certified) -> bool:
+    """Whether the typed number is the other, rounded to the figures that it has."""
+    half = typed.half_unit
+    return half is not None and near(typed, value, margin=Number(half)) is True
+
+
+def number_of(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
+    """The certified value of a formula; None where a letter has no value, or it has none."""
+    if not value.symbols() <= values.keys():
+        return None
+    try:
+        return evaluate(value, values)
+    except (Undefined, ZeroDivisionError):
+        return None

@@ -1,0 +1,248 @@
+"""Scalars: one number or formula held against the one that is asked: value, unit, figures, direction, form."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from functools import cached_property
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Certified
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
+from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
+from rotsolve.grading.comparing.finding import Finding, found, outcome_of
+from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
+from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
+from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
+from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
+from rotsolve.grading.verdict import RIGHT, WRONG, Remark
+from rotsolve.scene import marks
+from rotsolve.scene.marks import Marking
+
+POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
+LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
+
+Same = Callable[[Formula, Formula], "bool | None"]
+
+
+class Scalar(Struct, frozen=True, dict=True):
+    """What is asked for: its closed form and its number, which of them there are, and how it is marked.
+
+    `direction` is that of its value in words; a `directed` one has a sign by convention. `turns` says that it counts turns.
+    `dimensions` are those of the letters that an answer may hold.
+    """
+
+    closed: Formula | None
+    value: Certified | None
+    unit: Unit
+    dimension: Dimension
+    marking: Marking
+    same: Same
+    values: dict[str, Formula]
+    dimensions: dict[str, Dimension]
+    direction: str = ""
+    directed: bool = False
+    turns: bool = False
+
+    @property
+    def sign(self) -> int | None:
+        """The sign of its value."""
+        return None if self.value is None else self.value.sign
+
+    @cached_property
+    def sought(self) -> Sought | None:
+        """The number in every unit, where there is one."""
+        if self.value is None:
+            return None
+        known = self.closed if self.closed is not None and self.closed.symbols() <= self.values.keys() else None
+        return Sought(known, self.values, self.value, self.unit, self.dimension)
+
+
+def judged(reading: Reading, asked: Scalar) -> Finding:
+    """The finding for one reading."""
+    if reading.kind == NUMBER and reading.formula is not None:
+        return number_judged(Typed(reading.formula, reading.figures, reading.unit), reading.direction, asked)
+    if reading.kind == FORMULA and reading.formula is not None:
+        return formula_judged(reading.formula, asked)
+    return found(WRONG, "form", f"{'a formula' if asked.sought is None else 'a number or a formula'} is asked for")
+
+
+# numbers
+
+
+def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
+    """The finding for a number with its unit."""
+    sought = asked.sought
+    if sought is None:
+        letters_only = "a formula is asked for: the scene has no number for it"
+        return exact_judged(typed, asked) or found(WRONG, "form", letters_only)
+    if typed.unit is None:
+        return unitless_judged(typed, direction, asked, sought)
+    meant = measured(typed.unit, asked.unit, asked.dimension, asked.turns)
+    if meant.unit is None:
+        assert meant.fault is not None
+        return Finding(WRONG, (meant.fault,))
+    return valued(typed, meant.unit, direction, asked, sought) or slip(typed, meant.unit, asked, sought)
+
+
+def exact_judged(typed: Typed, asked: Scalar) -> Finding | None:
+    """The finding for an exact number where the closed form has letters without a value; None unless it is the same."""
+    holds = asked.closed is not None and asked.same(typed.value * (typed.unit or ONE_UNIT).factor, asked.closed)
+    return Finding(RIGHT) if holds else None
+
+
+def unitless_judged(typed: Typed, direction: str, asked: Scalar, sought: Sought) -> Finding:
+    """The finding for a number without a unit, in whichever unit it is right."""
+    if typed.rational == 0:
+        return valued(typed, asked.unit, direction, asked, sought) or slip(typed, asked.unit, asked, sought)
+    for unit in without_unit(asked.unit, sought.si, asked.dimension):
+        finding = valued(typed, unit, direction, asked, sought)
+        if finding is not None:
+            return lacking_unit(finding, unit, asked)
+    finding = slip(typed, asked.unit, asked, sought)
+    return lacking_unit(finding, asked.unit, asked) if finding.flaws else finding
+
+
+def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
+    """A finding for a number whose unit should have been there."""
+    if asked.marking.unit == marks.OPTIONAL or may_lack(unit, asked.dimension):
+        return finding
+    remark = found(finding.outcome, "unit", f"the unit is missing: {unit.text}").remarks
+    return Finding(finding.outcome, (*finding.remarks, *remark), (*finding.flaws, marks.UNIT))
+
+
+def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Sought) -> Finding | None:
+    """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
+    value = sought.in_unit(unit)
+    turned = turned_round(direction, asked.direction) if direction and asked.direction else False
+    if turned is None:
+        return found(WRONG, "direction", f"it points another way: {asked.direction}")
+    signed = oriented(typed, value, turned) if direction and asked.direction else typed
+    holds = within(signed, value, asked.marking.tolerance, unit)
+    if holds is None:
+        return found(outcome_of(None), "tolerance", "it lies on the edge of the tolerance")
+    if holds:
+        return well_formed(typed, value, asked)
+    if within(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
+        if turned:
+            return found(WRONG, "direction", f"it points the other way: {asked.direction}")
+        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
+    return None
+
+
+def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
+    """The number that a size, or a signed number, with a direction stands for: `−8.8 m/s, left` and `8.8 m/s, left` are both −8.8 m/s
+    where right is positive, and so is `−8.8 m/s, right`."""
+    minus, wanted = (typed.rational or 0) < 0, (value.sign or 1) < 0
+    agrees = minus if turned else not minus or wanted
+    return typed if minus == (wanted == agrees) else typed.times(Fraction(-1))
+
+
+def well_formed(typed: Typed, value: Certified, asked: Scalar) -> Finding:
+    """A right number, with what its form costs: too few figures, or a number where a formula is wanted."""
+    remarks: list[Remark] = []
+    flaws: list[str] = []
+    wanted = asked.marking.tolerance.figures
+    if wanted is not None and typed.figures is not None and typed.figures < wanted and not is_exactly(typed, value):
+        remarks.append(Remark("figures", (f"right as far as it goes, but {wanted} figures are wanted",)))
+        flaws.append(marks.ROUNDING)
+    if asked.marking.form == marks.EXACT and not is_form(typed, asked):
+        remarks.append(Remark("form", ("the number is right, but a formula is wanted",)))
+        flaws.append(marks.FORM)
+    return Finding(RIGHT, tuple(remarks), tuple(flaws))
+
+
+def is_form(typed: Typed, asked: Scalar) -> bool:
+    """Whether a number is the closed form: ⅝, π/12."""
+    closed = asked.closed
+    return (
+        closed is not None
+        and not closed.symbols()
+        and bool(asked.same(typed.value * (typed.unit or asked.unit).factor, closed))
+    )
+
+
+def is_exactly(typed: Typed, value: Certified) -> bool:
+    """Whether a number is the one that is sought, not just near it."""
+    return typed.rational is not None and value.equals(typed.rational)
+
+
+def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:
+    """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
+    value = sought.in_unit(unit)
+    if rounds_to(typed, value):
+        few = (typed.figures or 0) < LEAST_FIGURES
+        said = f"right as far as it goes, but {typed.figures} figure{'s'[: typed.figures != 1]} are too few"
+        return found(
+            WRONG, "figures", said.replace("1 figure are", "1 figure is"), flaws=() if few else (marks.ROUNDING,)
+        )
+    for other in likely_meant(typed.unit, asked.unit, sought.si, asked.dimension):
+        if within(typed, sought.in_unit(other), asked.marking.tolerance, other):
+            return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
+    for power in powers(typed, value):
+        if within(typed.times(Fraction(10) ** power), value, asked.marking.tolerance, unit):
+            return found(
+                WRONG, "power", f"off by a factor of {Fraction(10) ** abs(power)}: look at the prefixes of units"
+            )
+    return Finding(WRONG)
+
+
+def powers(typed: Typed, value: Certified) -> Iterator[int]:
+    """The power of ten by which a number may be off."""
+    from math import log10
+
+    number, wanted = abs(float(typed.rational or 0)), abs(value.float)
+    if number and wanted:
+        power = round(log10(wanted / number))
+        if 0 < abs(power) <= POWERS:
+            yield power
+
+
+# formulas
+
+
+def formula_judged(formula: Formula, asked: Scalar) -> Finding:
+    """The finding for a formula."""
+    if asked.closed is None:
+        return worked_out(formula, asked)
+    holds = asked.same(formula, asked.closed)
+    if holds:
+        wants_number = asked.marking.form == marks.NUMBER and asked.sought is not None
+        return (
+            found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
+            if wants_number
+            else Finding(RIGHT)
+        )
+    if holds is None:
+        return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
+    misfit = of_other_dimension(formula, asked)
+    if misfit:
+        return found(WRONG, "dimension", misfit)
+    if asked.same(-formula, asked.closed):
+        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
+    return Finding(WRONG)
+
+
+def worked_out(formula: Formula, asked: Scalar) -> Finding:
+    """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
+    number = number_of(formula, asked.values)
+    if asked.sought is None or number is None:
+        return found(outcome_of(None), "equality", "there is no closed form to compare it with")
+    value = Typed(formula.substitute(asked.values))
+    return valued(value, asked.sought.si, "", asked, asked.sought) or Finding(WRONG)
+
+
+def of_other_dimension(formula: Formula, asked: Scalar) -> str:
+    """What is said of a formula that measures something else; '' where it does not, or where that is not known."""
+    if not formula.symbols() <= asked.dimensions.keys():
+        return ""
+    try:
+        found_dimension = dimension_of(formula, asked.dimensions)
+    except DimensionError as error:
+        return f"its parts do not fit together: {error.message}"
+    if found_dimension.matches(asked.dimension):
+        return ""
+    here, wanted = describe(found_dimension, article=True), describe(asked.dimension, article=True)
+    return f"it measures {here}, but {wanted} is asked for"

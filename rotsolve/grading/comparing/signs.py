@@ -1,0 +1,90 @@
+"""Signs: directions in words, and answers that are right but for the direction that is counted as positive."""
+
+from __future__ import annotations
+
+import re
+
+from rotsolve.grading.comparing.finding import Finding, found
+from rotsolve.grading.verdict import RIGHT, WRONG
+from rotsolve.scene.marks import LENIENT, Marking
+
+OPPOSITE = {
+    "up": "down",
+    "left": "right",
+    "clockwise": "counterclockwise",
+    "inwards": "outwards",
+}
+OPPOSITE |= {other: one for one, other in OPPOSITE.items()}
+SAID = {  # other words for a direction
+    "anticlockwise": "counterclockwise",
+    "anti-clockwise": "counterclockwise",
+    "counter-clockwise": "counterclockwise",
+    "ccw": "counterclockwise",
+    "cw": "clockwise",
+    "upward": "up",
+    "upwards": "up",
+    "downward": "down",
+    "downwards": "down",
+    "leftward": "left",
+    "leftwards": "left",
+    "rightward": "right",
+    "rightwards": "right",
+    "inward": "inwards",
+    "outward": "outwards",
+    "uphill": "up",
+    "downhill": "down",
+}
+SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SAID}, key=len)), re.IGNORECASE)
+BESIDE = re.compile(r"\b(?:i\.e\.|to the|straight|vertically|horizontally|directed|pointing|and|along)(?=\W|$)|,")
+WHERE = re.compile(
+    r"\b(?:round|on|in|of)?\s*(?:the|a|an)\s+(?:slope|incline|ramp|plane|hill|dome|loop|bowl|hoop|rail|bar)\b"
+)
+
+Heading = frozenset[str]
+
+
+def heading(words: str) -> Heading:
+    """A direction in words as a set of plain ones: "up and to the left" is up, left; where it is ("the slope") goes unsaid."""
+    plain = BESIDE.sub(" ", WHERE.sub(" ", words.lower()))
+    return frozenset(SAID.get(word, word) for word in plain.split())
+
+
+def opposite(direction: Heading) -> Heading:
+    """The other way."""
+    return frozenset(OPPOSITE.get(word, word) for word in direction)
+
+
+def is_direction(words: str) -> bool:
+    """Whether every word says a direction."""
+    if SPOKEN.search(words) is None:
+        return False
+    parts = heading(words)
+    return bool(parts) and parts <= OPPOSITE.keys()
+
+
+def cut_direction(text: str) -> tuple[str, str]:
+    """A line without the direction in words behind its last commas, and these words: `5 N, up and to the left`."""
+    if SPOKEN.search(text) is None:
+        return text, ""
+    for match in re.finditer(",", text):
+        tail = text[match.end() :]
+        if is_direction(tail):
+            return text[: match.start()], tail.strip()
+    return text, ""
+
+
+def turned_round(typed: str, sought: str) -> bool | None:
+    """Whether a direction is the other way round, None where it is neither this nor the same."""
+    own, wanted = heading(typed), heading(sought)
+    return False if own == wanted else True if own == opposite(wanted) else None
+
+
+def right_but_for_sign(directed: bool, direction: str, sign: int | None, marking: Marking) -> Finding:
+    """What is said of an answer with the other sign: by the declared positive direction it is marked as the teacher chose."""
+    if not directed:
+        return found(WRONG, "sign", "right but for the sign")
+    said = "right but for the sign: the other direction is declared positive"
+    if direction and sign:
+        value = "positive" if sign > 0 else "negative"
+        said = f"right but for the sign: by the declared positive direction the answer is {value}, that is {direction}"
+    return found(RIGHT if marking.sign == LENIENT else WRONG, "sign", said)

@@ -1,0 +1,192 @@
+"""Following: whether an answer is right given the student's own earlier ones.
+
+Two kinds of relations between answers are tried: the laws of the scene, with the student's values for the answers in them; and for each
+given that one earlier answer holds, what the later one is when that given is eliminated: a = 2 m g/(2 m + M), T = m M g/(2 m + M) make
+T = ½ M a and T = m (g − a).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import combinations, product
+from math import floor, log10
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.balls import RealBalls, Undefined
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import Formula, Integral, Symbol
+from rotsolve.core.derivation import Equality
+from rotsolve.grading.comparing.numbers import HALF, Typed, number_of
+from rotsolve.grading.comparing.scalars import Same
+from rotsolve.grading.marking.target import Letters
+from rotsolve.scene.marks import Tolerance
+
+LEAST = 2  # figures of an earlier number whose rounding is allowed for
+
+
+class Own(Struct, frozen=True):
+    """What a student gave as an answer, in SI units: a number with half a unit of its last figure, or a formula of the givens."""
+
+    value: Formula
+    half: Formula | None = None
+
+    @property
+    def numeric(self) -> bool:
+        return not self.value.symbols()
+
+
+def own_number(typed: Typed, factor: Formula) -> Own:
+    """A typed number whose unit has this factor."""
+    half = typed.half_unit if (typed.figures or 0) >= LEAST else None
+    return Own(typed.value * factor, None if half is None else half * factor)
+
+
+class Following:
+    """The relations between the answers of a scene, each found when it is first needed."""
+
+    def __init__(self, letters: Letters, same: Same) -> None:
+        self.letters = letters
+        self.same = same
+        self._laws: dict[str, tuple[Equality, ...]] = {}
+        self._eliminated: dict[tuple[str, tuple[str, ...]], tuple[Formula, ...]] = {}
+
+    def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> tuple[str, ...]:
+        """The earlier answers from which an answer follows; nothing where it follows from none."""
+        for relation in self.relations(name, earlier):
+            own = {other: one for other, one in earlier.items() if other in letters_of(relation)}
+            if not own or self._holds(relation, name, given, {}, tolerance):
+                continue  # it says nothing of what went wrong
+            if self._holds(relation, name, given, own, tolerance):
+                return tuple(own)
+        return ()
+
+    def relations(self, name: str, earlier: Mapping[str, Own]) -> Iterator[Equality]:
+        """All relations that tell an answer by some of these, by fewer of them first."""
+        yield from self.laws(name)
+        for count in (1, 2):
+            for others in combinations(earlier, count):
+                yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, others))
+
+    def laws(self, name: str) -> tuple[Equality, ...]:
+        """The laws that speak of an answer, with all letters but those of answers and givens put in."""
+        if name not in self._laws:
+            self._laws[name] = tuple(self._speaking_of(name))
+        return self._laws[name]
+
+    def _speaking_of(self, name: str) -> Iterator[Equality]:
+        meanings, answers = self.letters.meanings, self.letters.closed
+        for law in meanings.laws:
+            letters = letters_of(law)
+            if name not in letters or len(letters & answers.keys()) < 2:
+                continue
+            inner = {letter: meanings.closed(letter) for letter in letters & meanings.keys.keys() - answers.keys()}
+            if None not in inner.values() and not (law.left.holds(Integral) or law.right.holds(Integral)):
+                put = {letter: form for letter, form in inner.items() if form is not None}
+                yield Equality(law.left.substitute(put), law.right.substitute(put))
+
+    def eliminated(self, name: str, others: tuple[str, ...]) -> tuple[Formula, ...]:
+        """An answer by others and the rest of the givens, where that is shorter than its closed form: what is longer nobody uses."""
+        key = name, others
+        if key not in self._eliminated:
+            closed = self.letters.closed.get(name)
+            forms = (
+                ()
+                if closed is None
+                else self._eliminate(closed, [(other, self.letters.closed[other]) for other in others])
+            )
+            short = dict.fromkeys(simplify(form, positive=self.letters.positive) for form in forms)
+            self._eliminated[key] = tuple(
+                form for form in short if closed is not None and length(form) < length(closed)
+            )
+        return self._eliminated[key]
+
+    def _eliminate(self, wanted: Formula, others: list[tuple[str, Formula]]) -> Iterator[Formula]:
+        """A formula with a given eliminated for each of the others, whichever it can be."""
+        if not others:
+            yield wanted
+            return
+        (other, known), *rest = others
+        if wanted.holds(Integral) or known.holds(Integral):
+            return
+        for given in sorted(wanted.symbols() & known.symbols()):
+            value = self._solved(other, known, given)
+            if value is not None:
+                put = {given: value}
+                yield from self._eliminate(wanted.substitute(put), [(one, form.substitute(put)) for one, form in rest])
+
+    def _solved(self, other: str, known: Formula, given: str) -> Formula | None:
+        """A given by an answer: of a speed by its square, since the given stands within a root."""
+        for power in (1, 2):
+            try:
+                value = solve_linear(known**power - Symbol(other) ** power, given)
+            except (ValueError, ArithmeticError):
+                continue
+            if value is not None:
+                return value
+        return None
+
+    # whether a relation holds with what the student wrote
+
+    def _holds(
+        self, relation: Equality, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance
+    ) -> bool:
+        """Whether a relation is true of the student's own values, with the right ones for all else."""
+        if given.numeric:
+            return self._crosses(relation, name, given, earlier, tolerance)
+        own = {other: one.value for other, one in earlier.items() if not one.numeric}
+        if len(own) < len(earlier):
+            return False
+        put = {**own, name: given.value}
+        left, right = (self._with_true(side, put) for side in (relation.left, relation.right))
+        return bool(self.same(left, right))
+
+    def _with_true(self, side: Formula, own: Mapping[str, Formula]) -> Formula:
+        """A side with the student's formulas, and the closed forms of the answers that they do not tell."""
+        return side.substitute({**{name: form for name, form in self.letters.closed.items() if name not in own}, **own})
+
+    def _crosses(
+        self, relation: Equality, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance
+    ) -> bool:
+        """Whether left − right changes its sign within the tolerance round the number, and within the rounding of the earlier ones."""
+        values = self.letters.values
+        numbers = {other: number_of(one.value, values) for other, one in earlier.items()}
+        number = number_of(given.value, {})
+        if number is None or not number.float or None in numbers.values():
+            return False
+        margin = self._margin(tolerance, number.float)
+        sides = [(number.float - margin, number.float + margin)]
+        for other, one in earlier.items():
+            half = number_of(one.half, {}) if one.half is not None else None
+            middle, reach = numbers[other].float, 0.0 if half is None else half.float  # type: ignore[union-attr]
+            sides.append((middle - reach, middle + reach))
+        residue = self._with_true(
+            relation.left - relation.right, {letter: Symbol(letter) for letter in (name, *earlier)}
+        )
+        signs = set()
+        for corner in product(*sides):
+            bound = dict(zip((name, *earlier), map(arb, corner), strict=True))
+            try:
+                gap = RealBalls(values, bound=bound)(residue)
+            except (Undefined, ZeroDivisionError):
+                return False
+            if not gap.is_finite():
+                return False  # the relation has a pole there, and says nothing
+            signs.add(0 if gap.contains(0) else 1 if gap > 0 else -1)
+        return 0 in signs or len(signs) > 1
+
+    def _margin(self, tolerance: Tolerance, number: float) -> float:
+        """How far the number may be off, in SI units."""
+        if tolerance.share is not None:
+            return abs(number) * float(tolerance.share)
+        if tolerance.amount is not None:
+            amount = number_of(tolerance.amount, {})
+            return 0.0 if amount is None else amount.float
+        return float(HALF) * 10.0 ** (floor(log10(abs(number))) - (tolerance.figures or 1) + 1)
+
+
+def letters_of(relation: Equality) -> frozenset[str]:
+    return relation.left.symbols() | relation.right.symbols()

@@ -1,0 +1,249 @@
+"""Judge: verdicts and marks for what students hand in, with one scene solved once; equal texts are judged once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.grading.comparing.equality import Domain, same
+from rotsolve.grading.comparing.finding import Finding, found
+from rotsolve.grading.comparing.numbers import Typed
+from rotsolve.grading.comparing.scalars import judged, lacking_unit
+from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
+from rotsolve.grading.comparing.vectors import vector_judged
+from rotsolve.grading.marking.explaining import Explaining
+from rotsolve.grading.marking.following import Following, Own, own_number
+from rotsolve.grading.marking.matrices import read_matrix
+from rotsolve.grading.marking.target import Letters, Target, targets_of
+from rotsolve.grading.marking.working import Working
+from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.reading.records import FORMULA, NUMBER, WORD
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Paper, Part, Remark, Verdict
+from rotsolve.scene import marks
+from rotsolve.solution import Solution
+
+LONGEST_ECHO = 400  # characters of a line that is said back
+
+
+class Judged(Struct, frozen=True):
+    """One text, judged by itself: the reading that was used (None where there is none), and what was found."""
+
+    reading: Reading | None
+    finding: Finding
+    read_as: str = ""
+
+
+class Judge:
+    """Judges answers to the questions of one solved scene."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.letters = Letters.of(solution)
+        self.domain = Domain.of(solution)
+        self.targets = {target.name: target for target in targets_of(self.letters, self.same)}
+        self.following = Following(self.letters, self.same)
+        self.explaining = Explaining(self.letters)
+        self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
+        self._names: dict[str, Names] = {}
+        self._judged: dict[tuple[str, str], Judged] = {}
+        self._explained: dict[tuple[str, str], Judged] = {}
+        self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], Judged | None] = {}
+
+    def mark(self, paper: Paper) -> Marked:
+        """The paper, marked: every answer in the order in which the scene asks, then the working."""
+        parts, wrong = [], dict[str, str]()
+        for target in self.targets.values():
+            text = paper.answers.get(target.name, "")
+            one, followed = self._in_its_place(target, text, wrong)
+            if one.finding.outcome == WRONG:
+                wrong[target.name] = text
+            parts.append(part(target, text, one, followed))
+        total, of = (sum((getattr(one, word) for one in parts), Fraction(0)) for word in ("marks", "of"))
+        return Marked(paper.student, tuple(parts), self.working.lines(paper.working), total, of)
+
+    def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[Judged, bool]:
+        """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
+        one = self.judged(target, text)
+        if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
+            return one, False
+        key = target.name, text, tuple(wrong.items())
+        if wrong and key not in self._followed:
+            self._followed[key] = self._follow(target, one, wrong)
+        followed = self._followed.get(key)
+        if followed is not None:
+            return followed, True
+        if one.finding.remarks:
+            return one, False
+        if key[:2] not in self._explained:
+            self._explained[key[:2]] = self._explain(target, one)
+        return self._explained[key[:2]], False
+
+    def _follow(self, target: Target, one: Judged, wrong: Mapping[str, str]) -> Judged | None:
+        """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
+        given = self.own(target, one)
+        owned = {
+            name: self.own(self.targets[name], self.judged(self.targets[name], text)) for name, text in wrong.items()
+        }
+        earlier = {name: value for name, value in owned.items() if value is not None}
+        if given is None or not earlier:
+            return None
+        used = self.following.follows(target.name, given, earlier, target.marking.tolerance)
+        if not used:
+            return None
+        listed = [word for name in used for word in (", ", Symbol(name))][1:]
+        finding = found(WRONG, "followed", "right with your own ", *listed, flaws=(marks.FOLLOWED,))
+        assert one.reading is not None and target.whole is not None
+        if one.reading.kind == NUMBER and one.reading.unit is None and not target.whole.dimension.matches(NONE):
+            finding = lacking_unit(finding, target.whole.unit, target.whole)
+        return Judged(one.reading, finding, one.read_as)
+
+    def _explain(self, target: Target, one: Judged) -> Judged:
+        """A wrong answer with what it comes of, where that is found."""
+        reading, asked = one.reading, target.whole
+        finding = None
+        if reading is not None and reading.formula is not None and asked is not None:
+            if reading.kind == NUMBER:
+                typed = Typed(reading.formula, reading.figures, reading.unit)
+                finding = self.explaining.number(target.name, typed, asked)
+            elif reading.kind == FORMULA:
+                finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
+        remark = () if finding is None else finding.remarks
+        flaws = () if finding is None else finding.flaws
+        return Judged(reading, Finding(WRONG, remark, flaws), one.read_as)
+
+    def own(self, target: Target, one: Judged) -> Own | None:
+        """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
+        reading, asked = one.reading, target.whole
+        if reading is None or reading.formula is None or asked is None or target.name not in self.letters.closed:
+            return None
+        if any(remark.kind in ("dimension", "form") for remark in one.finding.remarks):
+            return None
+        if reading.kind == NUMBER:
+            typed = Typed(reading.formula, reading.figures, reading.unit)
+            return own_number(typed, (reading.unit or asked.unit).factor) if typed.rational != 0 else None
+        formula = self.letters.meant(reading.formula)
+        return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
+
+    def same(self, left: Formula, right: Formula) -> bool | None:
+        """Whether two formulas are equal in the scene's domain; the right one is the reference."""
+        return same(left, right, self.domain)
+
+    # one text by itself
+
+    def judged(self, target: Target, text: str) -> Judged:
+        """What is found in a text, whoever wrote it."""
+        known = self._judged.get((target.name, text))
+        if known is None:
+            known = self._judged[target.name, text] = self._judge(target, text)
+        return known
+
+    def _judge(self, target: Target, text: str) -> Judged:
+        if not text.strip():
+            return Judged(None, found(WRONG, "empty", "not answered"))
+        if target.word:
+            return Judged(None, word_judged(text, target))
+        if is_direction(said(text)):
+            return Judged(None, direction_judged(said(text), target))
+        line, direction = cut_direction(text)
+        try:
+            read = read_answer if target.rows == 1 else read_matrix
+            readings = read(line, self.names(target.name))
+        except AnswerError as error:
+            remark = Remark("reading", (str(error),), error.start, error.end)
+            return Judged(None, Finding(UNDECIDED, (remark,)))
+        if direction:
+            readings = (
+                tuple(replace(one, direction=direction) for one in readings if one.kind in (NUMBER, FORMULA))
+                or readings
+            )
+        return self._best(target, text, readings)
+
+    def names(self, asked: str) -> Names:
+        """The letters that an answer may hold."""
+        known = self._names.get(asked)
+        if known is None:
+            known = self._names[asked] = Names(self.letters.givens, frozenset(self.targets), asked)
+        return known
+
+    def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
+        """By the reading that makes the line right, else by the likeliest one."""
+        tried = [(reading, self._read(target, reading)) for reading in readings]
+        reading, finding = min(tried, key=lambda item: rank(item[1]))
+        echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO else ""
+        return Judged(reading, Finding(finding.outcome, (*reading.remarks, *finding.remarks), finding.flaws), echo)
+
+    def _read(self, target: Target, reading: Reading) -> Finding:
+        """The finding for one reading."""
+        if reading.kind == WORD:
+            return found(WRONG, "form", "words are no answer here")
+        reading = self.meant(reading)
+        if reading.formula is not None and self.circular(target, reading.formula):
+            return found(WRONG, "form", "the answer speaks of itself")
+        if target.parts:
+            return vector_judged(reading, target.parts, target.whole)
+        assert target.whole is not None
+        return judged(reading, target.whole)
+
+    def meant(self, reading: Reading) -> Reading:
+        """A reading with its formulas in the letters of closed forms."""
+        if not self.letters.runs:
+            return reading
+        formula = None if reading.formula is None else self.letters.meant(reading.formula)
+        return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
+
+    def circular(self, target: Target, formula: Formula) -> bool:
+        """Whether an answer holds its own letter, which is no letter of its closed form."""
+        closed = self.letters.closed.get(target.name)
+        return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
+
+
+def rank(finding: Finding) -> int:
+    """The order in which the readings of one line are preferred: none is called wrong while another may be right."""
+    if finding.outcome == WRONG and finding.flaws:
+        return 1
+    return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
+
+
+def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
+    """One answer with its marks."""
+    finding, marking = one.finding, target.marking
+    earned = finding.right or bool(finding.flaws)
+    left = marking.left(finding.flaws) if earned else Fraction(0)
+    verdict = Verdict(finding.outcome, one.read_as, finding.remarks)
+    return Part(target.name, text, verdict, left, marking.points, followed)
+
+
+def said(text: str) -> str:
+    """A text without the letter of the answer in front."""
+    return text.rpartition("=")[2].strip()
+
+
+def word_judged(text: str, target: Target) -> Finding:
+    """The finding for a label, or several in any order."""
+    typed, wanted = (frozenset(plain(part) for part in words.split(",")) for words in (said(text), target.word))
+    if typed == wanted or plain(text) == plain(target.word):
+        return Finding(RIGHT)
+    known = {plain(label) for label in (*target.options, "none")}
+    if typed <= known:
+        return Finding(WRONG)
+    return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
+
+
+def direction_judged(text: str, target: Target) -> Finding:
+    """The finding for a direction in words where a number could stand."""
+    direction = "" if target.whole is None else target.whole.direction
+    if not direction:
+        return found(WRONG, "form", "words are no answer here")
+    if turned_round(text, direction) is not False:
+        return found(WRONG, "direction", f"it points another way: {direction}")
+    return (
+        Finding(RIGHT) if target.directional else found(WRONG, "form", "the direction is right; its size is asked for")
+    )
+
+
+def plain(words: str) -> str:
+    return " ".join(words.lower().split())

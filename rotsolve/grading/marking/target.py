@@ -1,0 +1,141 @@
+"""Target: what one answer of a solved scene is held against: a number or formula, the parts of a vector or matrix, a word."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.dimension import TIME as DURATION
+from rotsolve.algebra.units.unit_table import ONE_UNIT
+from rotsolve.core.derivation import Answer
+from rotsolve.core.registry import TIME
+from rotsolve.grading.comparing.scalars import Same, Scalar
+from rotsolve.inquiry.compose.letters import in_letters
+from rotsolve.inquiry.meanings import Meanings
+from rotsolve.motion.positive import positive_letters
+from rotsolve.scene.marks import Marking, marking_of
+from rotsolve.scene.model import Choice, Find, Problem
+from rotsolve.solution import Solution
+
+
+class Target(Struct, frozen=True):
+    """An answer with its marking: `whole` is the number or the size, `parts` the components, `options` the words to choose from."""
+
+    name: str
+    marking: Marking
+    whole: Scalar | None = None
+    parts: tuple[Scalar, ...] = ()
+    rows: int = 1
+    word: str = ""
+    options: tuple[str, ...] = ()
+    directional: bool = False  # whether the published answer is the direction alone
+
+
+class Letters(Struct, frozen=True, dict=True):
+    """The letters of a scene: which name what, their dimensions and values, and the closed forms of the answers."""
+
+    solution: Solution
+    meanings: Meanings
+
+    @classmethod
+    def of(cls, solution: Solution) -> Letters:
+        assert solution.trace.meanings is not None
+        return cls(solution, solution.trace.meanings())
+
+    @property
+    def problem(self) -> Problem:
+        return self.solution.problem
+
+    @cached_property
+    def runs(self) -> bool:
+        """Whether the running time is a letter of the answers."""
+        return any(find.runs for find in self.problem.finds)
+
+    @cached_property
+    def givens(self) -> frozenset[str]:
+        """The letters in which closed forms are written, as they are printed."""
+        names = {given.name for given in self.problem.givens}
+        return frozenset(names | ({self.meanings.time} if self.runs else set()))
+
+    @property
+    def values(self) -> dict[str, Formula]:
+        return self.problem.values
+
+    @cached_property
+    def positive(self) -> frozenset[str]:
+        """The givens that are surely positive."""
+        return positive_letters(self.problem.givens)
+
+    @cached_property
+    def closed(self) -> dict[str, Formula]:
+        """The closed forms of the answers that have one, by name."""
+        return {a.name: a.closed for a in self.solution.derivation.answers if a.closed is not None}
+
+    def written(self, closed: Formula | None) -> Formula | None:
+        """A closed form with the variables of its integrals as they are printed."""
+        names = {key: name for key, name in self.meanings.names.items() if key != TIME}
+        return None if closed is None else in_letters(closed, names)
+
+    def meant(self, typed: Formula) -> Formula:
+        """A typed formula with the running time under its own name."""
+        return typed.substitute({self.meanings.time: Symbol(TIME)}) if self.runs else typed
+
+    @cached_property
+    def dimensions(self) -> dict[str, Dimension]:
+        """What each letter measures, as far as it is known."""
+        known = {given.name: given.dimension for given in self.problem.givens}
+        known |= {answer.name: answer.dimension for answer in self.solution.derivation.answers}
+        if self.runs:
+            known[TIME] = DURATION
+        return {name: dimension for name, dimension in known.items() if dimension is not None}
+
+
+def targets_of(letters: Letters, same: Same) -> Iterator[Target]:
+    """What every answer is held against, in the order of the questions."""
+    finds = {find.group: find for find in letters.problem.finds}
+    published = {entry.name: entry for entry in letters.problem.answers}
+    for answer in letters.solution.derivation.answers:
+        marking = marking_of(letters.problem.marking, answer.name)
+        find, entry = finds[answer.name], published.get(answer.name)
+        if answer.word:
+            yield Target(answer.name, marking, word=answer.word, options=labels(find.choice))
+            continue
+        told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
+        rows = answer.rows
+        entries = [part for row in rows for part in row] or answer.components
+        parts = tuple(scalar(part, marking, letters, same, directed=not rows or len(rows) == 1) for part in entries)
+        directed = letters.meanings.directed(answer.name)
+        whole = None if rows else scalar(answer, marking, letters, same, directed, counts_turns(find))
+        yield Target(answer.name, marking, whole, parts, len(rows) or 1, directional=told and bool(answer.direction))
+
+
+def scalar(
+    answer: Answer, marking: Marking, letters: Letters, same: Same, directed: bool, turns: bool = False
+) -> Scalar:
+    """One number or formula of an answer."""
+    return Scalar(
+        letters.written(answer.closed),
+        answer.value,
+        answer.unit or ONE_UNIT,
+        answer.dimension or NONE,
+        marking,
+        same,
+        letters.values,
+        letters.dimensions,
+        answer.direction,
+        directed,
+        turns,
+    )
+
+
+def labels(choice: Choice | None) -> tuple[str, ...]:
+    return () if choice is None else tuple(option.label for option in choice.options)
+
+
+def counts_turns(find: Find) -> bool:
+    """Whether the question is for a number of turns."""
+    return [term.path.quantity for term in find.terms] == ["turns"]

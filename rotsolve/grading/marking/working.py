@@ -1,0 +1,212 @@
+"""Working: equations that a student writes on the way, each held against the scene's solution.
+
+A line is right where it holds with what the letters stand for there, and says something; a chain a = b = c is as many equations.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from functools import cached_property
+from itertools import pairwise
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Certified, Undefined, evaluate
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum
+from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
+from rotsolve.core.registry import SPOKEN
+from rotsolve.grading.comparing.finding import Finding, found, outcome_of, together
+from rotsolve.grading.comparing.scalars import Same
+from rotsolve.grading.marking.explaining import Explaining, told
+from rotsolve.grading.marking.target import Letters
+from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.reading.records import EQUATION
+from rotsolve.grading.verdict import UNDECIDED, WRONG, Line, Remark, Verdict
+from rotsolve.scene.marks import ALL, marking_of
+
+USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
+DECIMAL = re.compile(r"\d[.,]\d")
+
+
+class Link(Struct, frozen=True):
+    """One equation of a line, and where it begins there."""
+
+    text: str
+    start: int
+
+
+class Working:
+    """Judges lines of working; each text once."""
+
+    def __init__(self, letters: Letters, answers: frozenset[str], same: Same, explaining: Explaining) -> None:
+        self.letters = letters
+        self.answers = answers
+        self.same = same
+        self.explaining = explaining
+        self._judged: dict[str, Verdict] = {}
+
+    def lines(self, texts: tuple[str, ...]) -> tuple[Line, ...]:
+        """The verdict on each line; the first wrong one is marked."""
+        verdicts = [self.verdict(text) for text in texts]
+        first = next((index for index, verdict in enumerate(verdicts) if verdict.outcome == WRONG), None)
+        return tuple(
+            Line(text, verdict, index == first)
+            for index, (text, verdict) in enumerate(zip(texts, verdicts, strict=True))
+        )
+
+    def verdict(self, text: str) -> Verdict:
+        known = self._judged.get(text)
+        if known is None:
+            finding = together(self.link(link) for link in links(text))
+            known = self._judged[text] = Verdict(finding.outcome, "", finding.remarks)
+        return known
+
+    @cached_property
+    def names(self) -> Names:
+        """The letters that a line may hold: those of the scene, and those that its laws print."""
+        meanings = self.letters.meanings
+        printed = {name for name, key in meanings.keys.items() if not any(mark in key for mark in SPOKEN)}
+        return Names(self.letters.givens | printed, self.answers)
+
+    # one equation
+
+    def link(self, link: Link) -> Finding:
+        """The finding for one equation, by the reading that makes it right."""
+        try:
+            readings = read_answer(link.text, self.names)
+        except AnswerError as error:
+            kind = "undeclared" if error.unknown else "reading"
+            remark = Remark(kind, (str(error),), link.start + error.start, link.start + error.end)
+            return Finding(UNDECIDED, (remark,))
+        tried = [self.equation(reading, link.text) for reading in readings]
+        return next((finding for finding in tried if finding.right), tried[0])
+
+    def equation(self, reading: Reading, text: str) -> Finding:
+        """The finding for one reading of an equation."""
+        if reading.kind != EQUATION or reading.formula is None or reading.right is None:
+            return found(UNDECIDED, "form", "a line of working is an equation")
+        left, right = self.letters.meant(reading.formula), self.letters.meant(reading.right)
+        if equal(left, right):
+            return found(UNDECIDED, "trivial", "true whatever the letters stand for: it says nothing")
+        open_ = [name for name in sorted(left.symbols() | right.symbols()) if not self.settled(name)]
+        if open_:
+            return found(UNDECIDED, "undeclared", f"the scene does not tell what {open_[0]} is")
+        holds = self.holds(left, right, text)
+        if holds is not False:
+            return Finding(outcome_of(holds))
+        numbers = one_is_a_number(left, right) or bool(
+            DECIMAL.search(text)
+        )  # which lost their units when they were read
+        return (None if numbers else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
+
+    def settled(self, name: str) -> bool:
+        """Whether it is known what a letter stands for."""
+        return name in self.letters.givens or self.meaning(name) is not None or self.number(name) is not None
+
+    def meaning(self, name: str) -> Formula | None:
+        """The closed form of a letter that is no given."""
+        closed = self.letters.closed.get(name)
+        if closed is None and name in self.letters.meanings.keys:
+            closed = self.letters.meanings.closed(name)
+        return closed
+
+    def number(self, name: str) -> Certified | None:
+        """The number of a letter without a closed form, in SI units."""
+        meanings = self.letters.meanings
+        return meanings.number(name) if name in meanings.keys else None
+
+    def told(self, side: Formula) -> Formula:
+        """A side with the closed forms of its letters."""
+        forms = {name: self.meaning(name) for name in side.symbols() - self.letters.givens}
+        return side.substitute({name: form for name, form in forms.items() if form is not None})
+
+    def holds(self, left: Formula, right: Formula, text: str) -> bool | None:
+        """Whether an equation holds on the scene's solution: exactly, or in its decimals."""
+        sides = [self.told(side) for side in (left, right)]
+        held = self.same(*sides)
+        if held is True or not (DECIMAL.search(text) or one_is_a_number(left, right)):
+            return held
+        return self.nearly(*sides)
+
+    def nearly(self, left: Formula, right: Formula) -> bool | None:
+        """Whether both sides agree to the tolerance, as a share of their largest term; None where they have no number."""
+        terms = [number.float for side in (left, right) for term in terms_of(side) if (number := self.value(term))]
+        sides = [self.value(side) for side in (left, right)]
+        if None in sides:
+            return None
+        tolerance = marking_of(self.letters.problem.marking, ALL).tolerance.share
+        share = USUAL if tolerance is None else float(tolerance)
+        low, high = (side.float for side in sides if side is not None)
+        return abs(low - high) <= share * max(abs(term) for term in (*terms, low, high))
+
+    def value(self, side: Formula) -> Certified | None:
+        names = side.symbols() - self.letters.values.keys()
+        roots = {name: number for name in names if (number := self.number(name)) is not None}
+        if names - roots.keys():
+            return None
+        try:
+            return evaluate(side, self.letters.values, roots=roots)
+        except (Undefined, ZeroDivisionError):
+            return None
+
+    # what is wrong
+
+    def misfit(self, left: Formula, right: Formula) -> Finding | None:
+        """Sides that measure different things; None where they do not, or where that is not known."""
+        known = self.dimensions(left.symbols() | right.symbols())
+        if known is None:
+            return None
+        try:
+            sides = [dimension_of(side, known) for side in (left, right)]
+        except DimensionError as error:
+            return found(WRONG, "dimension", f"its parts do not fit together: {error.message}")
+        if ZERO in (left, right) or sides[0].matches(sides[1]):
+            return None
+        one, other = (describe(side, article=True) for side in sides)
+        return found(WRONG, "dimension", f"the left side is {one}, but the right side is {other}")
+
+    def dimensions(self, names: frozenset[str]) -> dict[str, Dimension] | None:
+        """What the letters measure; None where one is not known."""
+        meanings, known = self.letters.meanings, self.letters.dimensions
+        found = {
+            name: known.get(name) or (meanings.dimension(name) if name in meanings.keys else None) for name in names
+        }
+        dimensions = {name: dimension for name, dimension in found.items() if dimension is not None}
+        return dimensions if len(dimensions) == len(found) else None
+
+    def mistake(self, left: Formula, right: Formula) -> Finding | None:
+        """The mistake with which the equation holds, where all its letters are givens or answers."""
+        names = (left.symbols() | right.symbols()) - self.letters.givens
+        if not names or not names <= self.letters.closed.keys():
+            return None
+        for one in self.explaining.mistaken():
+            forms = {name: answer.closed for name, answer in one.answers.items() if name in names}
+            if None in forms.values() or not forms:
+                continue
+            put = {name: form for name, form in forms.items() if form is not None}
+            sides = [self.told(side.substitute(put)) for side in (left, right)]
+            if self.same(*sides):
+                return told(one.mistake)
+        return None
+
+
+def links(text: str) -> Iterator[Link]:
+    """The equations of a line: a = b, b = c of the chain a = b = c."""
+    pieces = [match.span() for match in re.finditer("[^=]+", text)]
+    if len(pieces) < 3:
+        yield Link(text, 0)
+        return
+    for (start, _), (_, end) in pairwise(pieces):
+        yield Link(text[start:end], start)
+
+
+def one_is_a_number(left: Formula, right: Formula) -> bool:
+    """Whether one side is a number other than zero."""
+    return any(not side.symbols() and side != ZERO for side in (left, right))
+
+
+def terms_of(side: Formula) -> tuple[Formula, ...]:
+    inner = side.operand if isinstance(side, Negative) else side
+    return inner.terms if isinstance(inner, Sum) else (inner,)

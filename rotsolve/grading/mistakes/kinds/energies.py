@@ -1,0 +1,182 @@
+"""Mistakes with energy and momentum: a half left out, energy or momentum kept where it is not, work left out."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, negate, total
+from rotsolve.core.alteration import Alteration
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, NEWTON, Equation
+from rotsolve.core.facts import Force
+from rotsolve.core.passage import Encounter, Meeting
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import flat, moved, spoken
+from rotsolve.grading.mistakes.kinds.places import Made
+from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.inquiry.planning import SECOND_CHOICE
+from rotsolve.principles.momentum import collision
+
+if TYPE_CHECKING:
+    from rotsolve.grading.mistakes.scene import Scene
+
+HALF = Number(Fraction(1, 2))
+
+Laws = Callable[[Encounter, str], Iterator[Equation]]  # of an event, for the section in which they are written
+
+
+# halves
+
+
+def halves(scene: Scene) -> Made:
+    """m v² and I ω² for their halves: both, then either."""
+    inertias = frozenset(
+        name
+        for body in (body for facts in scene.moments for body in facts.bodies)
+        if body.inertia is not None
+        for name in body.inertia.letter.symbols()
+    )
+    kinds: tuple[tuple[str, Callable[[Formula], bool]], ...] = (
+        ("in the kinetic energy", lambda term: True),
+        ("in ½ I ω²", lambda term: not inertias.isdisjoint(term.symbols())),
+        ("in ½ m v²", lambda term: inertias.isdisjoint(term.symbols())),
+    )
+    for where, fits in kinds:
+        yield (
+            f"the half was left out {where}",
+            Change(altered=Alteration(equation=doubled(ENERGY, fits)), aside=(NEWTON,)),
+        )
+
+
+def half_of_way(scene: Scene) -> Made:
+    """a t² for ½ a t², and (v₁ + v₂) t for its half."""
+    if scene.history.passages:
+        for words, mean in (("½ a t²", False), ("½ (v₁ + v₂) t", True)):
+            altered = Alteration(equation=in_time(mean))
+            yield f"the half was left out in {words}", Change(altered=altered, aside=(ANGULAR_MOMENTUM,))
+
+
+def in_time(mean: bool) -> Callable[[Equation], Equation]:
+    """The equations of constant acceleration without the half of one, which is the first choice; the others are the second.
+
+    Of those, v₂ = v₁ + a t comes first, since most would take it next.
+    """
+    fits = doubled(KINEMATICS, lambda term: True)
+
+    def changed(equation: Equation) -> Equation:
+        if equation.family != KINEMATICS or not equation.label.startswith("constant"):
+            return equation
+        whole = fits(equation)
+        if whole != equation and bool(equation.remark) == mean:
+            return replace(whole, cost=1)
+        return replace(equation, cost=SECOND_CHOICE + equation.cost)
+
+    return changed
+
+
+def doubled(family: str, fits: Callable[[Formula], bool]) -> Callable[[Equation], Equation]:
+    """The equations of a family without the halves in front of some terms."""
+
+    def whole(term: Formula) -> Formula:
+        if isinstance(term, Negative):
+            return negate(whole(term.operand))
+        halved = isinstance(term, Product) and term.factors[0] == HALF
+        return 2 * term if halved and fits(term) else term
+
+    def changed(equation: Equation) -> Equation:
+        if equation.family != family:
+            return equation
+        left, right = (total([whole(term) for term in flat([side])]) for side in (equation.left, equation.right))
+        return replace(equation, left=left, right=right)
+
+    return changed
+
+
+# work
+
+
+def no_work(scene: Scene) -> Made:
+    """Mechanical energy kept though friction, or what acts inside, takes some of it."""
+    works = {work.owner for passage in scene.history.passages.values() for work in passage.works}
+    if works:
+        altered = Alteration(equation=workless)
+        words = "energy was taken as conserved though work is done"
+        yield words, Change(altered=altered, aside=(NEWTON, ANGULAR_MOMENTUM))
+
+
+def workless(equation: Equation) -> Equation:
+    """An energy equation without the works that have a letter."""
+    works = {name: ZERO for name in equation.symbols() if name.startswith(f"work{SEPARATOR}")}
+    if equation.family != ENERGY or not works:
+        return equation
+    left, right = equation.left.substitute(works), equation.right.substitute(works)
+    return replace(equation, left=left, right=right)
+
+
+# events
+
+
+def energy_kept(scene: Scene) -> Made:
+    """K₁ = K₂ through an event in place of its momenta; e = 1 where bodies bounce."""
+    for encounter in (one for one in scene.history.encounters.values() if not blows_from_outside(one)):
+        words = f"kinetic energy was taken as conserved in the {spoken(encounter.name)}"
+        yield words, Change(altered=Alteration(event=in_event(encounter.name, elastic)))
+
+
+def elastic(encounter: Encounter, section: str) -> Iterator[Equation]:
+    """The laws of an event in which no kinetic energy is lost."""
+    if encounter.restitution is not None:
+        _, approach, separation = encounter.restitution
+        yield from collision.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
+        return
+    before = [term for meeting in encounter.meetings for term in kinetic(meeting, after=False)]
+    after = [term for meeting in encounter.meetings for term in kinetic(meeting, after=True)]
+    names = tuple(sorted(meeting.body.name for meeting in encounter.meetings))
+    label = "conservation of kinetic energy"
+    yield Equation(*moved(before, after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
+
+
+def kinetic(meeting: Meeting, *, after: bool) -> list[Formula]:
+    """½ m v² + ½ I ω² of a body just before an event, or just after it."""
+    velocity, spin = (meeting.after, meeting.spin_after) if after else (meeting.before, meeting.spin_before)
+    if after and meeting.held is not None:
+        return [HALF * meeting.held * spin**2]
+    terms = [HALF * meeting.inertia * spin**2]
+    if meeting.body.motion.kind != "axis":
+        terms.append(HALF * meeting.body.mass * simplify(velocity.dot(velocity)))
+    return terms
+
+
+def momentum_kept(scene: Scene) -> Made:
+    """Σ m v₁ = Σ m v₂ though a support pushes as well."""
+    for encounter in scene.history.encounters.values():
+        if encounter.pivot:
+            words = f"momentum was taken as conserved in the {spoken(encounter.name)}, though the support pushes too"
+            yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported)))
+
+
+def unsupported(encounter: Encounter, section: str) -> Iterator[Equation]:
+    """The momenta of an event without the impulse of the support."""
+    for group in encounter.groups:
+        members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
+        momenta = collision.linear(members, blows_from_outside(encounter), section, tuple(sorted(group)))
+        yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
+    yield from collision.rebound(encounter, section)
+
+
+def blows_from_outside(encounter: Encounter) -> list[Force]:
+    """The blows that are no part of the meeting itself, nor of a support."""
+    return [blow for meeting in encounter.meetings for blow in meeting.blows if not blow.internal]
+
+
+def in_event(name: str, laws: Laws) -> Laws:
+    """Other laws for one event of a scene."""
+
+    def changed(encounter: Encounter, section: str) -> Iterator[Equation]:
+        return laws(encounter, section) if section == name else collision.through_event(encounter, section)
+
+    return changed

@@ -1,0 +1,246 @@
+"""Mistakes with forces: of the wrong sign, left out, without the radius in their torque, at another point, or of another size."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterator
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.alteration import Alteration
+from rotsolve.core.equation import ENERGY, Equation
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.vectors.heading import Vector
+from rotsolve.core.writing import spoken
+from rotsolve.elements.rims import shape_of
+from rotsolve.grading.mistakes.kinds.places import Made, each, each_and_all, listed, of_bodies, of_forces, of_owners
+from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.motion.bodies.rigid import direction_of
+
+if TYPE_CHECKING:
+    from rotsolve.grading.mistakes.scene import Scene
+
+
+def pulled(scene: Scene, role: str) -> Iterator[str]:
+    """The bodies on which a force of some role acts."""
+    return (body.name for body in scene.bodies.values() if any(force.role == role for force in body.forces))
+
+
+def backwards(role: str) -> Callable[[Force, BodyFacts], Force]:
+    """A force of some role the other way."""
+    return lambda force, body: replace(force, size=negate(force.size)) if force.role == role else force
+
+
+def gravity_sign(scene: Scene) -> Made:
+    """−m g for m g."""
+    for name in each(pulled(scene, "weight")):
+        words = f"the weight of the {spoken(name)} was given the wrong sign"
+        yield words, Change(altered=of_forces((name,), backwards("weight")))
+
+
+def tension_sign(scene: Scene) -> Made:
+    """−T for T in the law of what hangs from a string."""
+    motions = {name: body.motion for name, body in scene.bodies.items()}
+    hanging = (name for name in pulled(scene, "tension") if motions[name].kind == "line" and not motions[name].turns)
+    for name in each(hanging):
+        words = f"the tension on the {spoken(name)} was given the wrong sign"
+        yield words, Change(altered=of_forces((name,), backwards("tension")), aside=(ENERGY,))
+
+
+def no_weight(scene: Scene) -> Made:
+    """m for m g."""
+    gravity = scene.problem.gravity
+    if isinstance(gravity, Symbol):
+        yield f"mass was put for weight, without {to_text(gravity)}", Change(letters={gravity.name: ONE})
+
+
+def weight_at_end(scene: Scene) -> Made:
+    """The arm L for ½ L of a rod that is hinged at its end."""
+    first = scene.moments[0].state
+    for name in each(
+        name for name in pulled(scene, "weight") if shape_of(scene.arrangement.bodies[name]).word == "rod"
+    ):
+        held = scene.arrangement.pivot(name, first)
+        if held is not None and held.point in ("start", "end"):
+            words = f"the weight of the {spoken(name)} was taken to act at its end"
+            yield words, Change(altered=of_forces((name,), farther))
+
+
+def farther(force: Force, body: BodyFacts) -> Force:
+    return replace(force, arm=force.arm + force.arm) if force.role == "weight" else force
+
+
+# friction
+
+
+def rubbing(scene: Scene) -> Iterator[tuple[tuple[str, ...], str]]:
+    """What rubs, by the names of the connections or actions, with the words for the bodies: each alone, then all."""
+    bodies: dict[str, list[str]] = {}
+    for body in scene.bodies.values():
+        for item in body.acting:
+            if item.role == "friction":
+                bodies.setdefault(item.owner, []).append(f"the {spoken(body.name)}")
+    for owner in each(bodies):
+        yield (owner,), listed(bodies[owner])
+    if len(bodies) > 1:
+        yield tuple(bodies), listed(list(dict.fromkeys(name for names in bodies.values() for name in names)))
+
+
+def friction_sign(scene: Scene) -> Made:
+    """μ N the other way; of friction that no one knows, its torque the other way."""
+    for owners, who in rubbing(scene):
+        words = f"the friction on {who} was given the wrong sign"
+        yield words, Change(altered=of_owners(owners, other_way))
+        turned = Change(altered=of_owners(owners, turned_round), aside=(ENERGY,))
+        yield f"the torque of the friction on {who} was given the wrong sign", turned
+
+
+def other_way(item: Force | Couple) -> Force | Couple:
+    if isinstance(item, Couple):
+        return replace(item, torque=negate(item.torque))
+    return replace(item, size=negate(item.size))
+
+
+def turned_round(item: Force | Couple) -> Force | Couple:
+    return replace(item, arm=-item.arm) if isinstance(item, Force) else item
+
+
+def no_friction(scene: Scene) -> Made:
+    """0 for μ N; of what rolls also 0 in Newton's second law alone, as if it need not turn."""
+    for owners, who in rubbing(scene):
+        words, smooth = f"the friction on {who} was left out", of_owners(owners, none)
+        yield words, Change(altered=smooth)
+        rubbed = (body for body in scene.bodies.values() if any(item.owner in owners for item in body.acting))
+        rolling = frozenset(body.name for body in rubbed if body.motion.turns and body.motion.kind != "axis")
+        if rolling:
+            sliding = replace(smooth, equation=without_rotation(rolling))
+            yield words, Change(altered=sliding, aside=(ENERGY,))
+
+
+def none(item: Force | Couple) -> Force | Couple:
+    return replace(item, torque=ZERO) if isinstance(item, Couple) else replace(item, size=ZERO)
+
+
+def normal_as_weight(scene: Scene) -> Made:
+    """N = m g, whatever the slope."""
+    for names, who in each_and_all(pulled(scene, "friction")):
+        words = f"the normal force on {who} was taken as its weight"
+        yield words, Change(altered=of_forces(names, rubbed_by_weight))
+
+
+def rubbed_by_weight(force: Force, body: BodyFacts) -> Force:
+    """Friction by the weight of a body where it goes by its normal force."""
+    if force.role != "friction":
+        return force
+    weight = total([other.size for other in body.forces if other.role == "weight"])
+    normals = {name: weight for name in force.size.symbols() if name.startswith(f"normal_force{SEPARATOR}")}
+    return replace(force, size=force.size.substitute(normals))
+
+
+# torques
+
+
+def no_radius(scene: Scene) -> Made:
+    """T for T R."""
+    turning = (
+        body.name
+        for body in scene.bodies.values()
+        if body.motion.turns and any(force.arm.parts for force in body.forces)
+    )
+    for names, who in each_and_all(turning):
+        words = f"the radius was left out of the torque on {who}"
+        yield words, Change(altered=of_forces(names, armless), aside=(ENERGY,))
+
+
+def armless(force: Force, body: BodyFacts) -> Force:
+    """A force whose arm has no length but one."""
+    return replace(force, arm=Vector(tuple((ONE, heading) for _, heading in force.arm.parts)))
+
+
+def equal_tensions(scene: Scene) -> Made:
+    """T₁ = T₂ in place of the law of rotation of the pulley between them."""
+    pairs = {name: tensions_on(body) for name, body in scene.bodies.items() if body.motion.kind == "axis"}
+    for name in each(name for name, found in pairs.items() if found):
+        words = f"the tensions on both sides of the {spoken(name)} were taken as equal"
+        yield words, Change(altered=Alteration(equation=levelled(name, pairs[name][0])), aside=(ENERGY,))
+
+
+def tensions_on(body: BodyFacts) -> list[tuple[Formula, Formula]]:
+    """The two tensions of each string that runs over a wheel."""
+    pulls = [force for force in body.forces if force.role == "tension" and isinstance(force.size, Symbol)]
+    return [
+        (one.size, other.size)
+        for place, one in enumerate(pulls)
+        for other in pulls[place + 1 :]
+        if one.owner == other.owner and one.size != other.size
+    ]
+
+
+def levelled(name: str, pair: tuple[Formula, Formula]) -> Callable[[Equation], Equation]:
+    """T₁ = T₂ wherever the law of rotation of a wheel stands."""
+
+    def changed(equation: Equation) -> Equation:
+        if not turns(equation, name):
+            return equation
+        return replace(equation, left=pair[0], right=pair[1])
+
+    return changed
+
+
+def turns(equation: Equation, name: str) -> bool:
+    """Whether an equation is the law of rotation of a body."""
+    return equation.bodies == (name,) and equation.label.startswith("Newton's law for rotation")
+
+
+# supports
+
+
+def no_reaction(scene: Scene) -> Made:
+    """Σ F = m a of a hinged body, across the line to its hinge but without the force of that, in place of the torques about it."""
+    for name in each(body.name for body in scene.bodies.values() if body.motion.kind == "axis" and body.cm.parts):
+        altered = replace(of_bodies((name,), unsupported), equation=without_rotation({name}))
+        words = f"the force of the support on the {spoken(name)} was left out"
+        yield words, Change(altered=altered, aside=(ENERGY,))
+
+
+def without_rotation(names: Collection[str]) -> Callable[[Equation], Equation | None]:
+    """All equations but the laws of rotation of some bodies."""
+    return lambda equation: None if any(turns(equation, name) for name in names) else equation
+
+
+def unsupported(body: BodyFacts, facts: Facts) -> BodyFacts:
+    """The body as its weight and other pulls would move its centre of mass on its circle."""
+    forces = tuple(force for force in body.forces if force.role != "reaction")
+    return replace(body, forces=forces, axes=(direction_of(body.cm).turned(90),))
+
+
+# circles
+
+
+def no_centripetal(scene: Scene) -> Made:
+    """0 for m v²/r and m r ω² in Newton's second law."""
+    speeds = frozenset(speed for facts in scene.moments for body in facts.bodies for speed in speeds_of(body))
+    if speeds:
+        altered = Alteration(equation=lambda equation: uncurved(equation, speeds))
+        yield "the acceleration towards the centre of the circle was left out", Change(altered=altered)
+
+
+def speeds_of(body: BodyFacts) -> Iterator[Formula]:
+    """The letters of its speeds, where its centre of mass goes round in a circle."""
+    if body.cm.parts or body.motion.bend is not None:
+        rates = [body.motion.spin, *(size for size, _ in body.motion.velocity.parts)]
+        yield from (Symbol(name) for rate in rates for name in rate.symbols())
+
+
+def uncurved(equation: Equation, speeds: Collection[Formula]) -> Equation:
+    """Newton's second law without the squares of speeds."""
+    if not equation.label.startswith("Newton's second law"):
+        return equation
+
+    def change(node: Formula) -> Formula:
+        return ZERO if isinstance(node, Power) and node.base in speeds else node
+
+    return replace(equation, left=equation.left.transform(change), right=equation.right.transform(change))

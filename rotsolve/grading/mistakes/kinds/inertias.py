@@ -1,0 +1,211 @@
+"""Mistakes with moments of inertia: left out, that of another shape, moved to no other axis, without that about the own centre."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, Number, Sum, total
+from rotsolve.core.alteration import Alteration
+from rotsolve.core.equation import Equation
+from rotsolve.core.facts import BodyFacts, Facts, Inertia
+from rotsolve.core.vectors.heading import Vector
+from rotsolve.elements.rims import shape_of
+from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.elements.shapes.round import Annulus
+from rotsolve.grading.mistakes.kinds.places import Made, each_and_all, of_bodies
+from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.motion.bodies.rigid import Piece, tidy
+from rotsolve.scene.model import Body, Problem
+
+if TYPE_CHECKING:
+    from rotsolve.grading.mistakes.scene import Scene
+
+NONE = Inertia(ZERO, ZERO, "")
+ROUND = (  # what the moment of inertia about the axis is of m R²
+    (Fraction(1, 2), "½ m R², that of a solid disc or cylinder"),
+    (Fraction(1), "m R², that of a ring"),
+    (Fraction(2, 5), "⅖ m R², that of a solid sphere"),
+    (Fraction(2, 3), "⅔ m R², that of a spherical shell"),
+)
+LONG = (  # of m L²
+    (Fraction(1, 3), "⅓ m L², that of a rod about its end"),
+    (Fraction(1, 12), "m L²/12, that of a rod about its centre"),
+)
+ASKED = ("inertia", "gyration", "inertia_tensor")  # questions whose steps move a moment of inertia to another axis
+
+
+def has_inertia(body: BodyFacts) -> bool:
+    return body.inertia is not None and body.inertia.letter != ZERO
+
+
+def turning(scene: Scene) -> Iterator[BodyFacts]:
+    """The bodies that turn, and are never joined to another, so that their moment of inertia is theirs alone."""
+    states = [state.name for state in scene.arrangement.timeline.states]
+    joined = {
+        name for state in states for member in scene.arrangement.members(state) for name in (member.name, member.host)
+    }
+    return (body for body in scene.bodies.values() if has_inertia(body) and body.name not in joined)
+
+
+def without(body: BodyFacts, facts: Facts) -> BodyFacts:
+    """The body as if it took no torque to turn it."""
+    return replace(body, inertia=NONE)
+
+
+def is_pulley(body: BodyFacts) -> bool:
+    """Whether a body turns about an axle through its centre of mass, or a string runs over it while it travels."""
+    if body.motion.kind == "axis":
+        return not body.cm.parts
+    strings = [force.owner for force in body.forces if force.role == "tension"]
+    return len(set(strings)) < len(strings)
+
+
+def pulleys(scene: Scene) -> Made:
+    """I = 0 of a wheel or pulley."""
+    for names, who in each_and_all(body.name for body in turning(scene) if is_pulley(body)):
+        yield f"the moment of inertia of {who} was left out", Change(altered=of_bodies(names, without))
+
+
+def rotational_energy(scene: Scene) -> Made:
+    """½ I ω² = 0 of what travels and turns."""
+    rolling = (body for body in turning(scene) if body.motion.kind != "axis" and not is_pulley(body))
+    for names, who in each_and_all(body.name for body in rolling):
+        yield f"the rotation of {who} was left out", Change(altered=of_bodies(names, without))
+
+
+# the axis
+
+
+def hinged(scene: Scene) -> Iterator[str]:
+    """The bodies that turn about an axis which is not that through their centre of mass."""
+    return (
+        body.name
+        for body in scene.bodies.values()
+        if body.motion.kind == "axis" and has_inertia(body) and body.cm.parts
+    )
+
+
+def parallel_axes(scene: Scene) -> Made:
+    """I_cm for I_cm + m d²: of a hinged body in the laws, of any in the steps of a question for it."""
+    for names, who in each_and_all(hinged(scene)):
+        about = of_bodies(names, about_axis(scene, lambda own, moved: own if own != ZERO else moved))
+        words = f"the moment of inertia of {who} about the centre of mass was taken for that about the axis"
+        yield words, Change(altered=replace(about, equation=unmoved))
+    if any(term.path.quantity in ASKED for find in scene.problem.finds for term in find.terms):
+        yield "the parallel-axes theorem was left out", Change(altered=Alteration(equation=unmoved))
+
+
+def point_masses(scene: Scene) -> Made:
+    """m d² for I_cm + m d², piece by piece."""
+    for names, who in each_and_all(hinged(scene)):
+        words = f"{who} was taken as a point mass at its centre of mass"
+        yield words, Change(altered=of_bodies(names, about_axis(scene, lambda own, moved: moved)))
+
+
+def twice_moving(scene: Scene) -> Made:
+    """I + m d² for I: the energy of the centre of mass added to that about the axis, which holds it already."""
+    for names, who in each_and_all(hinged(scene)):
+        words = f"the motion of the centre of mass of {who} was counted twice"
+        yield words, Change(altered=of_bodies(names, counted_twice))
+
+
+def counted_twice(body: BodyFacts, facts: Facts) -> BodyFacts:
+    """The body with m d² of its centre of mass added to its moment of inertia about the axis."""
+    if body.inertia is None:
+        return body
+    formula = simplify(body.inertia.formula + body.mass * body.cm.dot(body.cm))
+    return replace(body, inertia=Inertia(formula, formula, ""))
+
+
+def about_axis(scene: Scene, share: Callable[[Formula, Formula], Formula]) -> Callable[[BodyFacts, Facts], BodyFacts]:
+    """The body with a moment of inertia that each piece adds to in its own way, by its own moment and its m d²."""
+
+    def changed(body: BodyFacts, facts: Facts) -> BodyFacts:
+        if not has_inertia(body):
+            return body
+        frame = scene.history.instant(facts.state).frame(body.name)
+        terms = [share(piece.moment, moved(piece, frame.reference)) for piece in frame.pieces]
+        formula = simplify(total(terms), order=scene.arrangement.order)
+        return replace(body, inertia=Inertia(formula, formula, ""))
+
+    def moved(piece: Piece, reference: Vector) -> Formula:
+        arm = tidy(piece.at - reference)
+        return simplify(piece.mass * arm.dot(arm)) if arm.parts else ZERO
+
+    return changed
+
+
+def unmoved(equation: Equation) -> Equation:
+    """A step by the parallel-axes theorem without its m d², which stands last."""
+    if "parallel axes" not in equation.label or not isinstance(equation.right, Sum):
+        return equation
+    return replace(equation, right=total(equation.right.terms[:-1]))
+
+
+# the shape
+
+
+def shapes(scene: Scene) -> Made:
+    """Another factor of the table: m R² for ½ m R²."""
+    bodies = list(every(scene.problem.bodies))
+    for among, size in ((ROUND, radius), (LONG, length)):
+        for factor, noun in among:
+            told = with_factor(factor, size)
+            fitting = (body.name for body in bodies if size(body) is not None and not is_zero(told(body) - own(body)))
+            for names, who in each_and_all(fitting):
+                yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, told))
+    for names, who in each_and_all(body.name for body in bodies if isinstance(body.shape, Annulus)):
+        words = f"in the moment of inertia of {who} the square of the inner radius was taken away instead of added"
+        yield words, Change(problem=with_inertia(names, hollowed))
+
+
+def every(bodies: Iterable[Body]) -> Iterator[Body]:
+    """All bodies, and the bodies that are parts of others, each behind the whole."""
+    for body in bodies:
+        yield body
+        yield from every(part.body for part in body.parts)
+
+
+def radius(body: Body) -> Formula | None:
+    """The radius of a round shape that has a factor in the table."""
+    return body.shape.outer if isinstance(body.shape, Shape) and tells_inertia(body) else None
+
+
+def length(body: Body) -> Formula | None:
+    return body.shape.length if isinstance(body.shape, Rod) and tells_inertia(body) else None
+
+
+def tells_inertia(body: Body) -> bool:
+    """Whether the moment of inertia of a body comes from its shape alone."""
+    return body.mass is not None and body.inertia is None and body.gyration is None and not body.holes
+
+
+def with_factor(factor: Fraction, size: Callable[[Body], Formula | None]) -> Callable[[Body], Formula]:
+    """m R² times a factor."""
+    return lambda body: Number(factor) * (body.mass or ZERO) * (size(body) or ZERO) ** 2
+
+
+def own(body: Body) -> Formula:
+    """The moment of inertia of a shape about its centre of mass."""
+    return shape_of(body).moment(body.mass or ZERO)
+
+
+def hollowed(body: Body) -> Formula:
+    """½ m (R² − r²) of an annulus."""
+    sizes = dict(body.shape.radii) if isinstance(body.shape, Annulus) else {}
+    return (body.mass or ZERO) * (sizes["outer"] ** 2 - sizes["inner"] ** 2) / 2
+
+
+def with_inertia(names: tuple[str, ...], told: Callable[[Body], Formula]) -> Callable[[Problem], Problem]:
+    """The scene with given moments of inertia of some bodies about their centres of mass."""
+
+    def changed(body: Body) -> Body:
+        parts = tuple(replace(part, body=changed(part.body)) for part in body.parts)
+        return replace(body, parts=parts, **({"inertia": told(body)} if body.name in names else {}))
+
+    return lambda problem: replace(problem, bodies=tuple(changed(body) for body in problem.bodies))

@@ -1,0 +1,92 @@
+"""The table of mistakes that are recognised, the commonest first, and the mistakes that can be made in one scene."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+
+from msgspec import Struct
+
+from rotsolve.core.derivation import Answer
+from rotsolve.grading.mistakes.differing import alike
+from rotsolve.grading.mistakes.kinds import angles, energies, forces, inertias, misread
+from rotsolve.grading.mistakes.kinds.places import Made
+from rotsolve.grading.mistakes.mistake import Mistake
+from rotsolve.grading.mistakes.scene import Scene
+from rotsolve.scene.model import Problem
+
+
+class Kind(Struct, frozen=True):
+    """One entry: its name, what it is in general, and how it is made at each place of a scene where it can be."""
+
+    name: str
+    words: str
+    made: Callable[[Scene], Made]
+
+    def mistakes(self, scene: Scene) -> Iterator[Mistake]:
+        """The mistakes of this kind in a scene: at one place after the other, then at all together."""
+        return (Mistake(self.name, words, change) for words, change in self.made(scene))
+
+
+MISTAKES: tuple[Kind, ...] = (
+    Kind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
+    Kind("equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions),
+    Kind("no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy),
+    Kind("wrong shape factor", "the moment of inertia of another shape is used: m R² for ½ m R²", inertias.shapes),
+    Kind("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),
+    Kind("sine for cosine", "sine and cosine of an angle are exchanged", angles.sine_for_cosine),
+    Kind("degrees as radians", "30° is put in as 30 rad", misread.degrees),
+    Kind(
+        "revolutions as radians",
+        "rev/min is put in as rad/s, or only its 2π or its 60 is left out",
+        misread.revolutions,
+    ),
+    Kind("hertz as radians", "Hz is put in as rad/s", misread.hertz),
+    Kind("diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters),
+    Kind("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
+    Kind("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
+    Kind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
+    Kind(
+        "momentum kept", "momentum is taken as conserved in a blow though a support pushes too", energies.momentum_kept
+    ),
+    Kind("energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept),
+    Kind("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
+    Kind("friction left out", "friction is left out", forces.no_friction),
+    Kind("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
+    Kind("mass for weight", "m is put for m g", forces.no_weight),
+    Kind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
+    Kind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
+    Kind("radius left out", "the radius is left out of a torque", forces.no_radius),
+    Kind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
+    Kind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
+    Kind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
+    Kind("start from rest", "a velocity at the start is left out", misread.from_rest),
+    Kind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.exchanged),
+    Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
+    Kind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
+    Kind("units not converted", "cm is put in as m, g as kg", misread.units),
+)
+
+
+def mistakes_in(scene: Scene) -> Iterator[Mistake]:
+    """All mistakes that can be made in a scene, in the order of the table."""
+    return (mistake for kind in MISTAKES for mistake in kind.mistakes(scene))
+
+
+def wrong_answers(problem: Problem) -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
+    """Every mistake that changes an answer, with the answers that it gives, solved one after the other as they are asked for.
+
+    Of mistakes of one kind that give the same answers, only the first.
+    """
+    scene = Scene(problem)
+    for kind in MISTAKES:
+        given: list[Mapping[str, Answer]] = []
+        for mistake in kind.mistakes(scene):
+            answers = scene.with_mistake(mistake)
+            if answers is not None and not any(alike(answers, other) for other in given):
+                given.append(answers)
+                yield mistake, answers
+
+
+def with_mistake(problem: Problem, mistake: Mistake) -> Mapping[str, Answer] | None:
+    """The answers that a mistake changes; None where it changes none, or the scene has no answer then."""
+    return Scene(problem).with_mistake(mistake)

@@ -1,0 +1,44 @@
+"""Runs: what a run of letters means, `mg` or `ω₀t`: letters of the scene, the longest first, functions, and e where it is raised."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from string import ascii_letters
+
+from rotsolve.algebra.notation.letters import LETTER_NAMES
+from rotsolve.algebra.notation.tokens import FormulaError, Token, UnknownName, resolve
+from rotsolve.grading.reading.grammar.functions import RECIPROCAL
+
+LETTERS = frozenset((*ascii_letters, *LETTER_NAMES))
+REMEMBERED = 4096  # runs: students write the same few over and over
+LONGEST = 24  # of a run in which the strange part is looked for
+
+
+@lru_cache(REMEMBERED)
+def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
+    """The letters and functions side by side in a run, with their columns in it; None where it holds anything else."""
+    if run in RECIPROCAL and run not in names:
+        return (Token("function", run, 0, len(run)),)
+    try:
+        return tuple(resolve(Token("name", run, 0, len(run)), names, (), split=True))
+    except FormulaError:
+        return None
+
+
+def fault(token: Token, names: frozenset[str]) -> FormulaError:
+    """Why a run has no meaning; of `mgx` the x is told to be strange, and `v2` is perhaps meant as v²."""
+    run = token.text
+    ends = [end for end in range(1, len(run)) if run[end] in LETTERS] if len(run) <= LONGEST else []
+    known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
+    strange = Token("name", run[known:], token.start + known, token.end)
+    if meaning(strange.text, names) is not None:  # a function in the midst of a run
+        strange = token
+    try:
+        resolve(strange, names, (), split=True)
+    except UnknownName as error:
+        powered = strange.text[-1].isdecimal() and strange.text[:-1] in names
+        suggestion = f"{strange.text[:-1]}^{strange.text[-1]}" if powered else error.suggestion
+        return UnknownName(error.message, strange.start, strange.end, suggestion)
+    except FormulaError as error:
+        return error
+    return UnknownName(f"unknown name `{run}`", token.start, token.end)

@@ -1,0 +1,225 @@
+"""Tokens: a student's line cut into numbers, names and marks, each with its columns as typed; LaTeX becomes the marks that it means.
+
+`\\frac{a}{b}` is ((a)/(b)), `\\sqrt{x}` is √(x), `\\omega_{0}` is ω_0, `^{\\circ}` is °; spaces and `\\left` mean nothing.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from unicodedata import normalize
+
+from rotsolve.algebra.notation.cursor import MAX_NESTING
+from rotsolve.algebra.notation.letters import FRACTIONS, RUN
+from rotsolve.algebra.notation.tokens import NUMBER, SAME_MARK, FormulaError, Token
+from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
+
+MAX_LENGTH = 600
+MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
+MARKS |= {
+    "⟨": "(",
+    "⟩": ")",
+    "∣": "|",
+    "≈": "=",
+    "≃": "=",
+    ":=": "=",
+    "==": "=",
+    "º": "°",
+    "{": "(",
+    "}": ")",
+    "＝": "=",
+}
+RELATIONS = ("<", ">", "≤", "≥", "≠", "<=", ">=", "!=")
+_TOKEN = re.compile(
+    rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
+    r"|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
+    r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
+    r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
+)
+_INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
+_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
+_ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
+_HATTED = {"î": "i", "ĵ": "j"}
+
+
+def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
+    """The tokens of a line, or of a part of it, an `end` token last."""
+    if len(text) > MAX_LENGTH:
+        message = f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}"
+        raise FormulaError(message, MAX_LENGTH, len(text))
+    reader = _Reader(text if end is None else text[:end])
+    at, last = start, len(reader.text)
+    while at < last:
+        at = reader.step(at)
+    reader.emit("end", "", last, last)
+    return reader.tokens
+
+
+class _Reader:
+    """Reads a line from left to right; each method takes the place where something begins and gives the place after it."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.tokens: list[Token] = []
+        self.depth = 0
+
+    def emit(self, kind: str, found: str, start: int, end: int) -> None:
+        self.tokens.append(Token(kind, found, start, end))
+
+    def step(self, at: int) -> int:
+        match = _TOKEN.match(self.text, at)
+        assert match is not None
+        kind, found, end = str(match.lastgroup), match[0], match.end()
+        if kind == "space":
+            return end
+        if kind == "mark":
+            found = MARKS.get(found, found)
+            self.emit(found, found, at, end)
+        elif kind == "name":
+            return self.name(found, at, end)
+        elif kind in _SPECIAL:
+            return _SPECIAL[kind](self, found, at, end)
+        else:
+            self.emit(kind, found, at, end)
+        return end
+
+    def name(self, found: str, start: int, end: int) -> int:
+        """A run of letters, with its index where that stands in braces: `v_{end}`."""
+        bare = found.rstrip("_")
+        at = start + len(bare) if end - start == len(found) else end
+        index = _INDEX.match(self.text, at) if self.text.startswith("_", at) else None
+        if index is None:
+            self.emit("name", _HATTED.get(found, found), start, end)
+            return end
+        braced, plain, command = index.groups()
+        content = plain or _index_text(braced if braced is not None else command)
+        self.emit("name", f"{bare}_{content}" if content else bare, start, index.end())
+        return index.end()
+
+    def brace(self, found: str, start: int, end: int) -> int:
+        if found == "}":
+            raise FormulaError("this `}` closes nothing", start, end)
+        return self.group(start, end)
+
+    def group(self, start: int, at: int) -> int:
+        """What stands in braces, which are brackets."""
+        self.emit("(", "(", start, at)
+        at = self.inside(start, at)
+        self.emit(")", ")", at - 1, at)
+        return at
+
+    def inside(self, start: int, at: int) -> int:
+        """What stands up to the brace that closes the one at `start`."""
+        self.depth += 1
+        if self.depth > MAX_NESTING:
+            raise FormulaError(f"nested too deep: at most {MAX_NESTING} levels", start, start + 1)
+        while not self.text.startswith("}", at):
+            if at >= len(self.text):
+                raise FormulaError("this `{` is never closed", start, start + 1)
+            at = self.step(at)
+        self.depth -= 1
+        return at + 1
+
+    def degree(self, found: str, start: int, end: int) -> int:
+        self.emit("°", "°", start, end)
+        return end
+
+    def command(self, found: str, start: int, end: int) -> int:
+        """A LaTeX command with what belongs to it."""
+        word = found[1:]
+        if word in SILENT:
+            return end
+        if word in NAMES:
+            return self.name(NAMES[word], start, end)
+        if word in FRACTION:
+            return self.fraction(start, end)
+        if word == "sqrt":
+            return self.root(start, end)
+        if word in CONTENT:
+            return self.content(start, end)
+        if word in ("begin", "end"):
+            return self.matrix(word, start, end)
+        mark = command_mark(word)
+        if mark is None:
+            raise unknown_command(found, start, end)
+        self.emit(mark, mark, start, end)
+        return end
+
+    def argument(self, command: int, at: int) -> int:
+        """What a command takes: a group in braces, another command, or one letter or digit."""
+        while self.text[at : at + 1].isspace():
+            at += 1
+        following = self.text[at : at + 1]
+        if following == "{":
+            return self.group(at, at + 1)
+        if following == "\\":
+            return self.step(at)
+        if not following.isalnum():
+            raise FormulaError(f"`{self.text[command:at].strip()}` needs an argument in braces", command, at)
+        self.emit("number" if following.isdecimal() else "name", following, at, at + 1)
+        return at + 1
+
+    def fraction(self, start: int, at: int) -> int:
+        self.emit("(", "(", start, at)
+        middle = self.argument(start, at)
+        self.emit("/", "/", middle, middle)
+        last = self.argument(start, middle)
+        self.emit(")", ")", last, last)
+        return last
+
+    def root(self, start: int, at: int) -> int:
+        """√(x), or (x)^(1/n) for the nth root."""
+        nth = _ROOT.match(self.text, at)
+        if nth is None:
+            self.emit("√", "√", start, at)
+        self.emit("(", "(", start, at)
+        last = self.argument(start, nth.end() if nth else at)
+        self.emit(")", ")", last, last)
+        if nth:
+            for mark in ("^", "(", "1", "/", nth[1], ")"):
+                self.emit("number" if mark.isdigit() else mark, mark, *nth.span(1))
+        return last
+
+    def matrix(self, word: str, start: int, at: int) -> int:
+        """A column of components, which is a list in brackets."""
+        match = _MATRIX.match(self.text, at)
+        if match is None:
+            raise FormulaError(f"`\\{word}` needs the name of a matrix, such as {{pmatrix}}", start, at)
+        mark = "(" if word == "begin" else ")"
+        self.emit(mark, mark, start, match.end())
+        return match.end()
+
+    def content(self, start: int, at: int) -> int:
+        """The content of \\text{…} and its like, which only says how letters are set."""
+        while self.text[at : at + 1].isspace():
+            at += 1
+        if self.text.startswith("{", at):
+            return self.inside(at, at + 1)
+        return self.argument(start, at)
+
+    def other(self, found: str, start: int, end: int) -> int:
+        """A character that is no mark: the plain letter that it is a form of, such as 𝑚 or ｍ."""
+        plain = normalize("NFKC", found)
+        if plain != found and _TOKEN.fullmatch(plain) and not plain.startswith("\\"):
+            match = _TOKEN.fullmatch(plain)
+            assert match is not None
+            kind = str(match.lastgroup)
+            mark = MARKS.get(plain, plain)
+            self.emit(mark if kind == "mark" else kind, mark if kind == "mark" else plain, start, end)
+            return end
+        shown = found if found.isprintable() else f"U+{ord(found):04X}"
+        raise FormulaError(f"unexpected character `{shown}`", start, end)
+
+
+_SPECIAL: dict[str, Callable[[_Reader, str, int, int], int]] = {
+    "command": _Reader.command,
+    "brace": _Reader.brace,
+    "degree": _Reader.degree,
+    "other": _Reader.other,
+}
+
+
+def _index_text(content: str) -> str:
+    """The index that LaTeX writes: `\\text{end}` is end, `1,x` is 1_x, `\\alpha` is α."""
+    words = re.sub(r"\\([A-Za-z]+)\s*", lambda match: NAMES.get(match[1], ""), content)
+    return re.sub(r"[\s,]+", "_", re.sub(r"[{}]", "", words).strip())

@@ -1,0 +1,155 @@
+"""Marking: how answers are marked: points alone (`T: 3`), or a map with tolerance, form, unit, sign, deductions; `all` for every answer."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from fractions import Fraction
+from typing import Any
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Number
+from rotsolve.algebra.units.dimension import NONE, Dimension
+from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.scene.keys import Key
+from rotsolve.scene.marks import ALL, FLAWS, Deduction, Marking, Tolerance
+from rotsolve.scene.reader.declared import read_value
+from rotsolve.scene.sections import DEDUCT, MARKING
+from rotsolve.scene.tree.nodes import Map, Node, Text
+from rotsolve.scene.values.dims import named
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.words import quoted
+
+FIGURES = re.compile(r"(\d+)\s+figures?")
+MOST_FIGURES = 15
+MOST_POINTS = 1000
+
+
+def read_marking(scope: Scope, node: Node | None, asked: Mapping[str, Dimension | None]) -> tuple[Marking, ...]:
+    """What the section says of each answer, on top of what it says of all; nothing where there is no section."""
+    if node is None:
+        return ()
+    entries = scope.entries(node, "`marking`", [ALL, *asked])
+    usual = Marking(ALL)
+    if ALL in entries:
+        usual = of_answer(scope, usual, *entries[ALL], None)
+    own = [
+        of_answer(scope, replace(usual, name=name), key, item, asked[name])
+        for name, (key, item) in entries.items()
+        if name != ALL
+    ]
+    if ALL in entries:
+        others = {name: dimension for name, dimension in asked.items() if name not in entries}
+        for name, dimension in others.items():
+            measures(scope, usual.tolerance, entries[ALL][1], name, dimension)
+    return (*own, usual)
+
+
+def of_answer(scope: Scope, usual: Marking, key: Text, node: Node, dimension: Dimension | None) -> Marking:
+    """The marking of one answer: points, or a map of what differs from what is usual."""
+    written = replace(usual, span=key.span)
+    if isinstance(node, Text):
+        points = number(scope, MARKING["points"], node, "points", MOST_POINTS)
+        return written if points is None else replace(written, points=points)
+    entries = scope.entries(node, f"the marking of `{usual.name}`", MARKING)
+    found = {word: READERS[MARKING[word].kind](scope, MARKING[word], item, word) for word, (_, item) in entries.items()}
+    known = {word: value for word, value in found.items() if value is not None}
+    if "deduct" in known:
+        known["deduct"] = tuple((dict(usual.deduct) | known["deduct"]).items())
+    marking = replace(written, **known)
+    if "tolerance" in known:
+        measures(scope, marking.tolerance, entries["tolerance"][1], usual.name, dimension)
+    return marking
+
+
+def measures(scope: Scope, tolerance: Tolerance, node: Node, name: str, dimension: Dimension | None) -> None:
+    """A fault where an amount is of another dimension than the answer."""
+    if tolerance.amount is None or dimension is None:
+        return
+    found = parse_quantity(tolerance.text).dimension
+    if not found.matches(dimension):
+        shown = "has no unit" if found == NONE else f"is {named(found)}"
+        message = f"the tolerance {quoted(tolerance.text)} {shown}, but `{name}` is {named(dimension)}"
+        scope.fault(node, message, "write a share, `1 %`, an amount with its unit, or `3 figures`", "dimension")
+
+
+def tolerance(scope: Scope, key: Key, node: Node, label: str) -> Tolerance | None:
+    """`2 %`, `0.05 m/s^2` or `3 figures`."""
+    text = node.value.strip() if isinstance(node, Text) else ""
+    figures = FIGURES.fullmatch(text)
+    if figures and 1 <= int(figures[1]) <= MOST_FIGURES:
+        return Tolerance(text, figures=int(figures[1]))
+    amount = None if figures else quantity(text)
+    if amount is not None and amount.unit is not None and amount.unit.text == "%":
+        share = amount.value
+        if isinstance(share, Number) and 0 <= share.value < 1:
+            return Tolerance(text, share=share.value)
+    elif amount is not None and not text.startswith(("-", "−")):
+        return Tolerance(text, amount=amount.value)
+    scope.fault(node, f"`{label}` can't be {said(node)}", "write `2 %`, `0.05 m/s^2` or `3 figures`", "form")
+    return None
+
+
+def deductions(scope: Scope, key: Key, node: Node, label: str) -> dict[str, Deduction] | None:
+    """What each flaw costs; one value stands for all of them."""
+    if not isinstance(node, Map):
+        cost = deduction(scope, key, node, label)
+        return None if cost is None else dict.fromkeys(FLAWS, cost)
+    entries = scope.entries(node, f"`{label}`", DEDUCT)
+    found = {word: deduction(scope, DEDUCT[word], item, word) for word, (_, item) in entries.items()}
+    return {word: cost for word, cost in found.items() if cost is not None}
+
+
+def deduction(scope: Scope, key: Key, node: Node, label: str) -> Deduction | None:
+    """`25 %` of the points, or a number of marks."""
+    amount = quantity(node.value.strip()) if isinstance(node, Text) else None
+    if amount is not None and amount.unit is not None and amount.unit.text == "%":
+        share = amount.value
+        if isinstance(share, Number) and 0 <= share.value <= 1:
+            return Deduction(share.value, share=True)
+        amount = None
+    marks = None if amount is None else plain_number(amount, MOST_POINTS)
+    if marks is None:
+        scope.fault(node, f"`{label}` can't be {said(node)}", "write a share, `25 %`, or marks, `1/2`", "form")
+    return None if marks is None else Deduction(marks)
+
+
+def number(scope: Scope, key: Key, node: Node, label: str, most: int = MOST_POINTS) -> Fraction | None:
+    """A number of marks."""
+    amount = quantity(node.value.strip()) if isinstance(node, Text) else None
+    marks = None if amount is None else plain_number(amount, most)
+    if marks is None:
+        scope.fault(node, f"`{label}` can't be {said(node)}", f"write a number from 0 to {most}, such as 2", "form")
+    return marks
+
+
+def plain_number(amount: Quantity, most: int) -> Fraction | None:
+    """A number without a unit, from 0 to a limit."""
+    value = amount.value
+    plain = amount.unit is None and isinstance(value, Number)
+    return value.value if plain and isinstance(value, Number) and 0 <= value.value <= most else None
+
+
+def choice(scope: Scope, key: Key, node: Node, label: str) -> str | None:
+    found: str | None = read_value(scope, key, node, label, "")
+    return found
+
+
+def quantity(text: str) -> Quantity | None:
+    try:
+        return parse_quantity(text)
+    except UnitError:
+        return None
+
+
+def said(node: Node) -> str:
+    return quoted(node.value) if isinstance(node, Text) else "a map" if isinstance(node, Map) else "a list"
+
+
+READERS: dict[str, Callable[[Scope, Key, Node, str], Any]] = {
+    "marks": number,
+    "tolerance": tolerance,
+    "choice": choice,
+    "deductions": deductions,
+}
