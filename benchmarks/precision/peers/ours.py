@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from decimal import Decimal
-from fractions import Fraction
 from pathlib import Path
 
 from ..problem import Problem, Way
@@ -61,7 +60,7 @@ def simulate(problem: Problem, setting: str) -> list[Claim]:
 
 def exact(number: float) -> str:
     """A float as the number that it is; its shortest decimal is another one."""
-    return str(Fraction(number))
+    return str(Decimal(number))
 
 
 def ways(problem: Problem) -> dict[str, Way]:
