@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
-from rotsolve.grading.course.student import Task
+from rotsolve.grading.course.report.page import Task
 from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_source
 

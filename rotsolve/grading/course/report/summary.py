@@ -8,8 +8,8 @@ from fractions import Fraction
 from statistics import mean, median
 
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.page import Page, Paragraph, Section, Table, amount, of
-from rotsolve.grading.course.results import Course, Result
+from rotsolve.grading.course.report.page import Page, Paragraph, Section, Table, amount, of
+from rotsolve.grading.course.report.results import Course, Result
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Part
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
