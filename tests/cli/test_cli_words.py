@@ -18,7 +18,7 @@ Run = Callable[..., Any]
 EXPECTED = Path(__file__).parent / "expected"
 
 
-@pytest.mark.parametrize("command", ["", "solve", "simulate", "elements", "schema"])
+@pytest.mark.parametrize("command", ["", "solve", "simulate", "key", "elements", "schema"])
 def test_help(rotsolve: Run, command: str) -> None:
     """`REWRITE_EXPECTED=1 pytest tests/cli` writes the expected files anew."""
     ran = rotsolve(*filter(None, [command]), "--help")
