@@ -8,6 +8,7 @@ from fractions import Fraction
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.grading.comparing.equality import Domain, same
@@ -129,8 +130,11 @@ class Judge:
         return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
 
     def same(self, left: Formula, right: Formula) -> bool | None:
-        """Whether two formulas are equal in the scene's domain; the right one is the reference."""
-        return same(left, right, self.domain)
+        """Whether two formulas are equal in the scene's domain; the right one is the reference. None also where one has no value."""
+        try:
+            return same(left, right, self.domain)
+        except (Undefined, ZeroDivisionError):
+            return None
 
     # one text by itself
 
