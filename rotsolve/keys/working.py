@@ -35,11 +35,12 @@ class Unsuited(ValueError):
 
 
 class Worked(Struct, frozen=True):
-    """A problem with the values of one variant, and its answers; `solution` where it was solved anew."""
+    """A problem with the values of one variant, and its answers; `like` has their formulas, `solution` where it was solved anew."""
 
     problem: Problem
     answers: tuple[Answer, ...]
     told: frozenset[str]  # the givens that its derivation speaks of
+    like: Solution
     solution: Solution | None = None
 
     def shown(self) -> tuple[Given, ...]:
@@ -112,7 +113,7 @@ class Working:
         for branch in self.branches:
             answers = branch.evaluated(problem)
             if answers is not None and branch.probed:
-                return Worked(problem, answers, told(branch.solution))
+                return Worked(problem, answers, told(branch.solution), branch.solution)
             if answers is not None:
                 worked = solved(problem, self.found(problem).solution)
                 branch.probe(answers, worked)
@@ -144,7 +145,7 @@ def solved(problem: Problem, solution: Solution) -> Worked:
     """What a new solution says, unless a check objects."""
     if any(check.holds is False for check in solution.derivation.checks):
         raise Unsuited("a check objects to its answers")
-    return Worked(problem, solution.derivation.answers, told(solution), solution)
+    return Worked(problem, solution.derivation.answers, told(solution), solution, solution)
 
 
 def told(solution: Solution) -> frozenset[str]:

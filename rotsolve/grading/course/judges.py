@@ -59,10 +59,8 @@ class Judges:
     def varied(self, worked: Worked) -> Solution:
         """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
         problem = replace(worked.problem, marking=self.problem.marking, answers=self.problem.answers)
-        if worked.solution is not None:
-            return dataclasses.replace(worked.solution, problem=problem)
-        derivation = replace(self.solution.derivation, givens=problem.givens, answers=worked.answers)
-        return dataclasses.replace(self.solution, problem=problem, derivation=derivation)
+        derivation = replace(worked.like.derivation, givens=worked.shown(), answers=worked.answers)
+        return dataclasses.replace(worked.like, problem=problem, derivation=derivation)
 
 
 def judge_of(solution: Solution) -> Judge:
