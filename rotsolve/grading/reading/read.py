@@ -82,7 +82,9 @@ def line_of(text: str, names: Names) -> Line:
         angle = tokens_of(text, polar.start, polar.stop)
         return Line(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
     direction, end = direction_behind(text, start)
-    tokens = [times_sign(token, text, names) for token in tokens_of(text, start, end)]
+    tokens = tokens_of(text, start, end)
+    if "x" in text or "X" in text:
+        tokens = [times_sign(token, text, names) for token in tokens]
     if len(tokens) > 2 and tokens[-2].kind in (".", ",", ";"):
         del tokens[-2]  # the end of a sentence
     if len(tokens) == 1:

@@ -36,6 +36,7 @@ _TOKEN = re.compile(
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
+PLAIN = frozenset(("space", "mark", "number", "fraction", "raised"))
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
 _MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
@@ -49,8 +50,19 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
         raise FormulaError(message, MAX_LENGTH, len(text))
     reader = _Reader(text if end is None else text[:end])
     at, last = start, len(reader.text)
+    emit, read, step = reader.tokens.append, _TOKEN.match, reader.step
     while at < last:
-        at = reader.step(at)
+        match = read(reader.text, at)
+        kind = match.lastgroup if match else None
+        if kind in PLAIN and match:  # what is read most goes the shortest way
+            if kind == "mark":
+                found = MARKS.get(match[0], match[0])
+                emit(Token(found, found, at, match.end()))
+            elif kind != "space":
+                emit(Token(kind, match[0], at, match.end()))
+            at = match.end()
+        else:
+            at = step(at)
     reader.emit("end", "", last, last)
     return reader.tokens
 
