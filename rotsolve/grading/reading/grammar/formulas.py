@@ -136,21 +136,22 @@ class Grammar(Parser):
         result = super().exponent(base, start)
         if closed:
             return result
-        natural = base == Symbol(EULER) and EULER not in self.letters
-        factors = [result]
+        longer = self.exponent_goes_on(result, base == Symbol(EULER) and EULER not in self.letters)
+        if longer is not result:
+            check_power(base, longer, start, self.tokens[self.index - 1].end)
+        return longer
+
+    def exponent_goes_on(self, first: Formula, natural: bool) -> Formula:
+        """What is read of an exponent with what follows it: letters and a slash behind e^, a slash in 1/2."""
+        factors = [first]
         while natural and self.multiplies() and self.forks.choose(self.tight()):
             factors.append(self.factor())
         result = _product(factors)
-        if self.token.kind == "/" and (natural or self.at_root(result)):
-            likely = natural or result == ONE
-            result = self.divided(result)[0] if self.forks.choose(likely) else result
-        if (
-            isinstance(result, Quotient)
-            and isinstance(result.numerator, Number)
-            and isinstance(result.denominator, Number)
-        ):
-            result = result.numerator / result.denominator
-        check_power(base, result, start, self.tokens[self.index - 1].end)
+        if self.token.kind == "/" and (natural or self.at_root(result)) and self.forks.choose(natural or result == ONE):
+            result = self.divided(result)[0]
+            above, below = result.children()
+            if isinstance(above, Number) and isinstance(below, Number):
+                return above / below
         return result
 
     def at_root(self, power: Formula) -> bool:
