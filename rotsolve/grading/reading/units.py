@@ -93,22 +93,22 @@ def _negative(token: Token, tokens: list[Token]) -> bool:
     return marks.startswith(("⁻", "^-", "^(-"))
 
 
-def _collect(formula: Formula, sign: int, factors: Factors, tokens: list[Token]) -> None:
-    """The units of a product or quotient with their powers."""
+def _collect(formula: Formula, power: int, factors: Factors, tokens: list[Token]) -> None:
+    """The units of a product or quotient, to a power."""
     match formula:
         case Symbol(name):
-            factors.add(UNITS[name], sign)
+            factors.add(UNITS[name], power)
         case Product(parts):
             for part in parts:
-                _collect(part, sign, factors, tokens)
+                _collect(part, power, factors, tokens)
         case Quotient(above, below):
-            _collect(above, sign, factors, tokens)
-            _collect(below, -sign, factors, tokens)
-        case Power(Symbol(name), exponent):
-            power = rational(exponent)
-            if power is None or power.denominator > 1 or not 0 < abs(power) <= MAX_UNIT_POWER:
+            _collect(above, power, factors, tokens)
+            _collect(below, -power, factors, tokens)
+        case Power(base, exponent):
+            value = rational(exponent)
+            if value is None or value.denominator > 1 or not 0 < abs(value * power) <= MAX_UNIT_POWER:
                 raise _fault(f"the power of a unit is a whole number from 1 to {MAX_UNIT_POWER}", tokens)
-            factors.add(UNITS[name], sign * power.numerator)
+            _collect(base, power * value.numerator, factors, tokens)
         case Number(value) if value == 1:
             pass
         case _:
