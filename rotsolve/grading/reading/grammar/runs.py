@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from functools import lru_cache
-from string import ascii_letters
 
-from rotsolve.algebra.notation.letters import LETTER_NAMES
+from rotsolve.algebra.notation.letters import SUBSCRIPTS
 from rotsolve.algebra.notation.tokens import FormulaError, Token, UnknownName, resolve
 from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 
-LETTERS = frozenset((*ascii_letters, *LETTER_NAMES))
+INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
 LONGEST = 24  # of a run in which the strange part is looked for
 
@@ -28,7 +27,11 @@ def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
 def fault(token: Token, names: frozenset[str]) -> FormulaError:
     """Why a run has no meaning; of `mgx` the x is told to be strange, and `v2` is perhaps meant as v²."""
     run = token.text
-    ends = [end for end in range(1, len(run)) if run[end] in LETTERS] if len(run) <= LONGEST else []
+    ends = (
+        [end for end in range(1, len(run)) if run[end].isalpha() and run[end] not in INDICES]
+        if len(run) <= LONGEST
+        else []
+    )
     known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
     if meaning(strange.text, names) is not None:  # a function in the midst of a run
