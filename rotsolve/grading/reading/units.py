@@ -15,7 +15,7 @@ from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.runs import REMEMBERED
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
-MARKS = frozenset(("*", "/", "^", "(", ")", "raised", "number", "-", "°", "%"))
+MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
 _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
 
 
@@ -28,7 +28,10 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     """The unit that tokens write, the last of which is an `end`."""
     words: list[Token] = []
     for token in tokens:
-        words += _words(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
+        if token.kind == ".":  # N.m is N·m
+            words.append(Token("*", "*", token.start, token.end))
+        else:
+            words += _words(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
     factors = Factors()
     _collect(read_formula(text, words, frozenset(), forks), 1, factors, tokens)
     return factors.unit()

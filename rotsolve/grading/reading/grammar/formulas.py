@@ -226,9 +226,10 @@ class Grammar(Parser):
 
     def goes_on(self, factors: list[Formula], root: bool, numeric: bool) -> bool:
         """Whether the factor ahead belongs to the argument: sin 2θ, sin ωt, √2gh."""
+        if isinstance(factors[-1], Quotient):
+            return False  # degrees end an argument
         bracket, close = self.token.kind in ("(", "[", "|"), self.tight()
         if numeric and not root and not bracket:
             return True
         in_run = len(factors) > 1 and not numeric and close and not bracket
-        turned = isinstance(factors[-1], Quotient)  # degrees end an argument
-        return (in_run and not turned) or self.forks.choose(close and not turned and (root or not bracket))
+        return in_run or self.forks.choose(close and (root or not bracket))
