@@ -75,8 +75,11 @@ class Grammar(Parser):
         token = self.token
         if token.kind != "name":
             return 1
-        if self.bound or token.text == ELLIPTIC:
+        if self.bound:
             return super().expand()
+        if token.text == ELLIPTIC and ELLIPTIC not in self.letters and self.tokens[self.index + 1].kind == "(":
+            self.tokens[self.index] = Token("function", "ellipk", token.start, token.end)
+            return 1
         powered = token.text.endswith(EULER) and self.tokens[self.index + 1].kind in ("^", "raised")
         names = self.letters | {EULER} if powered else self.letters
         found = meaning(token.text, names)
