@@ -25,7 +25,7 @@ from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.target import Letters
 from rotsolve.scene.marks import Tolerance
 
-LONGEST = 60  # nodes of a closed form in which a given is eliminated
+LONGEST = 32  # nodes of a closed form in which a given is eliminated
 MOST_FORMS = 4  # ways in which a letter is told by others
 MOST_EARLIER = 4  # answers of which two together are put in
 LEAST = 2  # figures of an earlier number whose rounding is allowed for
