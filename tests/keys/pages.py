@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from rotsolve.core.derivation import Answer
+from rotsolve.render.voice import figures
+
 ROOT = Path(__file__).resolve().parents[2]
 FALL = """\
 title: Bucket & rope
@@ -34,3 +37,9 @@ title: No answer
 bodies: {block: {mass: 1 kg, moves: down}}
 find: {v: block.velocity}
 """
+
+
+def said(answer: Answer) -> tuple[object, ...]:
+    """All that an answer tells: its words, its digits, its components."""
+    numbers = figures(answer.value, 12), figures(answer.angle, 12)
+    return (answer.name, answer.direction, answer.word, numbers, tuple(map(said, answer.components)))

@@ -10,13 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from pages import FALL, PLAIN, ROOT
+from pages import FALL, PLAIN, ROOT, said
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.core.derivation import Answer
 from rotsolve.core.faults import Unsolvable
 from rotsolve.keys.variants import Variant, variants, worked_variants
 from rotsolve.pipeline import solve, solve_problem
-from rotsolve.render.voice import figures
 from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file, read_text
 
@@ -36,12 +34,6 @@ vary: {F: 5 N to 60 N by 5 N, mu: [0.2, 0.5]}
 
 def problem_of(vary: str, text: str = FALL) -> Problem:
     return read_text(text[: text.index("vary:")] + f"vary: {vary}\n")
-
-
-def said(answer: Answer) -> tuple[object, ...]:
-    """All that an answer tells: its words, its digits, its components."""
-    numbers = figures(answer.value, 12), figures(answer.angle, 12)
-    return (answer.name, answer.direction, answer.word, numbers, tuple(map(said, answer.components)))
 
 
 def test_the_first_variants_are_those_of_the_first_release() -> None:
