@@ -18,7 +18,6 @@ CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
 COMMONEST = 20
 FOLLOWED = "followed"  # the kind of a remark that tells of no mistake of its own
-Blocks = tuple[Paragraph | Table, ...]
 
 
 def summary_page(course: Course, targets: tuple[str, ...] = ()) -> Page:
