@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.notation.letters import greek
+from rotsolve.algebra.notation.letters import parts as letter_parts
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
 from rotsolve.keys.working import Worked
@@ -34,6 +36,7 @@ def statement(worked: Worked, voice: Voice) -> Statement:
     """What a problem says."""
     problem = worked.problem
     givens = {given.name: given for given in problem.givens}
+    letters = frozenset(filter(is_letter, (*givens, *(find.group for find in problem.finds))))
     named = {slot.name for slot in slots(problem.text)}
     others = [
         given
@@ -42,7 +45,7 @@ def statement(worked: Worked, voice: Voice) -> Statement:
     ]
     return Statement(
         voice.prose(problem.title),
-        tuple(filled(paragraph, givens, voice) for paragraph in paragraphs(problem.text)),
+        tuple(filled(paragraph, givens, letters, voice) for paragraph in paragraphs(problem.text)),
         tuple(voice.math(voice.given(given)) for given in others),
         tuple(asked(problem.finds, voice)),
     )
@@ -54,23 +57,30 @@ def paragraphs(text: str) -> list[str]:
     return [" ".join(piece.split()) for piece in pieces if piece.strip()]
 
 
-def filled(text: str, givens: Mapping[str, Given], voice: Voice) -> str:
+def is_letter(name: str) -> bool:
+    """Whether a name is a letter, perhaps with something below it, and no English word."""
+    letter = letter_parts(name)
+    return letter is not None and len(greek(letter.head)) == 1 and name not in ENGLISH
+
+
+def filled(text: str, givens: Mapping[str, Given], letters: Collection[str], voice: Voice) -> str:
     """A paragraph with its givens."""
     said: list[str] = []
     for part in parts(text):
         if isinstance(part, str):
-            said += lettered(part, givens, voice)
+            said += lettered(part, letters, voice)
         else:
             given = givens[part.name]
-            said.append(voice.math(voice.given_value(given) if part.alone else voice.given(given)))
+            alone = part.alone and given.value is not None
+            said.append(voice.math(voice.given_value(given) if alone else voice.given(given)))
     return "".join(said)
 
 
-def lettered(prose: str, givens: Mapping[str, Given], voice: Voice) -> Iterator[str]:
-    """Prose in which words that are letters of the scene, such as `m2` and `theta`, are set as letters; `a`, `A` and `I` stay words."""
+def lettered(prose: str, letters: Collection[str], voice: Voice) -> Iterator[str]:
+    """Prose in which words that are letters of the scene, such as `m2` and `theta`, are set as such."""
     position = 0
     for match in WORD.finditer(prose):
-        if match[0] in givens and match[0] not in ENGLISH:
+        if match[0] in letters:
             yield voice.prose(prose[position : match.start()])
             yield voice.math(voice.formula(Symbol(match[0])))
             position = match.end()
@@ -110,7 +120,7 @@ def in_words(phrase: str) -> str:
 
 def path_in_words(path: str) -> str:
     """`rod.end.speed` as speed of rod end, `pivot.force.x` as x component of force of pivot."""
-    words = re.findall(r"at\([^)]*\)|\w+", path)
+    words = [re.sub(r"at\((.*)\)", r"at \1", word) for word in re.findall(r"at\([^)]*\)|\w+", path)]
     place = max((index for index, word in enumerate(words) if word in BY_WORD), default=len(words) - 1)
     owner, quantity, part = " ".join(words[:place]), words[place], " ".join(words[place + 1 :])
     told = f"{part} component of {quantity}" if part in AXES else f"{part} {quantity}".strip()

@@ -91,7 +91,7 @@ def named(answers: Iterable[Answer], whole: str = "") -> Iterator[tuple[str, Ans
 def table(columns: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
     """Comma-separated values with their heading."""
     stream = io.StringIO()
-    writer = csv.writer(stream, lineterminator="\r\n")
+    writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(columns)
     writer.writerows(tuple(map(cell, row)) for row in rows)
     return stream.getvalue()

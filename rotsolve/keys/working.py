@@ -2,7 +2,7 @@
 
 Its formulas hold for every variant in which all numbers that were asked for on the way have the signs that they had then. Other signs
 are another branch, which is solved once more; so is a first variant of each branch, as a probe. Where numbers decided more than signs
-tell (which root is meant, what slips), each variant is solved anew.
+tell (what slips, which of two roots is nearer), each variant is solved anew.
 """
 
 from __future__ import annotations
@@ -12,11 +12,14 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, witnessed
+from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.witness import witnessed
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.registry import TIME
+from rotsolve.inquiry.validity import ROOT
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures
 from rotsolve.scene.model import Given, Problem
@@ -35,11 +38,12 @@ class Unsuited(ValueError):
 
 
 class Worked(Struct, frozen=True):
-    """A problem with the values of one variant, and its answers; `solution` where it was solved anew."""
+    """A problem with the values of one variant, and its answers; `like` has their formulas, `solution` where it was solved anew."""
 
     problem: Problem
     answers: tuple[Answer, ...]
     told: frozenset[str]  # the givens that its derivation speaks of
+    like: Solution
     solution: Solution | None = None
 
     def shown(self) -> tuple[Given, ...]:
@@ -55,21 +59,20 @@ class Branch:
     """One solution in symbols, and the signs of the numbers with which it was found."""
 
     def __init__(self, problem: Problem) -> None:
-        with witnessed() as asked:
+        with witnessed() as witness:
             self.solution = solve_problem(problem)
         valid = self.solution.trace.validity() if self.solution.trace.validity is not None else None
         self.bounds = valid.bounds if valid is not None else ()
-        self.asked = tuple(
-            item
-            for item in asked
-            if item.symbols() and item.symbols() <= problem.values.keys() and item not in self.bounds
-        )
+        asked = [item for item in witness.asked if item.symbols() and item not in self.bounds]
+        self.asked = tuple(item for item in asked if item.symbols() <= problem.values.keys())
         self.signs = [side(item, problem.values) for item in self.asked]
         self.probed = False
         derivation = self.solution.derivation
         self.trusted = (
             valid is not None
-            and not valid.decided
+            and set(valid.decided) <= {ROOT}
+            and not witness.by_size
+            and not any(TIME in item.symbols() for item in asked)
             and all(check.holds for check in derivation.checks)
             and None not in [revalued(answer, problem.values) for answer in derivation.answers]
         )
@@ -112,7 +115,7 @@ class Working:
         for branch in self.branches:
             answers = branch.evaluated(problem)
             if answers is not None and branch.probed:
-                return Worked(problem, answers, told(branch.solution))
+                return Worked(problem, answers, told(branch.solution), branch.solution)
             if answers is not None:
                 worked = solved(problem, self.found(problem).solution)
                 branch.probe(answers, worked)
@@ -144,7 +147,7 @@ def solved(problem: Problem, solution: Solution) -> Worked:
     """What a new solution says, unless a check objects."""
     if any(check.holds is False for check in solution.derivation.checks):
         raise Unsuited("a check objects to its answers")
-    return Worked(problem, solution.derivation.answers, told(solution), solution)
+    return Worked(problem, solution.derivation.answers, told(solution), solution, solution)
 
 
 def told(solution: Solution) -> frozenset[str]:

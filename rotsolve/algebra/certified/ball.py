@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping
 from fractions import Fraction
 from math import floor
 from typing import Any
@@ -11,6 +10,7 @@ from typing import Any
 from msgspec import Struct
 
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.witness import note
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
@@ -26,20 +26,6 @@ UNSURE = 3  # digits of a number of which none is certified
 DECADES = 100_000  # of ten: a number of a size beyond is not written down
 LARGEST, TINIEST = arb(10) ** DECADES, arb(10) ** -DECADES
 EXACT_FROM = 256  # bits: from here on a value that may be zero is tested exactly
-
-
-WITNESSES: list[dict[Formula, None]] = []
-
-
-@contextmanager
-def witnessed() -> Iterator[dict[Formula, None]]:
-    """All formulas whose numbers are asked for meanwhile: where these have the same signs, no number decides otherwise."""
-    asked: dict[Formula, None] = {}
-    WITNESSES.append(asked)
-    try:
-        yield asked
-    finally:
-        WITNESSES.pop()
 
 
 class Precision:
@@ -204,8 +190,7 @@ def evaluate(
 
     `roots` are letters without a closed form, known as closely as it takes.
     """
-    for asked in WITNESSES:
-        asked[f] = None
+    note(f, by_size=bool(roots))
     known = {name: value if isinstance(value, Formula) else formula(value) for name, value in values.items()}
     found = roots or {}
     ball = _enclose(f, known, digits, max_precision, found)

@@ -6,15 +6,28 @@ are equal where q₁² p₁ = q₂² p₂ and the signs of q₁ and q₂ agree.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from fractions import Fraction
 from itertools import pairwise
 from math import ceil, comb, prod
 
-from rotsolve.algebra.exact.field import RADICALS, Field, Ratio, is_integer_power
+from rotsolve.algebra.exact.field import RADICALS, TRIG, Field, Ratio, is_integer_power
 from rotsolve.algebra.exact.signs import Signs
-from rotsolve.algebra.formula import Call, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.formula import (
+    FUNCTIONS,
+    PI,
+    Call,
+    Formula,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
 
+LETTERED = tuple(FUNCTIONS.keys() - set(RADICALS))
 HUGE = 10**9  # beyond this nobody counts terms
 Rooted = tuple[Ratio, Ratio]  # q and p of q √p
 
@@ -24,7 +37,10 @@ class Beyond(ValueError):
 
 
 class Yardstick:
-    """A reference in the form q √p, with the field in which formulas are held against it."""
+    """A reference in the form q √p, with the field in which formulas are held against it.
+
+    Other functions, as arccos(1 − x), stand in the field as letters; the same function of an equal argument is the same letter.
+    """
 
     def __init__(
         self,
@@ -33,8 +49,13 @@ class Yardstick:
         positive: Collection[str],
         ranks: Iterable[Sequence[str]] = (),
     ) -> None:
-        atoms = [node for node in reference.walk() if _is_atom(node)]
-        self.field = Field([*atoms, *(Symbol(name) for name in letters)])
+        found: dict[Call, Symbol] = {}
+        reference = _lettered(reference, lambda call: found.setdefault(call, Symbol(f"#{len(found)}")))
+        atoms = [node for node in reference.walk(*TRIG) if isinstance(node, Call) and node.function in TRIG]
+        self.field = Field([*atoms, PI, *(Symbol(name) for name in letters), *found.values()])
+        self.calls: list[tuple[str, list[Ratio], Symbol]] = []
+        for call, symbol in found.items():  # inner ones come first
+            self.calls.append((call.function, self._arguments(call), symbol))
         self.signs = Signs(self.field, positive)
         self.steps = list(self.field.gens)  # each letter of a rank as the one below it and a positive step
         for ranked in ranks:
@@ -45,11 +66,13 @@ class Yardstick:
     def equals(self, formula: Formula) -> bool | None:
         """Whether the formula is the reference; None where only the whole exact layer can tell."""
         try:
-            (q, p), (own_q, own_p) = self.rooted(formula), self.own
-        except ValueError:
+            found = self._compared(self.rooted(_lettered(formula, self._letter)))
+        except (ValueError, ArithmeticError):
             return None
-        if self._is_one(p) and self._is_one(own_p):
-            return self._same(q, own_q)
+        return None if found is False and self.calls else found  # letters for functions may depend on each other
+
+    def _compared(self, rooted: Rooted) -> bool | None:
+        (q, p), (own_q, own_p) = rooted, self.own
         if self._same(p, own_p):
             return self._same(q, own_q)
         if not self._same(self._times(self._times(q, q), p), self._times(self._times(own_q, own_q), own_p)):
@@ -57,6 +80,17 @@ class Yardstick:
         above, below = self._times(q, own_q)
         ranked = (above * below).compose(*self.steps, ctx=self.field.context)
         return True if self.signs.nonnegative(ranked) else None
+
+    def _letter(self, call: Call) -> Symbol:
+        """The letter of a function that the reference has too."""
+        arguments = self._arguments(call)
+        for function, own, symbol in self.calls:
+            if function == call.function and all(map(self._same, arguments, own)):
+                return symbol
+        raise Beyond
+
+    def _arguments(self, call: Call) -> list[Ratio]:
+        return [self._rational(argument) for argument in call.arguments]
 
     def rooted(self, node: Formula) -> Rooted:
         """q and p of a formula q √p."""
@@ -114,16 +148,21 @@ class Yardstick:
     def _times(left: Ratio, right: Ratio) -> Ratio:
         return left[0] * right[0], left[1] * right[1]
 
-    @staticmethod
-    def _is_one(ratio: Ratio) -> bool:
-        return bool(ratio[0].is_one() and ratio[1].is_one())
-
     def _same(self, left: Ratio, right: Ratio) -> bool:
         return not len(self.field.reduce(left[0] * right[1] - right[0] * left[1]))
 
 
-def _is_atom(node: Formula) -> bool:
-    return isinstance(node, Call) and node.function in ("sin", "cos") and isinstance(node.arguments[0], Symbol)
+def _lettered(formula: Formula, letter: Callable[[Call], Symbol]) -> Formula:
+    """The formula with letters for functions that are no roots and no sine or cosine of a letter; tan x is sin x/cos x."""
+
+    def change(node: Formula) -> Formula:
+        if not isinstance(node, Call) or node.function in RADICALS:
+            return node
+        if isinstance(node.arguments[0], Symbol) and node.function in (*TRIG, "tan"):
+            return node if node.function in TRIG else Quotient(*(Call(name, node.arguments) for name in TRIG))
+        return letter(node)
+
+    return formula.transform(change, *LETTERED)
 
 
 def _has_root(node: Formula) -> bool:
@@ -139,20 +178,22 @@ def extent(node: Formula) -> int:
 
 def _extents(node: Formula) -> tuple[int, int]:
     """Bounds on the terms of the numerator and of the denominator."""
-    parts = [_extents(child) for child in node.children()]
-    match node:
-        case Sum():
-            below = prod(part[1] for part in parts)
-            result = sum(above * (below // one) for above, one in parts), below
-        case Product():
-            result = prod(part[0] for part in parts), prod(part[1] for part in parts)
-        case Quotient():
-            result = parts[0][0] * parts[1][1], parts[0][1] * parts[1][0]
-        case Power(_, Number(value)):
-            n = ceil(abs(value))
-            result = comb(parts[0][0] + n - 1, n), comb(parts[0][1] + n - 1, n)
-        case Negative():
-            result = parts[0]
-        case _:
-            result = 1 + sum(map(sum, parts)), 1
-    return min(result[0], HUGE), min(result[1], HUGE)
+    if isinstance(node, (Number, Symbol)):
+        return 1, 1
+    above, below = 1, 1
+    if isinstance(node, (Sum, Product)):
+        parts = [_extents(child) for child in node.children()]
+        below = prod([part[1] for part in parts])
+        counts = [above * (below // under if isinstance(node, Sum) else 1) for above, under in parts]
+        above = sum(counts) if isinstance(node, Sum) else prod(counts)
+    elif isinstance(node, Quotient):
+        (above, below), (over, under) = _extents(node.numerator), _extents(node.denominator)
+        above, below = above * under, below * over
+    elif isinstance(node, Power) and isinstance(node.exponent, Number):
+        n, (above, below) = ceil(abs(node.exponent.value)), _extents(node.base)
+        above, below = (comb(count + n - 1, n) if count > 1 else 1 for count in (above, below))
+    elif isinstance(node, Negative):
+        above, below = _extents(node.operand)
+    else:
+        above += sum([sum(_extents(child)) for child in node.children()])
+    return min(above, HUGE), min(below, HUGE)

@@ -20,6 +20,10 @@ from rotsolve.scene.marks import Tolerance
 
 DIGITS = (15, 40, 120, 400)  # how closely both numbers are known, until they can be told apart
 BITS = 1600  # of precision in which they are compared
+FLOAT_BITS, FLOAT_DOUBT = (
+    45,
+    1e-12,
+)  # of a ball that floats stand for, and the share by which they may be off, with room to spare
 HALF = Fraction(1, 2)
 
 
@@ -108,6 +112,9 @@ def near(
     typed: Typed, value: Certified, *, share: Fraction = Fraction(0), margin: Formula | None = None
 ) -> bool | None:
     """Whether |x − v| ≤ share · |v|, or ≤ margin."""
+    clear = clearly(typed, value, share, margin)
+    if clear is not None:
+        return clear
     number = evaluate(typed.value, {})
     for digits in DIGITS:
         x, v = (one.ball if digits == DIGITS[0] else one.refine(digits) for one in (number, value))
@@ -119,6 +126,21 @@ def near(
         if gap > 0:
             return False
     return True if any(value.equals(edge) for edge in edges(typed, share, margin)) else None
+
+
+def clearly(typed: Typed, value: Certified, share: Fraction, margin: Formula | None) -> bool | None:
+    """What floats tell where they are far from the edge; None where they are not, or where the number is not known so well."""
+    number = typed.rational
+    exact = margin is None or isinstance(margin, Number)
+    if number is None or not exact or value.ball.rel_accuracy_bits() < FLOAT_BITS:
+        return None
+    try:
+        x, v = float(number), value.float
+        allowed = float(share) * abs(v) if not isinstance(margin, Number) else float(margin.value)
+    except OverflowError:
+        return None
+    gap, doubt = abs(x - v) - allowed, FLOAT_DOUBT * (abs(x) + abs(v) + allowed)
+    return None if abs(gap) <= doubt else gap < 0
 
 
 def share_ball(share: Fraction) -> Ball:

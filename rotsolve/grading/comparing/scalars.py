@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cached_property
+from math import floor, log10
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified
+from rotsolve.algebra.certified.ball import Certified, rounded
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
@@ -17,7 +18,7 @@ from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
 from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
-from rotsolve.grading.verdict import RIGHT, WRONG, Remark
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
 from rotsolve.scene import marks
 from rotsolve.scene.marks import Marking
 
@@ -74,6 +75,8 @@ def judged(reading: Reading, asked: Scalar) -> Finding:
 
 def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     """The finding for a number with its unit."""
+    if typed.rational is None and number_of(typed.value, {}) is None:
+        return found(UNDECIDED, "reading", "it has no value")
     sought = asked.sought
     if sought is None:
         letters_only = "a formula is asked for: the scene has no number for it"
@@ -191,13 +194,12 @@ def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:
 
 def powers(typed: Typed, value: Certified) -> Iterator[int]:
     """The power of ten by which a number may be off."""
-    from math import log10
-
-    number, wanted = abs(float(typed.rational or 0)), abs(value.float)
+    number, wanted = typed.rational, abs(value.float)
     if number and wanted:
-        power = round(log10(wanted / number))
-        if 0 < abs(power) <= POWERS:
-            yield power
+        power = floor(log10(wanted)) - rounded(number, 1)[1]
+        for nearby in (power, power - 1, power + 1):
+            if 0 < abs(nearby) <= POWERS:
+                yield nearby
 
 
 # formulas

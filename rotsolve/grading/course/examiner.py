@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.run.attempt import internal_error
 
-HIGHEST = 100_000  # number of a variant
-NUMBER = re.compile(r"(?:variant|version|no\.?|#)?\s*(\d{1,6})(?:[.,]0+)?", re.IGNORECASE)
+HIGHEST = 10_000  # number of a variant
+NUMBER = re.compile(r"(?:variant|version|no\.?|#)?\s*(\d{1,5})(?:[.,]0+)?", re.IGNORECASE)
+Given = TypeVar("Given")
+Done = TypeVar("Done")
 
 
 class Judge(Protocol):
@@ -28,27 +30,26 @@ def mark(papers: Sequence[Paper | None], judge: Callable[[int], Judge]) -> Itera
 
     `judge` is asked for the numbers of the variants in rising order, 0 for the scene as it stands.
     """
-    places: dict[int, list[int]] = {}
+    groups: dict[int, list[tuple[int, Paper]]] = {}
     for place, paper in enumerate(papers):
         if paper is not None:
-            try:
-                places.setdefault(variant_of(paper), []).append(place)
-            except NotMarked as reason:
-                yield place, str(reason)
-    for number in sorted(places):
-        try:
-            chosen = judge(number)
-        except NotMarked as reason:
-            yield from ((place, str(reason)) for place in places[number])
-        else:
-            yield from ((place, marked(chosen, papers[place])) for place in places[number])
+            number = attempted(variant_of, paper)
+            if isinstance(number, str):
+                yield place, number
+            else:
+                groups.setdefault(number, []).append((place, paper))
+    for variant in sorted(groups):
+        chosen = attempted(judge, variant)
+        for place, paper in groups[variant]:
+            yield place, chosen if isinstance(chosen, str) else attempted(chosen.mark, paper)
 
 
-def marked(judge: Judge, paper: Paper | None) -> Marked | str:
-    """The paper, marked; a failure of ours is that paper's alone."""
-    assert paper is not None
+def attempted(work: Callable[[Given], Done], given: Given) -> Done | str:
+    """What comes of a work, or why nothing does: a failure of ours is that of one paper, or one variant, alone."""
     try:
-        return judge.mark(paper)
+        return work(given)
+    except NotMarked as reason:
+        return str(reason)
     except Exception as error:
         return internal_error("marking", error)
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
-from rotsolve.grading.course.student import Task
+from rotsolve.grading.course.report.page import Task
 from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_source
 
@@ -58,10 +58,8 @@ class Judges:
     def varied(self, worked: Worked) -> Solution:
         """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
         problem = replace(worked.problem, marking=self.problem.marking, answers=self.problem.answers)
-        if worked.solution is not None:
-            return replace(worked.solution, problem=problem)
-        derivation = replace(self.solution.derivation, givens=problem.givens, answers=worked.answers)
-        return replace(self.solution, problem=problem, derivation=derivation)
+        derivation = replace(worked.like.derivation, givens=worked.shown(), answers=worked.answers)
+        return replace(worked.like, problem=problem, derivation=derivation)
 
 
 def judge_of(solution: Solution) -> Judge:

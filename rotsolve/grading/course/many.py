@@ -11,13 +11,13 @@ from rotsolve.grading.course.examiner import mark
 from rotsolve.grading.course.handing.content import content_of
 from rotsolve.grading.course.handing.table import Entry, read_table
 from rotsolve.grading.course.judges import Judges
-from rotsolve.grading.course.report import MARKS, SUMMARY, write_report
+from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.course.report.summary import overview, summary_page
 from rotsolve.grading.course.request import ALL_RIGHT, BAD, NOT_ALL_RIGHT, Request
-from rotsolve.grading.course.results import Course, Result
 from rotsolve.grading.course.showing import layout_named
 from rotsolve.grading.course.showing.text import lines
 from rotsolve.grading.course.single import all_right, written
-from rotsolve.grading.course.summary import overview, summary_page
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.render import layout
 from rotsolve.render.voice import TEXT

@@ -12,8 +12,9 @@ from rotsolve.grading.course.examiner import NotMarked, variant_of
 from rotsolve.grading.course.handing.content import HandedInError, content_of
 from rotsolve.grading.course.handing.sheet import from_answers, read_sheet
 from rotsolve.grading.course.judges import Judges
+from rotsolve.grading.course.report.page import Task
+from rotsolve.grading.course.report.student import student_page
 from rotsolve.grading.course.request import ALL_RIGHT, NOT_ALL_RIGHT, Request
-from rotsolve.grading.course.student import Task, student_page
 from rotsolve.grading.verdict import RIGHT, WRONG, Marked, Paper
 from rotsolve.run import coloured
 from rotsolve.run.attempt import name_of

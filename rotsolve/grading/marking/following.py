@@ -1,14 +1,14 @@
 """Following: whether an answer is right given the student's own earlier ones.
 
-Two kinds of relations between answers are tried: the laws of the scene, with the student's values for the answers in them; and for each
-given that one earlier answer holds, what the later one is when that given is eliminated: a = 2 m g/(2 m + M), T = m M g/(2 m + M) make
-T = ½ M a and T = m (g − a).
+Two kinds of relations between answers are tried: the laws of the scene, with the student's values for the answers in them; and what an
+answer is when a given is eliminated by an earlier one: a = 2 m g/(2 m + M) and T = m M g/(2 m + M) make T = ½ M a.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from itertools import combinations, product
+from collections.abc import Collection, Iterator, Mapping
+from functools import cached_property
+from itertools import combinations, islice, product
 from math import floor, log10
 
 from msgspec import Struct
@@ -25,6 +25,9 @@ from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.target import Letters
 from rotsolve.scene.marks import Tolerance
 
+LONGEST = 32  # nodes of a closed form in which a given is eliminated
+MOST_FORMS = 4  # ways in which a letter is told by others
+MOST_EARLIER = 4  # answers of which two together are put in
 LEAST = 2  # figures of an earlier number whose rounding is allowed for
 
 
@@ -68,41 +71,73 @@ class Following:
         """All relations that tell an answer by some of these, by fewer of them first."""
         yield from self.laws(name)
         for count in (1, 2):
-            for others in combinations(earlier, count):
+            for others in combinations(islice(earlier, MOST_EARLIER), count):
                 yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, others))
 
     def laws(self, name: str) -> tuple[Equality, ...]:
-        """The laws that speak of an answer, with all letters but those of answers and givens put in."""
+        """The laws that speak of an answer, in letters of answers and givens."""
         if name not in self._laws:
-            self._laws[name] = tuple(self._speaking_of(name))
+            known = self.letters.closed.keys()
+            told = [law for law in self.told if name in letters_of(law) and len(letters_of(law) & known) > 1]
+            self._laws[name] = tuple(dict.fromkeys(told))
         return self._laws[name]
 
-    def _speaking_of(self, name: str) -> Iterator[Equality]:
-        meanings, answers = self.letters.meanings, self.letters.closed
-        for law in meanings.laws:
-            letters = letters_of(law)
-            if name not in letters or len(letters & answers.keys()) < 2:
-                continue
-            inner = {letter: meanings.closed(letter) for letter in letters & meanings.keys.keys() - answers.keys()}
-            if None not in inner.values() and not (law.left.holds(Integral) or law.right.holds(Integral)):
-                put = {letter: form for letter, form in inner.items() if form is not None}
+    @cached_property
+    def told(self) -> tuple[Equality, ...]:
+        """All laws with their other letters put in: what constants stand for, and what other laws say of them by answers."""
+        meanings = self.letters.meanings
+        laws = [law for law in meanings.laws if not (law.left.holds(Integral) or law.right.holds(Integral))]
+        answers = self.letters.closed.keys() | self.letters.givens
+        inner = {letter for law in laws for letter in letters_of(law) - answers if letter in meanings.keys}
+        forms: dict[str, list[Formula]] = {}
+        for known in (self.letters.givens, answers):  # constants, such as I = ½ M R², before what answers tell
+            for letter in inner - forms.keys():
+                found = [self._by(law, letter, known, forms) for law in laws if letter in letters_of(law)]
+                short = dict.fromkeys(form for form in found if form is not None)
+                if short:
+                    forms[letter] = list(short)[:MOST_FORMS]
+        return tuple(relation for law in laws for relation in self._put(law, letters_of(law) - answers, forms))
+
+    def _by(
+        self, law: Equality, letter: str, known: Collection[str], forms: Mapping[str, list[Formula]]
+    ) -> Formula | None:
+        """A letter by one law, where that holds nothing else but known letters and constants."""
+        constants = {name: found[0] for name, found in forms.items() if name != letter}
+        side = (law.left - law.right).substitute(constants)
+        if not side.symbols() - {letter} <= set(known):
+            return None
+        try:
+            return solve_linear(side, letter)
+        except (ValueError, ArithmeticError):
+            return None
+
+    def _put(self, law: Equality, inner: Collection[str], forms: Mapping[str, list[Formula]]) -> Iterator[Equality]:
+        """A law with every choice of forms for its inner letters; nothing where one has none."""
+        names = sorted(inner)
+        if all(name in forms for name in names):
+            for chosen in islice(product(*(forms[name] for name in names)), MOST_FORMS):
+                put = dict(zip(names, chosen, strict=True))
                 yield Equality(law.left.substitute(put), law.right.substitute(put))
 
     def eliminated(self, name: str, others: tuple[str, ...]) -> tuple[Formula, ...]:
-        """An answer by others and the rest of the givens, where that is shorter than its closed form: what is longer nobody uses."""
+        """An answer by others and the rest of the givens, where that is half as long as its closed form: what is longer nobody uses."""
         key = name, others
         if key not in self._eliminated:
-            closed = self.letters.closed.get(name)
-            forms = (
-                ()
-                if closed is None
-                else self._eliminate(closed, [(other, self.letters.closed[other]) for other in others])
-            )
-            short = dict.fromkeys(simplify(form, positive=self.letters.positive) for form in forms)
-            self._eliminated[key] = tuple(
-                form for form in short if closed is not None and length(form) < length(closed)
-            )
+            closed = self.letters.closed
+            whole = [closed[one] for one in (name, *others) if one in closed]
+            fits = len(whole) == 1 + len(others) and all(length(form) <= LONGEST for form in whole)
+            self._eliminated[key] = tuple(dict.fromkeys(self._short(name, others))) if fits else ()
         return self._eliminated[key]
+
+    def _short(self, name: str, others: tuple[str, ...]) -> Iterator[Formula]:
+        closed = self.letters.closed
+        for form in dict.fromkeys(self._eliminate(closed[name], [(other, closed[other]) for other in others])):
+            try:
+                short = simplify(form, positive=self.letters.positive)
+            except (ValueError, ArithmeticError):
+                continue
+            if 2 * length(short) <= length(closed[name]) and short.symbols() >= set(others):
+                yield short
 
     def _eliminate(self, wanted: Formula, others: list[tuple[str, Formula]]) -> Iterator[Formula]:
         """A formula with a given eliminated for each of the others, whichever it can be."""

@@ -8,6 +8,7 @@ from fractions import Fraction
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.grading.comparing.equality import Domain, same
@@ -50,6 +51,7 @@ class Judge:
         self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
         self._names: dict[str, Names] = {}
         self._judged: dict[tuple[str, str], Judged] = {}
+        self._own: dict[tuple[str, str], Own | None] = {}
         self._explained: dict[tuple[str, str], Judged] = {}
         self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], Judged | None] = {}
 
@@ -72,7 +74,7 @@ class Judge:
             return one, False
         key = target.name, text, tuple(wrong.items())
         if wrong and key not in self._followed:
-            self._followed[key] = self._follow(target, one, wrong)
+            self._followed[key] = self._follow(target, text, wrong)
         followed = self._followed.get(key)
         if followed is not None:
             return followed, True
@@ -82,12 +84,10 @@ class Judge:
             self._explained[key[:2]] = self._explain(target, one)
         return self._explained[key[:2]], False
 
-    def _follow(self, target: Target, one: Judged, wrong: Mapping[str, str]) -> Judged | None:
+    def _follow(self, target: Target, text: str, wrong: Mapping[str, str]) -> Judged | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
-        given = self.own(target, one)
-        owned = {
-            name: self.own(self.targets[name], self.judged(self.targets[name], text)) for name, text in wrong.items()
-        }
+        one, given = self.judged(target, text), self.own(target, text)
+        owned = {name: self.own(self.targets[name], typed) for name, typed in wrong.items()}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
             return None
@@ -115,8 +115,14 @@ class Judge:
         flaws = () if finding is None else finding.flaws
         return Judged(reading, Finding(WRONG, remark, flaws), one.read_as)
 
-    def own(self, target: Target, one: Judged) -> Own | None:
+    def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
+        key = target.name, text
+        if key not in self._own:
+            self._own[key] = self._worth(target, self.judged(target, text))
+        return self._own[key]
+
+    def _worth(self, target: Target, one: Judged) -> Own | None:
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None or target.name not in self.letters.closed:
             return None
@@ -129,8 +135,11 @@ class Judge:
         return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
 
     def same(self, left: Formula, right: Formula) -> bool | None:
-        """Whether two formulas are equal in the scene's domain; the right one is the reference."""
-        return same(left, right, self.domain)
+        """Whether two formulas are equal in the scene's domain; the right one is the reference. None also where one has no value."""
+        try:
+            return same(left, right, self.domain)
+        except (Undefined, ZeroDivisionError):
+            return None
 
     # one text by itself
 

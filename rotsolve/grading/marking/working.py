@@ -88,7 +88,7 @@ class Working:
         if reading.kind != EQUATION or reading.formula is None or reading.right is None:
             return found(UNDECIDED, "form", "a line of working is an equation")
         left, right = self.letters.meant(reading.formula), self.letters.meant(reading.right)
-        if equal(left, right):
+        if self.identical(left, right):
             return found(UNDECIDED, "trivial", "true whatever the letters stand for: it says nothing")
         open_ = [name for name in sorted(left.symbols() | right.symbols()) if not self.settled(name)]
         if open_:
@@ -100,6 +100,13 @@ class Working:
             DECIMAL.search(text)
         )  # which lost their units when they were read
         return (None if numbers else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
+
+    def identical(self, left: Formula, right: Formula) -> bool:
+        """Whether two sides are the same whatever their letters stand for."""
+        try:
+            return equal(left, right)
+        except (ValueError, ArithmeticError):
+            return False
 
     def settled(self, name: str) -> bool:
         """Whether it is known what a letter stands for."""

@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.grading.mistakes.differing import differing
+from rotsolve.grading.mistakes.differing import Differing
 from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.grading.mistakes.numbers import reread
 from rotsolve.inquiry.answering import answer
@@ -77,7 +77,7 @@ class Scene(Struct, frozen=True, dict=True):
             given = self._answers(mistake.change)
         except NO_ANSWER:
             return None
-        return self._wrong(given, self.answers)
+        return self._wrong(given, self.answers, self.problem.values)
 
     def with_values(
         self, mistake: Mistake, answers: Mapping[str, Answer], values: Mapping[str, Formula]
@@ -85,13 +85,15 @@ class Scene(Struct, frozen=True, dict=True):
         """The answers that a mistake changes, from those for the numbers of the scene, for other numbers; nothing is solved again."""
         right = {name: reread(one, {}, values) for name, one in self.answers.items()}
         if mistake.change.reread:
-            return self._wrong(self._reread(mistake.change, values), right)
-        return self._wrong({name: reread(one, {}, values) for name, one in answers.items()}, right)
+            return self._wrong(self._reread(mistake.change, values), right, values)
+        return self._wrong({name: reread(one, {}, values) for name, one in answers.items()}, right, values)
 
-    def _wrong(self, given: Mapping[str, Answer], right: Mapping[str, Answer]) -> Mapping[str, Answer] | None:
+    def _wrong(
+        self, given: Mapping[str, Answer], right: Mapping[str, Answer], values: Mapping[str, Formula]
+    ) -> Mapping[str, Answer] | None:
         """Those of some answers that are not right, as far as they are not; None where all are."""
-        positive = positive_letters(self.problem.givens)
-        pairs = ((name, differing(one, right[name], positive)) for name, one in given.items() if name in right)
+        differing = Differing(frozenset(positive_letters(self.problem.givens)), values)
+        pairs = ((name, differing.left_of(one, right[name])) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
     def _reread(self, change: Change, values: Mapping[str, Formula]) -> Mapping[str, Answer]:

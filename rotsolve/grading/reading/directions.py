@@ -16,9 +16,8 @@ _WORDS = {
 }
 _GROUPS = "|".join(f"(?P<{word}>{pattern})" for word, pattern in _WORDS.items())
 _SLOPE = r"(?P<slope>\s+(?:along\s+)?the\s+(?:slope|incline|inclined plane|plane|ramp|hill))?"
-_TAIL = re.compile(
-    rf"(?<![A-Za-z_\\])[\s,;(]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}$]*$",
-    re.IGNORECASE,
+_TAIL = (  # compiled when a line first needs it
+    rf"(?<![A-Za-z_\\])[\s,;(]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}$]*$"
 )
 _ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
 ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
@@ -30,7 +29,7 @@ def direction_behind(text: str, start: int) -> tuple[str, int]:
     ending = text.rstrip(" .)}$")[-2:].lower()
     if ending not in ENDINGS and ending[-1:] not in ENDINGS:
         return "", len(text)
-    match = _TAIL.search(text, max(start, len(text) - LONGEST))
+    match = re.compile(_TAIL, re.IGNORECASE).search(text, max(start, len(text) - LONGEST))
     if match is None or not text[start : match.start()].strip():
         return "", len(text)
     word = next(name for name in _WORDS if match[name])

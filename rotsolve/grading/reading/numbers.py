@@ -34,9 +34,9 @@ class Parts(Struct, frozen=True):
 
 def cut(tokens: list[Token]) -> Parts:
     """The tokens before the first word that belongs to no number, and those from there on; `3/s` and `3 1/s` have 1/s."""
-    at = next((index for index, token in enumerate(tokens) if begins_unit(token)), len(tokens) - 1)
-    while at and at < len(tokens) - 1 and tokens[at - 1].kind == "(":
-        at -= 1  # that of a fraction of units
+    at = unit_start(tokens)
+    while at and at < len(tokens) - 1 and tokens[at - 1].kind in ("(", "["):
+        at -= 1  # that of a fraction of units, or of [m/s]
     before, unit = tokens[:at], tokens[at:]
     if len(unit) > 1 and before and before[-1].kind == "/":
         slash = before.pop()
@@ -50,8 +50,17 @@ def cut(tokens: list[Token]) -> Parts:
     return Parts((*before, Token("end", "", end, end)), tuple(unit))
 
 
-def begins_unit(token: Token) -> bool:
-    return token.kind in ("°", "%") or (token.kind == "name" and meaning(token.text, NO_NAMES) is None)
+def unit_start(tokens: list[Token]) -> int:
+    """The index of the first word that is no function or π, or of a sign of degrees outside of functions (sin 30° is a number)."""
+    called = False
+    for index, token in enumerate(tokens):
+        if token.kind == "name":
+            if meaning(token.text, NO_NAMES) is None:
+                return index
+            called = called or token.text not in ("pi", "π")
+        elif token.kind == "%" or (token.kind == "°" and not called):
+            return index
+    return len(tokens) - 1
 
 
 def read_number(text: str, parts: Parts, forks: Forks) -> Reading:

@@ -21,7 +21,8 @@ from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import Remark
 
 _HINT = re.compile(r"°|∠|@|deg|rad\b|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis")
-_SPLIT = re.compile(
+# What is rare is compiled when a line first needs it.
+_SPLIT = (
     r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)[,;])(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
     r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
 )
@@ -29,7 +30,7 @@ _WORD = (
     r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
     r"|measured|axis|[+\-−]?[xy](?=[\s-]axis|$)|counter-?clockwise|anti-?clockwise|clockwise"
 )
-_PHRASE = re.compile(rf"(?:(?<![A-Za-z\\])(?:{_WORD})(?![A-Za-z])[\s,.$)\-]*)*$", re.IGNORECASE)
+_PHRASE = rf"(?i:(?:(?<![A-Za-z\\])(?:{_WORD})(?![A-Za-z])[\s,.$)\-]*)*)$"
 DEGREE, RADIAN = UNITS["deg"], UNITS["rad"]
 
 
@@ -49,13 +50,13 @@ def cut_polar(text: str, start: int) -> Cut | None:
     """Where size and angle stand in a line; None where it does not tell a direction by an angle."""
     if _HINT.search(text, start) is None:
         return None
-    match = _SPLIT.search(text, start)
+    match = re.compile(_SPLIT).search(text, start)
     if match is None:
         return None
     size = text[start : match.start()]
     if not size.strip() or size.count("(") != size.count(")"):
         return None
-    phrase = _PHRASE.search(text, match.end())
+    phrase = re.compile(_PHRASE).search(text, match.end())
     assert phrase is not None
     words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", phrase[0].lower()))
     return Cut(match.start(), match.end(), phrase.start(), words)

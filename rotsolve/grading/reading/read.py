@@ -31,7 +31,7 @@ from rotsolve.grading.reading.units import read_unit
 from rotsolve.grading.reading.vectors import by_axes, end_at, noted, read_axes, read_list
 
 _EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
-_WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*[.!]?")
+_WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
 
 
 class Line(Struct, frozen=True):
@@ -74,20 +74,29 @@ def told_apart(readings: list[Reading]) -> tuple[Reading, ...]:
 def line_of(text: str, names: Names) -> Line:
     """The line without the name in front and without the words behind."""
     start = after_name(text, names)
-    value = text[start:].strip(" \t$")
-    if names.words and _WORDS.fullmatch(value):
-        return Line(text, names, value.rstrip(".!"), [])
+    word = word_of(text[start:].strip(" \t$"), names) if names.words else ""
+    if word:
+        return Line(text, names, word, [])
     polar = cut_polar(text, start)
     if polar is not None:
         angle = tokens_of(text, polar.start, polar.stop)
         return Line(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
     direction, end = direction_behind(text, start)
-    tokens = [times_sign(token, text, names) for token in tokens_of(text, start, end)]
+    tokens = tokens_of(text, start, end)
+    if "x" in text or "X" in text:
+        tokens = [times_sign(token, text, names) for token in tokens]
     if len(tokens) > 2 and tokens[-2].kind in (".", ",", ";"):
         del tokens[-2]  # the end of a sentence
     if len(tokens) == 1:
         raise FormulaError("the answer is empty", start, max(end, start))
     return Line(text, names, "", tokens, direction)
+
+
+def word_of(value: str, names: Names) -> str:
+    """The word that answers a question, as the scene has it where only its capitals differ; '' where a line is none."""
+    folded = {word.casefold(): word for word in names.words}
+    typed = " ".join(value.rstrip(".!").split())
+    return folded.get(typed.casefold(), typed if _WORDS.fullmatch(typed) else "")
 
 
 def after_name(text: str, names: Names) -> int:
@@ -126,7 +135,7 @@ class Reader:
         """What the line says."""
         line = self.source
         if line.word:
-            return Reading(WORD, self.known_word(line.word))
+            return Reading(WORD, line.word)
         if any(token.kind == "=" for token in line.tokens):
             return self.equation(line.tokens)
         if line.polar is not None:
@@ -144,11 +153,6 @@ class Reader:
             if line.direction
             else value
         )
-
-    def known_word(self, typed: str) -> str:
-        """The word as the scene has it, where only its capitals differ."""
-        folded = {word.casefold(): word for word in self.names.words}
-        return folded.get(" ".join(typed.split()).casefold(), typed)
 
     def pointed(self, tokens: list[Token]) -> Reading:
         """A value in which commas may be decimal ones."""

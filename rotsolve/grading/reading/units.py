@@ -15,7 +15,7 @@ from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.runs import REMEMBERED
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
-MARKS = frozenset(("*", "/", "^", "(", ")", "raised", "number", "-", "°", "%"))
+MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
 _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
 
 
@@ -28,7 +28,10 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
     """The unit that tokens write, the last of which is an `end`."""
     words: list[Token] = []
     for token in tokens:
-        words += _words(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
+        if token.kind == ".":  # N.m is N·m
+            words.append(Token("*", "*", token.start, token.end))
+        else:
+            words += _words(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
     factors = Factors()
     _collect(read_formula(text, words, frozenset(), forks), 1, factors, tokens)
     return factors.unit()
@@ -93,22 +96,22 @@ def _negative(token: Token, tokens: list[Token]) -> bool:
     return marks.startswith(("⁻", "^-", "^(-"))
 
 
-def _collect(formula: Formula, sign: int, factors: Factors, tokens: list[Token]) -> None:
-    """The units of a product or quotient with their powers."""
+def _collect(formula: Formula, power: int, factors: Factors, tokens: list[Token]) -> None:
+    """The units of a product or quotient, to a power."""
     match formula:
         case Symbol(name):
-            factors.add(UNITS[name], sign)
+            factors.add(UNITS[name], power)
         case Product(parts):
             for part in parts:
-                _collect(part, sign, factors, tokens)
+                _collect(part, power, factors, tokens)
         case Quotient(above, below):
-            _collect(above, sign, factors, tokens)
-            _collect(below, -sign, factors, tokens)
-        case Power(Symbol(name), exponent):
-            power = rational(exponent)
-            if power is None or power.denominator > 1 or not 0 < abs(power) <= MAX_UNIT_POWER:
+            _collect(above, power, factors, tokens)
+            _collect(below, -power, factors, tokens)
+        case Power(base, exponent):
+            value = rational(exponent)
+            if value is None or value.denominator > 1 or not 0 < abs(value * power) <= MAX_UNIT_POWER:
                 raise _fault(f"the power of a unit is a whole number from 1 to {MAX_UNIT_POWER}", tokens)
-            factors.add(UNITS[name], sign * power.numerator)
+            _collect(base, power * value.numerator, factors, tokens)
         case Number(value) if value == 1:
             pass
         case _:

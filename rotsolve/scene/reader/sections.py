@@ -9,7 +9,6 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.scene.model import Given, Problem
 from rotsolve.scene.phrase.phrases import read_find
@@ -20,13 +19,11 @@ from rotsolve.scene.reader.elements import read_element
 from rotsolve.scene.reader.marking import read_marking
 from rotsolve.scene.reader.states import read_phase, read_state
 from rotsolve.scene.sections import SECTIONS
-from rotsolve.scene.statement import slots
 from rotsolve.scene.tree.nodes import List, Map, Node, Text, plain
 from rotsolve.scene.values.givens import read_givens
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 if TYPE_CHECKING:
     from rotsolve.scene.variation import Variation
@@ -111,7 +108,10 @@ class Sections:
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
-        self.slots(fields["text"], lines)
+        if "{" in fields["text"]:
+            from rotsolve.scene.reader.statement import check_slots  # most texts name no givens
+
+            check_slots(scope, self.top["text"][1], lines)
         fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         self.choice("up")
@@ -190,16 +190,6 @@ class Sections:
             return node.value.strip()
         self.scope.fault(node, f"`{name}` wants a text", "put it in quotes", "form")
         return ""
-
-    def slots(self, text: str, lines: tuple[str, ...]) -> None:
-        """Whether each `{m}` in the statement names a given."""
-        for slot in slots(text) if "{" in text else ():
-            if slot.name not in self.scope.names("given"):
-                start = self.top["text"][1].span
-                found = ((number, line.find(slot.text)) for number, line in enumerate(lines, 1) if number >= start.line)
-                place = next((Span(number, at + 1, len(slot.text)) for number, at in found if at >= 0), start)
-                help = hint(slot.name, self.scope.names("given"), "givens")
-                self.scope.fault(place, f"{quoted(slot.text)} in `text` names no given", help, "unknown")
 
     def choice(self, name: str) -> str | None:
         node = self.node(name)

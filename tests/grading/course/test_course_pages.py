@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-from rotsolve.grading.course.page import Judged, Judgements, Page, Section, amount
+from rotsolve.grading.course.report.page import Judged, Judgements, Page, Section, amount
 from rotsolve.grading.course.showing import LAYOUTS
 from rotsolve.grading.course.showing.text import lines, shown
 from rotsolve.grading.verdict import WRONG, Remark, Verdict

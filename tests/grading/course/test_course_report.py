@@ -14,8 +14,8 @@ from typing import Any
 
 import pytest
 
-from rotsolve.grading.course import report as writing
-from rotsolve.grading.course.marks import FORMULA, harmless
+from rotsolve.grading.course.report import folder as writing
+from rotsolve.grading.course.report.marks import FORMULA, harmless
 from rotsolve.run import delivery
 
 Command = Callable[..., Any]

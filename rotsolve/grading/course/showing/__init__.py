@@ -6,7 +6,7 @@ from importlib import import_module
 
 from msgspec import Struct
 
-from rotsolve.grading.course.page import Page
+from rotsolve.grading.course.report.page import Page
 
 
 class Layout(Struct, frozen=True):

@@ -6,7 +6,7 @@ import json
 from fractions import Fraction
 from typing import Any
 
-from rotsolve.grading.course.results import Course, Result
+from rotsolve.grading.course.report.results import Course, Result
 from rotsolve.grading.verdict import Line, Marked, Part, Verdict
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT

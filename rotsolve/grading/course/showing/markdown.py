@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
-from rotsolve.grading.course.page import Judged, Judgements, Page, Paragraph, Section, Table
+from rotsolve.grading.course.report.page import Judged, Judgements, Page, Paragraph, Section, Table
 from rotsolve.grading.verdict import RIGHT, Remark
 from rotsolve.render.prose import MARKDOWN
 

@@ -33,23 +33,29 @@ Laws = Callable[[Encounter, str], Iterator[Equation]]  # of an event, for the se
 
 
 def halves(scene: Scene) -> Made:
-    """m v² and I ω² for their halves: both, then either."""
+    """m v² and I ω² for their halves, both or either; k x² for its half."""
+    facts = scene.moments
     inertias = frozenset(
         name
-        for body in (body for facts in scene.moments for body in facts.bodies)
+        for body in (body for moment in facts for body in moment.bodies)
         if body.inertia is not None
         for name in body.inertia.letter.symbols()
     )
+    stored = frozenset(term for moment in facts for item in moment.potentials for term in flat([item.energy]))
     kinds: tuple[tuple[str, Callable[[Formula], bool]], ...] = (
-        ("in the kinetic energy", lambda term: True),
-        ("in ½ I ω²", lambda term: not inertias.isdisjoint(term.symbols())),
-        ("in ½ m v²", lambda term: inertias.isdisjoint(term.symbols())),
+        ("in the kinetic energy", lambda term: term not in stored),
+        ("in ½ I ω²", lambda term: term not in stored and not inertias.isdisjoint(term.symbols())),
+        ("in ½ m v²", lambda term: term not in stored and inertias.isdisjoint(term.symbols())),
+        ("in the energy of the spring", lambda term: term in stored),
     )
-    for where, fits in kinds:
-        yield (
-            f"the half was left out {where}",
-            Change(altered=Alteration(equation=doubled(ENERGY, fits)), aside=(NEWTON,)),
-        )
+    for where, fits in kinds if stored else kinds[:-1]:
+        altered = Alteration(equation=doubled(of_energy, fits))
+        yield f"the half was left out {where}", Change(altered=altered, aside=(NEWTON,))
+
+
+def of_energy(equation: Equation) -> bool:
+    """Whether an equation is a law of energy, or says what a kinetic energy is that is asked for."""
+    return equation.family == ENERGY or "kinetic energy" in equation.label
 
 
 def half_of_way(scene: Scene) -> Made:
@@ -65,12 +71,16 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
 
     Of those, v₂ = v₁ + a t comes first, since most would take it next.
     """
-    fits = doubled(KINEMATICS, lambda term: True)
+
+    def timed(equation: Equation) -> bool:
+        return equation.family == KINEMATICS and equation.label.startswith("constant")
+
+    twice = doubled(timed, lambda term: True)
 
     def changed(equation: Equation) -> Equation:
-        if equation.family != KINEMATICS or not equation.label.startswith("constant"):
+        if not timed(equation):
             return equation
-        whole = fits(equation)
+        whole = twice(equation)
         if whole != equation and bool(equation.remark) == mean:
             return replace(whole, cost=1)
         return replace(equation, cost=SECOND_CHOICE + equation.cost)
@@ -78,8 +88,8 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
     return changed
 
 
-def doubled(family: str, fits: Callable[[Formula], bool]) -> Callable[[Equation], Equation]:
-    """The equations of a family without the halves in front of some terms."""
+def doubled(concerns: Callable[[Equation], bool], fits: Callable[[Formula], bool]) -> Callable[[Equation], Equation]:
+    """Some equations without the halves in front of some terms."""
 
     def whole(term: Formula) -> Formula:
         if isinstance(term, Negative):
@@ -88,7 +98,7 @@ def doubled(family: str, fits: Callable[[Formula], bool]) -> Callable[[Equation]
         return 2 * term if halved and fits(term) else term
 
     def changed(equation: Equation) -> Equation:
-        if equation.family != family:
+        if not concerns(equation):
             return equation
         left, right = (total([whole(term) for term in flat([side])]) for side in (equation.left, equation.right))
         return replace(equation, left=left, right=right)

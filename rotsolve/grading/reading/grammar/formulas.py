@@ -75,8 +75,11 @@ class Grammar(Parser):
         token = self.token
         if token.kind != "name":
             return 1
-        if self.bound or token.text == ELLIPTIC:
+        if self.bound:
             return super().expand()
+        if token.text == ELLIPTIC and ELLIPTIC not in self.letters and self.tokens[self.index + 1].kind == "(":
+            self.tokens[self.index] = Token("function", "ellipk", token.start, token.end)
+            return 1
         powered = token.text.endswith(EULER) and self.tokens[self.index + 1].kind in ("^", "raised")
         names = self.letters | {EULER} if powered else self.letters
         found = meaning(token.text, names)
@@ -136,21 +139,22 @@ class Grammar(Parser):
         result = super().exponent(base, start)
         if closed:
             return result
-        natural = base == Symbol(EULER) and EULER not in self.letters
-        factors = [result]
+        longer = self.exponent_goes_on(result, base == Symbol(EULER) and EULER not in self.letters)
+        if longer is not result:
+            check_power(base, longer, start, self.tokens[self.index - 1].end)
+        return longer
+
+    def exponent_goes_on(self, first: Formula, natural: bool) -> Formula:
+        """What is read of an exponent with what follows it: letters and a slash behind e^, a slash in 1/2."""
+        factors = [first]
         while natural and self.multiplies() and self.forks.choose(self.tight()):
             factors.append(self.factor())
         result = _product(factors)
-        if self.token.kind == "/" and (natural or self.at_root(result)):
-            likely = natural or result == ONE
-            result = self.divided(result)[0] if self.forks.choose(likely) else result
-        if (
-            isinstance(result, Quotient)
-            and isinstance(result.numerator, Number)
-            and isinstance(result.denominator, Number)
-        ):
-            result = result.numerator / result.denominator
-        check_power(base, result, start, self.tokens[self.index - 1].end)
+        if self.token.kind == "/" and (natural or self.at_root(result)) and self.forks.choose(natural or result == ONE):
+            result = self.divided(result)[0]
+            above, below = result.children()
+            if isinstance(above, Number) and isinstance(below, Number):
+                return above / below
         return result
 
     def at_root(self, power: Formula) -> bool:
@@ -225,9 +229,10 @@ class Grammar(Parser):
 
     def goes_on(self, factors: list[Formula], root: bool, numeric: bool) -> bool:
         """Whether the factor ahead belongs to the argument: sin 2θ, sin ωt, √2gh."""
+        if isinstance(factors[-1], Quotient):
+            return False  # degrees end an argument
         bracket, close = self.token.kind in ("(", "[", "|"), self.tight()
         if numeric and not root and not bracket:
             return True
         in_run = len(factors) > 1 and not numeric and close and not bracket
-        turned = isinstance(factors[-1], Quotient)  # degrees end an argument
-        return (in_run and not turned) or self.forks.choose(close and not turned and (root or not bracket))
+        return in_run or self.forks.choose(close and (root or not bracket))

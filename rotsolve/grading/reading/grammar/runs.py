@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
-from string import ascii_letters
 
-from rotsolve.algebra.notation.letters import LETTER_NAMES
-from rotsolve.algebra.notation.tokens import FormulaError, Token, UnknownName, resolve
+from rotsolve.algebra.formula import FUNCTIONS
+from rotsolve.algebra.notation.letters import SUBSCRIPTS
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, UnknownName, resolve
 from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 
-LETTERS = frozenset((*ascii_letters, *LETTER_NAMES))
+_FUNCTION = "|".join(
+    sorted((name for name in FUNCTION_NAMES if FUNCTION_NAMES[name] in FUNCTIONS), key=len, reverse=True)
+)
+INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
 LONGEST = 24  # of a run in which the strange part is looked for
 
@@ -22,13 +26,29 @@ def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
     try:
         return tuple(resolve(Token("name", run, 0, len(run)), names, (), split=True))
     except FormulaError:
-        return None
+        return _around_function(run, names)
+
+
+def _around_function(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
+    """`mgsintheta`: a function with the run of its argument behind it, which the program's own notation does not allow."""
+    for match in re.finditer(_FUNCTION, run) if len(run) <= LONGEST else ():
+        head = meaning(run[: match.start()], names) if match.start() else ()
+        tail = meaning(run[match.end() :], names) if match.end() < len(run) else None
+        if head is not None and tail is not None:
+            cut = match.end()
+            behind = [Token(token.kind, token.text, token.start + cut, token.end + cut) for token in tail]
+            return (*head, Token("function", FUNCTION_NAMES[match[0]], match.start(), cut), *behind)
+    return None
 
 
 def fault(token: Token, names: frozenset[str]) -> FormulaError:
     """Why a run has no meaning; of `mgx` the x is told to be strange, and `v2` is perhaps meant as v²."""
     run = token.text
-    ends = [end for end in range(1, len(run)) if run[end] in LETTERS] if len(run) <= LONGEST else []
+    ends = (
+        [end for end in range(1, len(run)) if run[end].isalpha() and run[end] not in INDICES]
+        if len(run) <= LONGEST
+        else []
+    )
     known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
     if meaning(strange.text, names) is not None:  # a function in the midst of a run

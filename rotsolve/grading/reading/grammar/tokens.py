@@ -11,7 +11,7 @@ from unicodedata import normalize
 
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN
-from rotsolve.algebra.notation.tokens import NUMBER, SAME_MARK, FormulaError, Token
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, SAME_MARK, FormulaError, Token
 from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
 
 MAX_LENGTH = 600
@@ -36,6 +36,8 @@ _TOKEN = re.compile(
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
+PLAIN = frozenset(("space", "mark", "number", "fraction", "raised"))
+_CALLED = re.compile(rf"(?<![A-Za-z]_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
 _MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
@@ -49,8 +51,19 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
         raise FormulaError(message, MAX_LENGTH, len(text))
     reader = _Reader(text if end is None else text[:end])
     at, last = start, len(reader.text)
+    emit, read, step = reader.tokens.append, _TOKEN.match, reader.step
     while at < last:
-        at = reader.step(at)
+        match = read(reader.text, at)
+        kind = match.lastgroup if match else None
+        if kind in PLAIN and match:  # what is read most goes the shortest way
+            if kind == "mark":
+                found = MARKS.get(match[0], match[0])
+                emit(Token(found, found, at, match.end()))
+            elif kind != "space":
+                emit(Token(kind, match[0], at, match.end()))
+            at = match.end()
+        else:
+            at = step(at)
     reader.emit("end", "", last, last)
     return reader.tokens
 
@@ -85,6 +98,10 @@ class _Reader:
 
     def name(self, found: str, start: int, end: int) -> int:
         """A run of letters, with its index where that stands in braces: `v_{end}`."""
+        called = _CALLED.search(found)
+        if called:  # sin2θ is sin 2θ
+            self.emit("name", found[: called.end()], start, start + called.end())
+            return start + called.end()
         bare = found.rstrip("_")
         at = start + len(bare) if end - start == len(found) else end
         index = _INDEX.match(self.text, at) if self.text.startswith("_", at) else None

@@ -8,8 +8,8 @@ from fractions import Fraction
 from statistics import mean, median
 
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.page import Page, Paragraph, Section, Table, amount, of
-from rotsolve.grading.course.results import Course, Result
+from rotsolve.grading.course.report.page import Page, Paragraph, Section, Table, amount, of
+from rotsolve.grading.course.report.results import Course, Result
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Part
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
@@ -18,7 +18,6 @@ CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
 COMMONEST = 20
 FOLLOWED = "followed"  # the kind of a remark that tells of no mistake of its own
-Blocks = tuple[Paragraph | Table, ...]
 
 
 def summary_page(course: Course, targets: tuple[str, ...] = ()) -> Page:

@@ -9,11 +9,11 @@ import re
 from collections.abc import Callable
 from pathlib import Path
 
-from rotsolve.grading.course.marks import marks_table
-from rotsolve.grading.course.results import Course, Result
+from rotsolve.grading.course.report.marks import marks_table
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.course.report.student import student_page
+from rotsolve.grading.course.report.summary import summary_page
 from rotsolve.grading.course.showing import Layout
-from rotsolve.grading.course.student import student_page
-from rotsolve.grading.course.summary import summary_page
 from rotsolve.run.delivery import write_file
 
 STUDENTS, SUMMARY, MARKS = "students", "summary", "marks.csv"

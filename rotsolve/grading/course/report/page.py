@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from fractions import Fraction
 from functools import cache
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 from rotsolve.grading.verdict import Verdict
 
@@ -53,6 +55,16 @@ class Page(Struct, frozen=True):
 
     title: str
     sections: tuple[Section, ...]
+
+
+class Task(Struct, frozen=True):
+    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it."""
+
+    title: str
+    letters: Mapping[str, Formula]
+
+    def letter(self, name: str) -> Words:
+        return (self.letters[name],) if name in self.letters else (name,)
 
 
 @cache

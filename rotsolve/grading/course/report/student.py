@@ -2,26 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from msgspec import Struct
-
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.derivation import Words
-from rotsolve.grading.course.page import Judged, Judgements, Page, Paragraph, Section, of
+from rotsolve.grading.course.report.page import Judged, Judgements, Page, Paragraph, Section, Task, of
 from rotsolve.grading.verdict import Line, Marked, Part, Verdict
 
 FIRST = "wrong, here first"
-
-
-class Task(Struct, frozen=True):
-    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it."""
-
-    title: str
-    letters: Mapping[str, Formula]
-
-    def letter(self, name: str) -> Words:
-        return (self.letters[name],) if name in self.letters else (name,)
 
 
 def student_page(task: Task, marked: Marked, variant: str = "") -> Page:

@@ -6,7 +6,7 @@ from msgspec import Struct
 
 from rotsolve.grading.course.handing.columns import Columns
 from rotsolve.grading.course.handing.table import Entry
-from rotsolve.grading.course.student import Task
+from rotsolve.grading.course.report.page import Task
 from rotsolve.grading.verdict import Marked
 
 
