@@ -64,8 +64,13 @@ def targets(problems: Sequence[Problem], rows: Sequence[Row]) -> Iterator[str]:
     """A table of all targets."""
     yield "| target | measured | met |"
     yield "| --- | --- | --- |"
-    for figure in figures(problems, rows):
+    found = list(figures(problems, rows))
+    for figure in found:
         yield f"| {figure.target} | {figure.figure} | {'yes' if figure.met else '**no**'} |"
+    missed = [figure for figure in found if not figure.met and figure.why]
+    if missed:
+        yield "\nWhat keeps the others from being met:\n"
+    yield from (f"- {figure.target}: {figure.why}." for figure in missed)
 
 
 def table(problem: Problem, rows: Sequence[Row]) -> Iterator[str]:
