@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -14,9 +15,11 @@ from rotsolve.grading.comparing.numbers import Typed, near, number_of, rounds_to
 from rotsolve.grading.comparing.rounding import Rounded, rounded_answers, rounded_early, spread
 from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.marking.target import Letters
-from rotsolve.grading.mistakes import Mistake, wrong_answers
 from rotsolve.grading.verdict import WRONG
 from rotsolve.scene import marks
+
+if TYPE_CHECKING:
+    from rotsolve.grading.mistakes.mistake import Mistake
 
 ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
 FAR = 0.1  # the share by which no number of two figures is rounded
@@ -45,6 +48,8 @@ class Explaining:
         """The scene with each mistake in it, the commonest first."""
         yield from self._solved
         if self._rest is None:
+            from rotsolve.grading.mistakes import wrong_answers  # a right answer needs none of them
+
             self._rest = iter(wrong_answers(self.letters.problem))
         for mistake, answers in self._rest:
             self._solved.append(Mistaken(mistake, answers))

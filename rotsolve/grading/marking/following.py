@@ -208,7 +208,9 @@ class Following:
                 gap = RealBalls(values, bound=bound)(residue)
             except (Undefined, ZeroDivisionError):
                 return False
-            signs.add(0 if not gap.is_finite() or gap.contains(0) else 1 if gap > 0 else -1)
+            if not gap.is_finite():
+                return False  # the relation has a pole there, and says nothing
+            signs.add(0 if gap.contains(0) else 1 if gap > 0 else -1)
         return 0 in signs or len(signs) > 1
 
     def _margin(self, tolerance: Tolerance, number: float) -> float:
