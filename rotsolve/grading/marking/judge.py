@@ -124,7 +124,7 @@ class Judge:
 
     def _worth(self, target: Target, one: Judged) -> Own | None:
         reading, asked = one.reading, target.whole
-        if reading is None or reading.formula is None or asked is None or target.name not in self.letters.closed:
+        if reading is None or reading.formula is None or asked is None:
             return None
         if any(remark.kind in ("dimension", "form") for remark in one.finding.remarks):
             return None

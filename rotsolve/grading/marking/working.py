@@ -133,9 +133,23 @@ class Working:
         """Whether an equation holds on the scene's solution: exactly, or in its decimals."""
         sides = [self.told(side) for side in (left, right)]
         held = self.same(*sides)
-        if held is True or not (DECIMAL.search(text) or one_is_a_number(left, right)):
-            return held
-        return self.nearly(*sides)
+        if held is True or (held is None and self.is_law(left - right)):
+            return True
+        if DECIMAL.search(text) or one_is_a_number(left, right):
+            return self.nearly(*sides)
+        return False if held is None and self.differ(*sides) else held
+
+    def is_law(self, residue: Formula) -> bool:
+        """Whether an equation is a law of the scene, of whose letters not all have a closed form."""
+        laws = self.letters.meanings.laws
+        return any(
+            self.identical(residue, side) for law in laws for side in (law.left - law.right, law.right - law.left)
+        )
+
+    def differ(self, left: Formula, right: Formula) -> bool:
+        """Whether the numbers of both sides surely differ."""
+        gap = self.value(left - right)
+        return gap is not None and bool(gap.sign)
 
     def nearly(self, left: Formula, right: Formula) -> bool | None:
         """Whether both sides agree to the tolerance, as a share of their largest term; None where they have no number."""
