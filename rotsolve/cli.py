@@ -16,7 +16,7 @@ LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
 KEYS = ("html", "markdown", "latex", "json", "csv")
-MOST_VARIANTS = 1_000_000
+MOST_VARIANTS = 100_000
 SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
 MOST_ROWS = 100_000
 

@@ -6,7 +6,6 @@ import os
 import sys
 from collections.abc import Generator, Iterator
 from time import monotonic
-from typing import TypeVar
 
 from msgspec.structs import replace
 
@@ -17,7 +16,6 @@ from rotsolve.run.scenes import scenes
 
 __all__ = ["Request", "internal_error", "run"]
 
-Item = TypeVar("Item")
 PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
@@ -56,8 +54,8 @@ def attempts(request: Request) -> Iterator[Outcome]:
             yield attempt(file, request, text)
 
 
-def with_progress(outcomes: Iterator[Item], total: int) -> Generator[Item]:
-    """What is worked out, one by one; once it takes long, and on a terminal, with a progress bar that makes room for what is written."""
+def with_progress(outcomes: Iterator[Outcome], total: int) -> Generator[Outcome]:
+    """The outcomes one by one; once it takes long, and on a terminal, with a progress bar that makes room for what is written."""
     start, bar = monotonic(), None
     try:
         for done, outcome in enumerate(outcomes, 1):
