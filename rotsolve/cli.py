@@ -17,7 +17,7 @@ STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
 PAGES = ("text", "markdown", "html", "json")  # of marked answers
 KEYS = ("html", "markdown", "latex", "json", "csv")
-MOST_VARIANTS = 1_000_000
+MOST_VARIANTS = 100_000
 SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
 MOST_ROWS = 100_000
 

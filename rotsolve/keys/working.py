@@ -2,7 +2,7 @@
 
 Its formulas hold for every variant in which all numbers that were asked for on the way have the signs that they had then. Other signs
 are another branch, which is solved once more; so is a first variant of each branch, as a probe. Where numbers decided more than signs
-tell (what slips, which of two roots is nearer), each variant is solved anew.
+tell (which of two roots is nearer, whole turns), each variant is solved anew.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import TIME
-from rotsolve.inquiry.validity import ROOT
+from rotsolve.inquiry.validity import ROOT, SLIPS
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures
 from rotsolve.scene.model import Given, Problem
@@ -70,7 +70,7 @@ class Branch:
         derivation = self.solution.derivation
         self.trusted = (
             valid is not None
-            and set(valid.decided) <= {ROOT}
+            and set(valid.decided) <= {SLIPS, ROOT}  # by signs, unless the witness knows better
             and not witness.by_size
             and not any(TIME in item.symbols() for item in asked)
             and all(check.holds for check in derivation.checks)
