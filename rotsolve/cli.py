@@ -15,6 +15,9 @@ from rotsolve.render import FORMATS, format_of_file
 LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
+PAGES = ("text", "markdown", "html", "json")  # of marked answers
+KEYS = ("html", "markdown", "latex", "json", "csv")
+MOST_VARIANTS = 100_000
 SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
 MOST_ROWS = 100_000
 
@@ -46,6 +49,10 @@ def law_checked(value: str | None) -> str | None:
 
 def format_checked(value: str | None) -> str | None:
     return one_of(NAMES, value)
+
+
+def pages_checked(value: str | None) -> str | None:
+    return one_of(PAGES, value)
 
 
 def stage_checked(value: str | None) -> str | None:
@@ -148,6 +155,8 @@ def rotsolve(
     Examples:
       rotsolve solve problems/pulleys/block-on-disc.yaml
       rotsolve solve problems/pulleys/block-on-disc.yaml --law energy --set m=3kg
+      rotsolve key problems/pulleys/atwood.yaml --variants 30 -o sheets
+      rotsolve check problems/pulleys/atwood.yaml class.csv -o report
       rotsolve elements string
 
     \b
@@ -279,6 +288,119 @@ def simulate(
         chosen = read_settings(settings or [])
         columns = width or page_width(None)
         code = run(Request(file, seconds, accuracy, between, csv, plot, chosen, columns, certified))
+    raise typer.Exit(code)
+
+
+Problems = Annotated[
+    list[str], typer.Argument(metavar="PROBLEMS...", help="Scenes, folders, or patterns such as 'page/*.yaml'.")
+]
+Folder = Annotated[
+    str, typer.Option("--output", "-o", metavar="DIR", help="The folder for the files; made if need be.")
+]
+Sheets = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--format",
+        "-f",
+        metavar="|".join(KEYS),
+        callback=lambda names: [one_of(KEYS, name) for name in names or ()],
+        help="Output format; may be repeated. [default: html]",
+    ),
+]
+Variants = Annotated[
+    int | None,
+    typer.Option(metavar="N", min=1, max=MOST_VARIANTS, help="Write N variants, as `vary` in the problems says."),
+]
+Seed = Annotated[int, typer.Option(metavar="S", min=0, help="Other variants; the same number gives the same ones.")]
+Solutions = Annotated[bool, typer.Option("--solutions", help="Write the derivations too.")]
+
+
+@app.command()
+def key(
+    problems: Problems,
+    output: Folder,
+    variants: Variants = None,
+    seed: Seed = 1,
+    solutions: Solutions = False,
+    format: Sheets = None,
+    digits: Digits = 4,
+) -> None:
+    """Write problem sheets and their answer key.
+
+    \b
+    Examples:
+      rotsolve key problems/pulleys/atwood.yaml -o sheets
+      rotsolve key problems/rolling -o sheets --solutions -f latex
+      rotsolve key problems/pulleys/atwood.yaml -o sheets --variants 30 -f html -f csv
+
+    sheet.html holds the statements, key.html the answers, solutions.html the derivations; with variants there are
+    sheet-01.html and so on, and all of them in sheets.html. A problem that can't be solved is left out and said.
+    """
+    from rotsolve.keys.command import Request, run
+
+    formats = tuple(dict.fromkeys(format or ("html",)))
+    with orderly():
+        code = run(Request(tuple(problems), output, formats, variants or 0, seed, solutions, digits))
+    raise typer.Exit(code)
+
+
+Answers = Annotated[
+    str | None,
+    typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
+]
+Typed = Annotated[
+    list[str] | None,
+    typer.Option("--answer", "-a", metavar="TEXT", help="An answer, 'a = 2mg/(2m+M)'; may be repeated."),
+]
+Report = Annotated[
+    str | None,
+    typer.Option("--output", "-o", metavar="PATH", help="The folder of a class's report, or one page's file."),
+]
+Pages = Annotated[
+    str | None,
+    typer.Option(
+        "--format", "-f", metavar="|".join(PAGES), callback=pages_checked, help="[default: text; of a report, html]"
+    ),
+]
+Number = Annotated[
+    int | None, typer.Option("--variant", metavar="K", min=1, help="The variant of papers that name none.")
+]
+Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
+
+
+@app.command()
+def check(
+    problem: Scene,
+    answers: Answers = None,
+    typed: Typed = None,
+    output: Report = None,
+    format: Pages = None,
+    variant: Number = None,
+    variants: Count = None,
+    seed: Seed = 1,
+    width: Width = None,
+) -> None:
+    """Mark the answers of a student or of a class.
+
+    \b
+    Examples:
+      rotsolve check problems/pulleys/block-on-disc.yaml --answer "a = 2mg/(2m+M)"
+      rotsolve check problems/pulleys/block-on-disc.yaml ada.txt --variant 7
+      rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
+
+    \b
+    Exit codes:
+      0  all right
+      1  something wrong or undecided, or a row that could not be marked
+      2  a bad problem, bad answers, or wrong usage
+    """
+    from rotsolve.grading.course.command import Request, run
+
+    if (answers is None) == (not typed):
+        raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
+    chosen = (output, format, variant, variants, seed, width or page_width(output))
+    with orderly():
+        code = run(Request(problem, answers or "", tuple(typed or ()), *chosen))
     raise typer.Exit(code)
 
 

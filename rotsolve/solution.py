@@ -169,11 +169,11 @@ class Solution:
         return standard if width is None else Options(standard.digits, width, standard.file)
 
     def body(self, format: str = "text", *, width: int | None = None) -> str:
-        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex' or 'json'."""
+        """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'."""
         return format_named(format).body(self.derivation, self.options(width))
 
     def to(self, format: str = "text", *, width: int | None = None) -> str:
-        """The derivation as a complete document: 'text', 'markdown', 'latex' or 'json'."""
+        """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""
         return format_named(format).document([self.body(format, width=width)])
 
     def __str__(self) -> str:

@@ -1,4 +1,4 @@
-"""Start: where the command begins. Files alone go straight to work; any other command line is read by `cli`.
+"""Start: where the command begins. Files alone, or a problem with one answer, go straight to work; `cli` reads any other command line.
 
 Loading what reads options and prints help would take an eighth of the time of a cold run.
 """
@@ -13,12 +13,21 @@ from rotsolve.process import leave_after, orderly, page_width
 
 def main() -> NoReturn:
     """Run the command of this process."""
-    command, *files = sys.argv[1:] or [""]
-    if command == "solve" and files and not any(file.startswith("-") for file in files):
-        leave_after(lambda: solve(files))
+    match sys.argv[1:]:
+        case ["solve", *files] if files and plain(*files):
+            leave_after(lambda: solve(files))
+        case ["check", problem, answers] if plain(problem, answers):
+            leave_after(lambda: check(problem, answers))
+        case ["check", problem, "--answer" | "-a", typed] if plain(problem):
+            leave_after(lambda: check(problem, "", typed))
     from rotsolve.cli import main
 
     main()
+
+
+def plain(*words: str) -> bool:
+    """Whether none of the words is an option."""
+    return not any(word.startswith("-") for word in words)
 
 
 def solve(files: list[str]) -> NoReturn:
@@ -27,4 +36,13 @@ def solve(files: list[str]) -> NoReturn:
         from rotsolve.run import Request, run
 
         code = run(Request(tuple(files), width=page_width(None)))
+    sys.exit(code)
+
+
+def check(problem: str, answers: str, *typed: str) -> NoReturn:
+    """`rotsolve check PROBLEM ANSWERS` or `--answer TEXT`, all else by default."""
+    with orderly():
+        from rotsolve.grading.course.command import Request, run
+
+        code = run(Request(problem, answers, typed, width=page_width(None)))
     sys.exit(code)

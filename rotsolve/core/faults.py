@@ -87,6 +87,8 @@ def excerpt(line: str, span: Span) -> tuple[str, str]:
 def printable(text: str) -> str:
     """The text with everything that would move or colour the terminal replaced, one character for one."""
     spaced = text.replace("\t", " ")
+    if spaced.isprintable():
+        return spaced
     return "".join(character if character.isprintable() else "\N{REPLACEMENT CHARACTER}" for character in spaced)
 
 

@@ -12,6 +12,8 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.rubs import rubs
 
+SLIPS, ROOT = "what slips and which way", "which root of an equation is meant"
+
 
 class Validity(Struct, frozen=True):
     """The closed forms hold for `positive` letters that are so, where none of the `bounds` is negative, and while what was `decided` by
@@ -37,9 +39,9 @@ def validity(inquiry: Inquiry) -> Validity:
                 elif not (is_zero(gap, positive) or surely_positive(gap, positive)):
                     bounds[gap] = None
     if rubs(inquiry.history.arrangement):
-        decided["what slips and which way"] = None
+        decided[SLIPS] = None
     if any(step.reason for step in inquiry.solver.steps):
-        decided["which root of an equation is meant"] = None
+        decided[ROOT] = None
     return Validity(positive, tuple(bounds), tuple(decided))
 
 

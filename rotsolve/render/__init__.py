@@ -37,6 +37,7 @@ FORMATS = (
     Format("text", (".txt",), "plain text in aligned columns"),
     Format("markdown", (".md", ".markdown"), "Markdown with the formulas as LaTeX"),
     Format("latex", (".tex",), "a complete LaTeX document"),
+    Format("html", (".html", ".htm"), "a page for a browser, with the formulas as MathML"),
     Format("json", (".json",), "everything, for programs"),
 )
 

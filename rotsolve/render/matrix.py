@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import Answer
@@ -70,11 +70,28 @@ def held(text: str) -> str:
 
 def latex_matrix(answer: Answer, voice: Voice, digits: int) -> str:
     """A matrix or vector as mathematics: its exact entries, and its numbers with the unit."""
-    sides = [voice.formula(answer.symbol)]
-    for rows in cells(answer, voice, digits):
-        if rows:
-            body = r" \\ ".join(" & ".join(row) for row in rows)
-            sides.append(rf"\begin{{pmatrix}} {body} \end{{pmatrix}}")
-    unit = answer.unit
-    behind = "" if unit is None or unit.text in ("", "1") else rf"\,{voice.unit(unit)}"
-    return " = ".join(sides) + behind
+    return " = ".join([voice.formula(answer.symbol), *set_matrices(answer, voice, digits, pmatrix)])
+
+
+def mathml_matrix(answer: Answer, voice: Voice, digits: int) -> tuple[str, ...]:
+    """The exact entries of a matrix or vector, and its numbers with the unit, as MathML."""
+    return set_matrices(answer, voice, digits, mtable)
+
+
+def set_matrices(
+    answer: Answer, voice: Voice, digits: int, brackets: Callable[[list[list[str]]], str]
+) -> tuple[str, ...]:
+    """The exact entries and the numbers, as far as there are any, each between brackets; the unit behind the last."""
+    boxes = [brackets(rows) for rows in cells(answer, voice, digits) if rows]
+    return (*boxes[:-1], *(voice.measured(box, answer.unit) for box in boxes[-1:]))
+
+
+def pmatrix(rows: list[list[str]]) -> str:
+    body = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+
+
+def mtable(rows: list[list[str]]) -> str:
+    lines = ("".join(f"<mtd>{cell}</mtd>" for cell in row) for row in rows)
+    body = "".join(f"<mtr>{line}</mtr>" for line in lines)
+    return f"<mrow><mo>(</mo><mtable>{body}</mtable><mo>)</mo></mrow>"

@@ -1,10 +1,11 @@
-"""Prose made safe for Markdown and LaTeX: what is special there is escaped, and letters that LaTeX lacks become commands."""
+"""Prose made safe for Markdown, LaTeX and HTML: what is special there is escaped, and letters that LaTeX lacks become commands."""
 
 from __future__ import annotations
 
 import re
 
 MARKDOWN_SPECIAL = re.compile(r"([\\`*_\[\]<>$|#~])")
+HTML_SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})
 LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
@@ -64,6 +65,11 @@ MATHEMATICS = {
 def markdown_prose(text: str) -> str:
     """Prose in which Markdown sees no markup."""
     return MARKDOWN_SPECIAL.sub(r"\\\1", text)
+
+
+def html_prose(text: str) -> str:
+    """Prose in which a browser sees no markup, also within an attribute."""
+    return text.translate(HTML_SPECIAL)
 
 
 def latex_prose(text: str) -> str:

@@ -18,6 +18,7 @@ STYLES = {
     "answer": "bold green",
     "check": "dim",
     "fault": "bold red",
+    "doubt": "bold yellow",
     "rule": "dim",
 }
 

@@ -14,7 +14,7 @@ from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Answer, Equality, Words
 from rotsolve.render.layout import hold
-from rotsolve.render.prose import latex_prose, markdown_prose
+from rotsolve.render.prose import html_prose, latex_prose, markdown_prose
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
@@ -44,10 +44,13 @@ class Voice(Struct, frozen=True):
         """Prose with formulas in it."""
         return "".join(self.prose(word) if isinstance(word, str) else self.math(self.formula(word)) for word in words)
 
+    def relation(self, sign: str) -> str:
+        """The sign between two sides."""
+        return self.relations.get(sign, sign)
+
     def sides(self, equality: Equality) -> tuple[str, str]:
         """The left side; and the sign with the right side."""
-        relation = self.relations.get(equality.relation, equality.relation)
-        return self.formula(equality.left), f"{relation} {self.formula(equality.right)}"
+        return self.formula(equality.left), f"{self.relation(equality.relation)} {self.formula(equality.right)}"
 
     def equality(self, equality: Equality) -> str:
         return " ".join(self.sides(equality))
@@ -57,7 +60,10 @@ class Voice(Struct, frozen=True):
         match = POWER.fullmatch(number.strip())
         mantissa, exponent = match.groups() if match else (number.strip(), "")
         exponent = exponent.translate(LOWERED).replace("−", "-").lstrip("+")
-        said = self.number(mantissa, exponent)
+        return self.measured(self.number(mantissa, exponent), unit)
+
+    def measured(self, said: str, unit: Unit | None) -> str:
+        """A number, as it is set, with its unit behind it."""
         if unit is None or unit.text in ("", "1"):
             return said
         return said + ("" if unit.text.startswith(CLOSE) else self.blank) + self.unit(unit)
@@ -67,17 +73,23 @@ class Voice(Struct, frozen=True):
         name = self.formula(Symbol(given.name))
         if given.value is None:
             return name
-        return f"{name} = {self._given_value(given.value, given)}"
+        return f"{name} {self.relation('=')} {self.given_value(given)}"
 
-    def _given_value(self, value: Formula, given: Given) -> str:
-        """The number as the scene writes it, in its unit; a formula of other givens as it stands."""
+    def given_value(self, given: Given) -> str:
+        """The number as the scene writes it, in its unit; a formula of other givens as it stands; '' without a value."""
+        value = given.value
+        if value is None:
+            return ""
         if value.symbols():
             return self.formula(value)
         number = value if given.unit is None else in_unit(value, given.unit)
         written = WRITTEN.match(given.text.strip())
         if written and number == Number(Fraction(written[0].replace("−", "-"))):
             return self.quantity(written[0], given.unit)
-        return self.quantity(self.formula(number), given.unit)
+        plain = to_text(number)
+        if POWER.fullmatch(plain):
+            return self.quantity(plain, given.unit)
+        return self.measured(self.formula(number), given.unit)
 
     def amount(self, answer: Answer, digits: int) -> str:
         """The certified value of an answer with its unit; '' without one."""
@@ -153,9 +165,39 @@ def _latex_number(mantissa: str, exponent: str) -> str:
     return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
 
 
+def _mathml_number(mantissa: str, exponent: str) -> str:
+    digits = mantissa.lstrip("-−")
+    said = f"<mn>{digits}</mn>" if digits == mantissa else f"<mrow><mo>−</mo><mn>{digits}</mn></mrow>"
+    if not exponent:
+        return said
+    power = f"<msup><mn>10</mn>{_mathml_number(exponent, '')}</msup>"
+    return f"<mrow>{said}<mo>×</mo>{power}</mrow>"
+
+
+def _to_mathml(formula: Formula) -> str:
+    from rotsolve.algebra.notation.mathml import mathml  # few runs print MathML
+
+    return mathml(formula)
+
+
+def _mathml_unit(unit: Unit) -> str:
+    from rotsolve.algebra.notation import mathml
+
+    return mathml.unit(unit.text)
+
+
 TEXT = Voice(to_text, lambda unit: unit.text, _text_number, str, hold, " ", {})
 MARKDOWN = Voice(to_latex, lambda unit: unit.latex, _latex_number, markdown_prose, "${}$".format, r"\,", RELATIONS)
 LATEX = Voice(to_latex, lambda unit: unit.latex, _latex_number, latex_prose, "${}$".format, r"\,", RELATIONS)
+HTML = Voice(
+    _to_mathml,
+    _mathml_unit,
+    _mathml_number,
+    html_prose,
+    "<math>{}</math>".format,
+    '<mspace width="0.22em"></mspace>',
+    {sign: f"<mo>{html_prose(sign)}</mo>" for sign in "=≤≥<>≈≠"},
+)
 
 
 def machine_number(text: str) -> str:

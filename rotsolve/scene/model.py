@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotsolve.elements.shapes import Shape
     from rotsolve.elements.surfaces import Surface
     from rotsolve.scene.marks import Marking
+    from rotsolve.scene.variation import Variation
 
 
 class Given(Struct, frozen=True):
@@ -262,7 +263,7 @@ class Problem(Struct, frozen=True):
     finds: tuple[Find, ...] = ()
     answers: tuple[Published, ...] = ()
     marking: tuple[Marking, ...] = ()
-    vary: object | None = None
+    vary: Variation | None = None
 
     @property
     def values(self) -> dict[str, Formula]:

@@ -9,7 +9,7 @@ from rotsolve.core.faults import Fault, SceneError
 from rotsolve.scene.model import Problem
 from rotsolve.scene.reader.sections import Sections
 from rotsolve.scene.reader.within import beyond_ends
-from rotsolve.scene.tree.nodes import BYTES, compose
+from rotsolve.scene.tree.nodes import BYTES, Node, compose
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
@@ -66,7 +66,13 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
         line = text.count("\n", 0, control) + 1
         message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
         raise SceneError([Fault(message, None, "a scene is YAML text in UTF-8", "file")], (), file)
-    root, lines = compose(text, file)
+    return read_tree(*compose(text, file), file, settings)
+
+
+def read_tree(
+    root: Node, lines: tuple[str, ...], file: str = "<text>", settings: Mapping[str, str] | None = None
+) -> Problem:
+    """The problem in the tree of a text."""
     scope = Scope()
     problem = Sections(scope, root, dict(settings or {})).problem(file, lines)
     scope.faults.extend(beyond_ends(problem, scope.numbers) if problem is not None else ())

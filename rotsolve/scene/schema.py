@@ -85,7 +85,7 @@ def section(name: str, key: Key) -> dict[str, Any]:
         "find": {**named({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
         "answers": {"type": "object"},
         "marking": named({"anyOf": [SCALAR, table(MARKING)]}),
-        "vary": {"type": "object"},
+        "vary": named({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
         "assume": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]},
         "unknown": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
     }

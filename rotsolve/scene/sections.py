@@ -11,7 +11,7 @@ LATER = {"later": True}
 SECTIONS: dict[str, Key] = {
     "title": Key("text", "what the scene is, in one line"),
     "source": Key("text", "where the problem comes from"),
-    "text": Key("text", "the statement, for answer keys"),
+    "text": Key("text", "the statement, for answer keys; `{m}` prints a given as m = 2 kg, `{value of m}` as 2 kg"),
     "given": Key("map", "letters with values (`m: 2 kg`), dimensions (`m: kg`), formulas (`L: 2*R`) or `unknown`"),
     "unknown": Key("names", "letters that are asked for, beside those given as `unknown`"),
     "gravity": Key(
@@ -33,7 +33,9 @@ SECTIONS: dict[str, Key] = {
     "find": Key("map", "what is asked", required=True),
     "answers": Key("map", "published answers, by the names of `find`"),
     "marking": Key("map", "how answers are marked, by the names of `find`, or `all`: points alone, or a map"),
-    "vary": Key("raw", "ranges of givens for variants"),
+    "vary": Key(
+        "vary", "givens that vary: `m: 1 kg to 3 kg by 0.5 kg`, `theta: [30 deg, 45 deg]`; `where: M > m`, or a list"
+    ),
 }
 
 BODY: dict[str, Key] = {

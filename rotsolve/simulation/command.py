@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
-from time import monotonic
-from typing import Any
 
 from msgspec import Struct, field
 
 from rotsolve.render.layout import page
-from rotsolve.run import PATIENCE, coloured
+from rotsolve.run import coloured
+from rotsolve.run.advancing import advancing
 from rotsolve.run.attempt import failure, name_of, piped, source
 from rotsolve.run.request import BAD, SOLVED
 from rotsolve.simulation.run import Run
@@ -74,27 +71,3 @@ def write(found: Run, request: Request) -> int:
     else:
         sys.stdout.write(page(written))
     return SOLVED
-
-
-@contextmanager
-def advancing(name: str) -> Iterator[Callable[[float], None]]:
-    """What tells how much of the motion has been followed: once it takes long, and on a terminal, by a bar."""
-    if not sys.stderr.isatty():
-        yield lambda part: None
-        return
-    start = monotonic()
-    bars: list[Any] = []
-
-    def tell(part: float) -> None:
-        if not bars and monotonic() - start > PATIENCE:
-            from rotsolve.render.terminal import Advance
-
-            bars.append(Advance(name, sys.stderr))
-        if bars:
-            bars[0].to(part)
-
-    try:
-        yield tell
-    finally:
-        for bar in bars:
-            bar.done()

@@ -18,7 +18,7 @@ Run = Callable[..., Any]
 EXPECTED = Path(__file__).parent / "expected"
 
 
-@pytest.mark.parametrize("command", ["", "solve", "simulate", "elements", "schema"])
+@pytest.mark.parametrize("command", ["", "solve", "simulate", "key", "check", "elements", "schema"])
 def test_help(rotsolve: Run, command: str) -> None:
     """`REWRITE_EXPECTED=1 pytest tests/cli` writes the expected files anew."""
     ran = rotsolve(*filter(None, [command]), "--help")
@@ -44,7 +44,7 @@ def test_without_arguments_the_help_is_shown(rotsolve: Run) -> None:
     ("arguments", "message"),
     [
         (["--law", "hooke"], "Invalid value for '--law': 'hooke' is not one of newton, energy, angular-momentum"),
-        (["-f", "pdf"], "Invalid value for '--format' / '-f': 'pdf' is not one of text, markdown, latex, json"),
+        (["-f", "pdf"], "Invalid value for '--format' / '-f': 'pdf' is not one of text, markdown, latex, html, json"),
         (["--show", "all"], "Invalid value for '--show': 'all' is not one of facts, equations, plan"),
         (["--digits", "0"], "Invalid value for '--digits': 0 is not in the range 1<=x<=50."),
         (["--digits", "few"], "Invalid value for '--digits': 'few' is not a valid int range."),

@@ -29,7 +29,7 @@ INTERNAL = re.compile(rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES)}|asked
 
 def all_texts(solution: Solution) -> dict[str, str]:
     """All that a solution can print."""
-    formats = {name: solution.to(name) for name in ("text", "markdown", "latex", "json")}
+    formats = {name: solution.to(name) for name in ("text", "markdown", "latex", "html", "json")}
     return formats | {
         "facts": solution.facts_text(),
         "equations": solution.equations_text(),

@@ -20,7 +20,7 @@ from trials.figures import wrong
 from trials.held import givens
 from trials.outcome import Printed
 
-FORMATS = ("text", "markdown", "latex", "json")
+FORMATS = ("text", "markdown", "latex", "html", "json")
 MOMENT = "t=0.5s"
 
 

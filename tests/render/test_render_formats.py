@@ -195,7 +195,7 @@ def test_prose_is_escaped(block_on_disc: Derivation) -> None:
 
 def test_formats_are_found_by_name_and_by_file() -> None:
     assert [format_named(item.name) for item in FORMATS] == list(FORMATS)
-    with pytest.raises(KeyError, match="unknown format 'pdf': text, markdown, latex, json"):
+    with pytest.raises(KeyError, match="unknown format 'pdf': text, markdown, latex, html, json"):
         format_named("pdf")
     assert format_of_file("out/Answers.TEX") == format_named("latex")
     assert format_of_file("answers") is None

@@ -10,6 +10,7 @@ from typing import Any
 from msgspec import Struct
 
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.witness import note
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
@@ -189,6 +190,7 @@ def evaluate(
 
     `roots` are letters without a closed form, known as closely as it takes.
     """
+    note(f, by_size=bool(roots))
     known = {name: value if isinstance(value, Formula) else formula(value) for name, value in values.items()}
     found = roots or {}
     ball = _enclose(f, known, digits, max_precision, found)

@@ -9,6 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Formula, Number, formula
@@ -60,6 +61,7 @@ def real_roots(
     digits: int = 15,
 ) -> Roots:
     """All simple roots of f = 0 for `name` from low to high, within bounded work."""
+    decided_by_size()
     g = resolve(f, {key: value for key, value in values.items() if key != name})
     function = _Function(g, differentiate(g, name), name)
     bits = int(digits * BITS_PER_DIGIT) + 64

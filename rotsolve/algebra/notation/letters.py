@@ -8,6 +8,9 @@ from __future__ import annotations
 import re
 from fractions import Fraction
 
+from msgspec import Struct
+from msgspec.structs import replace
+
 _GREEK = """
     α alpha β beta γ gamma δ delta ε epsilon ζ zeta η eta θ theta ι iota κ kappa λ lambda μ mu ν nu ξ xi π pi ρ rho
     σ sigma τ tau υ upsilon φ phi χ chi ψ psi ω omega
@@ -20,6 +23,7 @@ GREEK_LETTERS = {name: letter for letter, name in LETTER_NAMES.items()}  # theta
 LETTER_NAMES |= {"µ": "mu", "Ω": "Omega", "∆": "Delta", "ϑ": "theta", "ϕ": "phi", "ϵ": "epsilon", "ϱ": "rho"}
 
 SUBSCRIPTS = dict(zip("0123456789aehijklmnoprstuvx", "₀₁₂₃₄₅₆₇₈₉ₐₑₕᵢⱼₖₗₘₙₒₚᵣₛₜᵤᵥₓ", strict=True))
+_LETTERS = frozenset(SUBSCRIPTS) - frozenset("0123456789")  # H_x, r_i
 _UNSUBSCRIPT = {sub: plain for plain, sub in SUBSCRIPTS.items()}
 SUPERSCRIPTS = dict(zip("0123456789-+", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻⁺", strict=True))
 _UNSUPERSCRIPT = {raised: plain for plain, raised in SUPERSCRIPTS.items()}
@@ -41,7 +45,6 @@ RUN = rf"[A-Za-z{_GREEK_CLASS}][A-Za-z0-9_{_GREEK_CLASS}{_SUB_CLASS}]*"
 SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[A-Za-z0-9{_GREEK_CLASS}]+)*"
 
 INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
-_LETTERED = re.compile(r"([A-Za-z]+)_([aehijklmnoprstuvx])")  # H_x, r_i
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
 _CHANGE = re.compile(rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)")  # delta_theta, delta_K1
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
@@ -88,25 +91,48 @@ def from_superscript(text: str) -> str:
     return "".join(_UNSUPERSCRIPT[char] for char in text)
 
 
-def _greek(head: str) -> str:
+def greek(head: str) -> str:
+    """The Greek letter of that name; any other head as it stands."""
     return GREEK_LETTERS.get(head, head)
+
+
+class Letter(Struct, frozen=True):
+    """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, and the letter it is a function of."""
+
+    head: str
+    index: str = ""
+    word: str = ""
+    change: bool = False
+    prime: bool = False
+    of: str = ""
+
+
+def parts(name: str) -> Letter | None:
+    """The parts of an ASCII name; None for one that no letter is made of, such as a path."""
+    if match := _CHANGE.fullmatch(name):
+        return Letter(match[1], match[2], change=True)
+    if match := _RUNNING.fullmatch(name):
+        inner = parts(match[1])
+        return None if inner is None else replace(inner, of=match[2])
+    if name.endswith(PRIME):
+        inner = parts(name.removesuffix(PRIME))
+        return None if inner is None else replace(inner, prime=True)
+    if match := INDEXED.fullmatch(name):
+        return Letter(match[1], match[2])
+    if match := _WORDED.fullmatch(name):
+        return Letter(match[1], match[2], match[3])
+    return Letter(name) if name.isalpha() and name.isascii() else None
 
 
 def name_to_text(name: str) -> str:
     """An ASCII name as a textbook writes it: `theta0` is θ₀, `H_x` is Hₓ, `delta_K` is ΔK, `omega(t)` is ω(t); paths stay."""
-    if match := _CHANGE.fullmatch(name):
-        return f"Δ{_greek(match[1])}{subscripted(match[2])}"
-    if match := _RUNNING.fullmatch(name):
-        return f"{name_to_text(match[1])}({name_to_text(match[2])})"
-    if name.endswith(PRIME):
-        return name_to_text(name.removesuffix(PRIME)) + "′"
-    if match := INDEXED.fullmatch(name):
-        return _greek(match[1]) + subscripted(match[2])
-    if match := _LETTERED.fullmatch(name):
-        return _greek(match[1]) + subscripted(match[2])
-    if match := _WORDED.fullmatch(name):
-        return f"{_greek(match[1])}{subscripted(match[2])}_{match[3]}"
-    return _greek(name)
+    letter = parts(name)
+    if letter is None:
+        return name
+    low = not letter.index and letter.word in _LETTERS
+    below = subscripted(letter.word) if low else f"_{letter.word}" if letter.word else ""
+    text = f"{'Δ' * letter.change}{greek(letter.head)}{subscripted(letter.index)}{below}{'′' * letter.prime}"
+    return f"{text}({name_to_text(letter.of)})" if letter.of else text
 
 
 def _latex_head(head: str) -> str:
@@ -124,21 +150,13 @@ def _latex_subscript(text: str) -> str:
 
 def name_to_latex(name: str) -> str:
     """An ASCII name in LaTeX: `theta0` is \\theta_{0}, `a_end` is a_{\\mathrm{end}}."""
-    if match := _CHANGE.fullmatch(name):
-        index = f"_{{{match[2]}}}" if match[2] else ""
-        return rf"\Delta {_latex_head(match[1])}{index}"
-    if match := _RUNNING.fullmatch(name):
-        return f"{name_to_latex(match[1])}({name_to_latex(match[2])})"
-    if name.endswith(PRIME):
-        return name_to_latex(name.removesuffix(PRIME)) + PRIME
-    if match := INDEXED.fullmatch(name):
-        return f"{_latex_head(match[1])}_{{{match[2]}}}"
-    if match := _WORDED.fullmatch(name):
-        index = f"{match[2]}," if match[2] else ""
-        return f"{_latex_head(match[1])}_{{{index}{_latex_subscript(match[3])}}}"
-    if re.fullmatch("[A-Za-z]+", name):
-        return _latex_head(name)
-    return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+    letter = parts(name)
+    if letter is None:
+        return rf"\mathrm{{{name.replace('_', chr(92) + '_')}}}"
+    below = ",".join(filter(None, (letter.index, _latex_subscript(letter.word) if letter.word else "")))
+    text = rf"\Delta {_latex_head(letter.head)}" if letter.change else _latex_head(letter.head)
+    text += (f"_{{{below}}}" if below else "") + PRIME * letter.prime
+    return f"{text}({name_to_latex(letter.of)})" if letter.of else text
 
 
 def same_text(names: list[str] | tuple[str, ...] | frozenset[str]) -> tuple[tuple[str, str], ...]:

@@ -9,6 +9,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from fractions import Fraction
 
+from msgspec import Struct
+
 from rotsolve.algebra.formula import (
     Call,
     Constant,
@@ -96,9 +98,20 @@ def _wrap(piece: Piece, level: int) -> str:
     return piece[0] if piece[1] >= level else f"({piece[0]})"
 
 
-def join_terms(
-    terms: tuple[Formula, ...], show: Callable[[Formula], Piece], minus: str, opening: str, closing: str
-) -> Piece:
+class Signs(Struct, frozen=True):
+    """What stands between the terms of a sum, before a first negative one, and round a part that binds too loosely."""
+
+    plus: str
+    minus: str
+    first: str
+    brackets: Callable[[str], str]
+
+
+ASCII = Signs(" + ", " - ", "-", "({})".format)
+UNICODE = Signs(" + ", " − ", "−", "({})".format)
+
+
+def join_terms(terms: tuple[Formula, ...], show: Callable[[Formula], Piece], signs: Signs) -> Piece:
     """The terms with their signs between them."""
     text = ""
     for term in terms:
@@ -106,11 +119,11 @@ def join_terms(
         plain = term if positive is None else positive
         body, level = show(plain)
         if level <= NEGATIVE and not isinstance(plain, Integral):  # its differential closes it
-            body = f"{opening}{body}{closing}"
+            body = signs.brackets(body)
         if text:
-            text += f" + {body}" if positive is None else f" {minus} {body}"
+            text += f"{signs.plus if positive is None else signs.minus}{body}"
         else:
-            text = body if positive is None else minus + body
+            text = body if positive is None else signs.first + body
             sole = level if positive is None else NEGATIVE
     return text, SUM if len(terms) > 1 else max(sole, NEGATIVE)
 
@@ -125,7 +138,7 @@ def _ascii(formula: Formula) -> Piece:
         case Symbol(name) | Constant(name):
             return name, ATOM
         case Sum(terms):
-            return join_terms(terms, _ascii, "-", "(", ")") if terms else ("0", ATOM)
+            return join_terms(terms, _ascii, ASCII) if terms else ("0", ATOM)
         case Product(factors):
             pieces = [_ascii(factor) for factor in factors]
             leading = [_wrap(pieces[0], QUOTIENT if _is_fraction(factors[0]) else CALL)] if pieces else ["1"]
@@ -153,7 +166,7 @@ def _unicode(formula: Formula) -> Piece:
         case Symbol(name) | Constant(name):
             return name_to_text(name), ATOM
         case Sum(terms):
-            return join_terms(terms, _unicode, "−", "(", ")") if terms else ("0", ATOM)
+            return join_terms(terms, _unicode, UNICODE) if terms else ("0", ATOM)
         case Product(factors):
             return (_unicode_product(factors), PRODUCT) if factors else ("1", ATOM)
         case Quotient(numerator, denominator):

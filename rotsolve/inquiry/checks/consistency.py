@@ -13,6 +13,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.witness import decided_by_size, note, watched
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.core.equation import Equation
@@ -96,7 +97,20 @@ def backwards(inquiry: Inquiry, numbers: Numbers) -> Equation | None:
         duration = numbers.size(passage.duration)
         if duration is not None and duration < 0:
             return Equation(passage.duration, ZERO, "time runs forwards", name)
+        if duration is not None and watched():
+            told(passage.duration, inquiry)
     return None
+
+
+def told(duration: Formula, inquiry: Inquiry) -> None:
+    """Tell those who watch that the sign of a duration has decided something: as a formula of the givens, if it has one."""
+    value: Formula | None = inquiry.solver.with_found(duration)
+    if value is not None and any(SEPARATOR in letter for letter in value.symbols()):
+        value = inquiry.apart().settled(value)
+    if value is None or not value.symbols() <= inquiry.values.keys():
+        decided_by_size()
+    else:
+        note(value)
 
 
 def turned_back(inquiry: Inquiry) -> Interval | None:

@@ -10,6 +10,7 @@ from rotsolve.algebra.calculus.periodic import period_of
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
+from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula
@@ -37,6 +38,7 @@ class Beside(Struct, frozen=True):
 
     def number(self, value: Formula, time: Formula | None = None) -> float:
         """A rough value, at a time where it depends on it."""
+        decided_by_size()
         known = self.values if time is None else {**self.values, TIME: time}
         try:
             return evaluate(value, known, digits=12).float

@@ -7,6 +7,7 @@ from fractions import Fraction
 
 from msgspec import Struct
 
+from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.derivation import Words
 from rotsolve.inquiry.history import History
@@ -49,6 +50,7 @@ class RootChoice(Struct, frozen=True):
             return Choice(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
+            decided_by_size()
             real = [real[place] for place in stable]
             nearest = min(abs(entry[1]) for entry in real)
             near = [entry for entry in real if abs(entry[1]) <= nearest * (1 + SAME)]
@@ -64,10 +66,11 @@ class RootChoice(Struct, frozen=True):
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
-                return Choice(min(fitting, key=lambda entry: abs(entry[1]))[0], words)
+                return Choice(smallest(fitting), words)
         if self._is_angle(name):
-            return Choice(min(real, key=lambda entry: abs(entry[1]))[0], ("the smallest angle",))
-        return Choice(min(real, key=lambda entry: (entry[1] < 0, abs(entry[1])))[0], ("the positive root",))
+            return Choice(smallest(real), ("the smallest angle",))
+        positive = [entry for entry in real if entry[1] >= 0]
+        return Choice(smallest(positive or real), ("the positive root",))
 
     def _on_shaft(self, name: str) -> bool:
         """Whether a letter tells the angle at which a body stands steadily on a turning shaft."""
@@ -130,3 +133,10 @@ class RootChoice(Struct, frozen=True):
     def _lacks_numbers(self, root: Formula) -> bool:
         """Whether a root holds a given without a number."""
         return bool(root.symbols() - set(self.numbers.values))
+
+
+def smallest(entries: Sequence[tuple[int, float]]) -> int:
+    """The root nearest to zero: its size is compared only where there are several."""
+    if len(entries) > 1:
+        decided_by_size()
+    return min(entries, key=lambda entry: abs(entry[1]))[0]

@@ -10,6 +10,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, ends, evaluate
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR
 
@@ -61,6 +62,7 @@ class Numbers(Struct, frozen=True):
 
     def whole(self, value: Formula) -> int | None:
         """The greatest whole number that is not greater than a value; None where the numbers do not tell."""
+        decided_by_size()
         number = self.certified(value)
         if number is None:
             return None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
@@ -25,6 +25,9 @@ from rotsolve.scene.values.givens import read_givens
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
+
+if TYPE_CHECKING:
+    from rotsolve.scene.variation import Variation
 
 STANDARD_GRAVITY = "9.8 m/s^2"
 NAMED = {
@@ -106,7 +109,10 @@ class Sections:
         self.declare()
         self.givens()
         fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
-        fields["title"] = fields["title"] or ""
+        if "{" in fields["text"]:
+            from rotsolve.scene.reader.statement import check_slots  # most texts name no givens
+
+            check_slots(scope, self.top["text"][1], lines)
         fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         self.choice("up")
@@ -121,7 +127,7 @@ class Sections:
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
         fields["marking"] = read_marking(self.scope, self.node("marking"), asked)
-        fields["vary"] = self.raw("vary")
+        fields["vary"] = self.vary()
         return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
 
     def required(self) -> None:
@@ -222,6 +228,19 @@ class Sections:
         if not isinstance(node, Map):
             self.scope.fault(node, f"`{name}` wants a map", kind="form")
         return plain(node)
+
+    def vary(self) -> Variation | None:
+        node = self.node("vary")
+        if node is None:
+            return None
+        from rotsolve.scene.reader.vary import check_told, read_vary  # few scenes have variants
+
+        variation = read_vary(self.scope, node)
+        if variation is not None:
+            check_told(
+                self.scope, variation, {name: self.top[name][1] for name in ("title", "text") if name in self.top}
+            )
+        return variation
 
     def all_givens(self) -> tuple[Given, ...]:
         """The givens with the dimensions that their use has settled."""

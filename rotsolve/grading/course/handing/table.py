@@ -1,0 +1,135 @@
+"""Table: the papers of a class from a CSV, a row a student. What is wrong with a row is said with it, and stops no other."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Iterator, Sequence
+from itertools import islice
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.core.faults import Fault
+from rotsolve.grading.course.handing.columns import Columns, columns
+from rotsolve.grading.course.handing.content import MARK, HandedInError
+from rotsolve.grading.verdict import Paper
+
+HEADING = 20  # lines that the names of the columns may take
+HIGHEST = 200  # lines that one row may take, by line breaks in quotes
+NAMED = 5  # lines that are named where a name stands in many
+LONGEST = 20_000  # characters of a cell
+ROWS = 200_000
+SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
+KEPT = re.compile(r"'[-+=@−]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
+TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header
+
+
+class Entry(Struct, frozen=True):
+    """A row: where it begins, whose it is, its paper if it can be marked, and what is to be said of it."""
+
+    line: int
+    student: str
+    paper: Paper | None
+    remarks: tuple[str, ...] = ()
+
+
+class Handed(Struct, frozen=True):
+    """All rows of a class with the columns that they have, and whether the file began with a byte order mark."""
+
+    columns: Columns
+    entries: tuple[Entry, ...]
+    byte_order_mark: bool = False
+
+
+def read_table(text: str, file: str, asked: Sequence[str]) -> Handed:
+    """The class in a CSV; of a table that is none, what is wrong."""
+    plain = text.removeprefix(MARK)
+    lines = plain.split("\n")
+    start = next((number for number, line in enumerate(lines) if line.strip() and not TOLD.match(line)), None)
+    if start is None:
+        raise HandedInError([Fault("the table is empty", None, "its first line names the columns", "file")], (), file)
+    header = heading(lines, start)
+    found = columns(header, start + 1, file, asked)
+    entries = list(islice(rows(lines, start + len(header), found), ROWS + 1))
+    if not entries:
+        raise HandedInError([Fault("the table has no row below its first line", None, "", "file")], (), file)
+    if len(entries) > ROWS:
+        raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, "split the class")], (), file)
+    return Handed(found, tuple(told_apart(entries)), plain is not text)
+
+
+def heading(lines: Sequence[str], start: int) -> Sequence[str]:
+    """The lines of the first row, whose cells may hold line breaks within quotes."""
+    for end in range(start + 1, min(start + HEADING, len(lines)) + 1):
+        if "\n".join(lines[start:end]).count('"') % 2 == 0:
+            return lines[start:end]
+    return lines[start : start + 1]
+
+
+def rows(lines: Sequence[str], start: int, found: Columns) -> Iterator[Entry]:
+    """Row by row. A row that can't be read ends with its line, so that a quotation mark left open swallows no other."""
+    place = start
+    while place < len(lines):
+        if not lines[place].strip(" ,;\t"):
+            place += 1
+            continue
+        window = (f"{line}\n" for line in lines[place : place + HIGHEST])
+        reader = csv.reader(window, delimiter=found.separator, strict=True)
+        try:
+            cells = next(reader)
+            height = reader.line_num
+        except csv.Error as error:
+            yield Entry(place + 1, lines[place][:40].partition(found.separator)[0].strip('" '), None, (why(error),))
+            height = 1
+        else:
+            yield entry(place + 1, cells, found)
+        place += height
+
+
+def why(error: csv.Error) -> str:
+    """The complaint of Python's reader in our words."""
+    said = str(error)
+    if "field larger" in said:
+        return "a cell is too long"
+    return (
+        "a quotation mark is never closed, or text follows a closing one; inside quotes, write a quotation mark twice"
+    )
+
+
+def entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
+    """One row as a paper; too many cells shift what they hold, so they are not marked."""
+
+    def cell(place: int | None) -> str:
+        text = cells[place].strip() if place is not None and place < len(cells) else ""
+        return text[1:] if KEPT.match(text) else text
+
+    student = " ".join(cell(found.student).split())
+    if any(text.strip() for text in cells[found.width :]):
+        cure = f"an answer that holds {SAID[found.separator]} must be in quotes"
+        return Entry(line, student, None, (f"the row has {len(cells)} cells, the first line {found.width}: {cure}",))
+    if any(len(text) > LONGEST for text in cells):
+        return Entry(line, student, None, (f"a cell has more than {LONGEST} characters",))
+    remarks = []
+    if not student and found.student is not None:
+        remarks.append("the row has no name")
+    beyond = [name for name, place in found.answers.items() if place >= len(cells)]
+    if beyond:
+        remarks.append(f"the row ends before {', '.join(beyond)}")
+    answers = {name: " ".join(cell(place).split("\n")) for name, place in found.answers.items() if cell(place)}
+    working = tuple(part.strip() for part in re.split(r"[\n;]", cell(found.working)) if part.strip())
+    return Entry(line, student, Paper(student, answers, working, cell(found.variant)), tuple(remarks))
+
+
+def told_apart(entries: Sequence[Entry]) -> Iterator[Entry]:
+    """The entries; of a name that stands in several rows, each says so."""
+    lines: dict[str, list[int]] = {}
+    for entry in entries:
+        lines.setdefault(entry.student.casefold(), []).append(entry.line)
+    for entry in entries:
+        others = [str(line) for line in lines[entry.student.casefold()][: NAMED + 1] if line != entry.line][:NAMED]
+        if others and entry.student:
+            said = f"the same name stands in {'lines' if len(others) > 1 else 'line'} {', '.join(others)}"
+            yield replace(entry, remarks=(*entry.remarks, said))
+        else:
+            yield entry

@@ -1,0 +1,70 @@
+"""Judges: a problem that has been solved, and what judges the answers to each of its variants."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
+from rotsolve.grading.course.report.page import Task
+from rotsolve.pipeline import solve_problem
+from rotsolve.scene.read import read_source
+
+if TYPE_CHECKING:
+    from rotsolve.keys.variants import Variant
+    from rotsolve.keys.working import Worked
+    from rotsolve.solution import Solution
+
+
+class Judges:
+    """The judge of the scene as it stands, and of each variant by its number."""
+
+    def __init__(self, scene: Path | str, seed: int, count: int | None) -> None:
+        self.seed, self.count = seed, count
+        self.problem = read_source(scene)
+        self.solution = solve_problem(self.problem)
+        self._worked: Iterator[tuple[Variant, Worked]] | None = None
+
+    @property
+    def task(self) -> Task:
+        """What is asked, with its letters."""
+        answers = self.solution.derivation.answers
+        return Task(self.problem.title, {answer.name: answer.symbol for answer in answers})
+
+    def judge(self, number: int) -> Judge:
+        """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
+        if number == 0:
+            return judge_of(self.solution)
+        if self.problem.vary is None:
+            raise NotMarked("the problem has no `vary`, so there are no variants of it")
+        if self.count is not None and number > self.count:
+            raise NotMarked(f"there are {self.count} variants, so none has the number {number}")
+        if self._worked is None:
+            from rotsolve.keys.variants import worked_variants
+
+            self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
+        try:
+            worked = next((worked for variant, worked in self._worked if variant.number == number), None)
+        except Unsolvable as error:
+            raise NotMarked(error.fault.message) from None
+        if worked is None:
+            raise NotMarked("there are no variants that can be used")
+        return judge_of(self.varied(worked))
+
+    def varied(self, worked: Worked) -> Solution:
+        """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
+        problem = replace(worked.problem, marking=self.problem.marking, answers=self.problem.answers)
+        derivation = replace(worked.like.derivation, givens=worked.shown(), answers=worked.answers)
+        return dataclasses.replace(worked.like, problem=problem, derivation=derivation)
+
+
+def judge_of(solution: Solution) -> Judge:
+    """What marks answers to a solved scene."""
+    from rotsolve.grading.marking.judge import Judge
+
+    return Judge(solution)

@@ -1,0 +1,109 @@
+"""Many: a class, marked row by row, and its report in a folder or its summary on the page."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+from msgspec.structs import replace
+
+from rotsolve.grading.course.examiner import mark
+from rotsolve.grading.course.handing.content import content_of
+from rotsolve.grading.course.handing.table import Entry, read_table
+from rotsolve.grading.course.judges import Judges
+from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.course.report.summary import overview, summary_page
+from rotsolve.grading.course.request import ALL_RIGHT, BAD, NOT_ALL_RIGHT, Request
+from rotsolve.grading.course.showing import layout_named
+from rotsolve.grading.course.showing.text import lines
+from rotsolve.grading.course.single import all_right, written
+from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.render import layout
+from rotsolve.render.voice import TEXT
+from rotsolve.run import coloured, same_file
+from rotsolve.run.advancing import advancing
+
+PAGES = "html"  # of a report, where nothing else is asked for
+
+
+def check(request: Request, judges: Judges) -> int:
+    """Mark a class; the exit code says whether all of it is right."""
+    fault = objection(request)
+    if fault:
+        print(f"error: {fault}", file=sys.stderr)
+        return BAD
+    course = marked_course(request, judges)
+    failed = report(course, request) if request.output else show(course, request)
+    right = all(result.marked is not None and all_right(result.marked) for result in course.results)
+    return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
+
+
+def objection(request: Request) -> str:
+    """Why the report can't be where or as it is asked for, '' where it can."""
+    if request.output is None:
+        return ""
+    if Path(request.output).exists() and not Path(request.output).is_dir():
+        return f"{request.output} is a file; the report of a class is a folder"
+    if request.format in ("text", "json"):
+        return f"the pages of a report are HTML or Markdown; leave out -f {request.format}, or -o"
+    for name in (request.answers, request.problem):
+        if same_file(str(Path(request.output, MARKS)), name):
+            return f"{name} would be overwritten"
+    return ""
+
+
+def marked_course(request: Request, judges: Judges) -> Course:
+    """All rows of the table, marked."""
+    task = judges.task
+    handed = read_table(content_of(request.answers), request.answers, tuple(task.letters))
+    papers = [entry.paper for entry in handed.entries]
+    if request.variant is not None:
+        own = str(request.variant)
+        papers = [replace(paper, variant=own) if paper and not paper.variant else paper for paper in papers]
+    found: list[Marked | str] = ["" for _ in papers]
+    with advancing("marking") as tell:
+        for done, (place, marked) in enumerate(mark(papers, judges.judge), 1):
+            found[place] = marked
+            tell(done / len(papers))
+    rows = zip(handed.entries, papers, found, strict=True)
+    results = tuple(result(*row) for row in rows)
+    return Course(task, handed.columns, results, handed.byte_order_mark)
+
+
+def result(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
+    """A row with its marks, or with the reason why it has none."""
+    if isinstance(marked, Marked):
+        return Result(replace(entry, paper=paper), marked)
+    return Result(replace(entry, paper=paper, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
+
+
+def report(course: Course, request: Request) -> int:
+    """The folder, and on standard output what is in it."""
+    folder, pages = Path(request.output or "."), layout_named(request.format or PAGES)
+    with advancing("writing") as tell:
+        failed = write_report(course, folder, pages, tell)
+    if not failed:
+        papers = [result.marked for result in course.results if result.marked is not None]
+        for paragraph in overview(course, papers):
+            print(TEXT.words(paragraph.words))
+        print(f"The summary is {folder / f'{SUMMARY}{pages.suffix}'}, the marks are in {folder / MARKS}.")
+    return failed
+
+
+def show(course: Course, request: Request) -> int:
+    """The summary on standard output."""
+    if request.shown_as == "json":
+        from rotsolve.grading.course.showing.json import course as course_data
+
+        return written(course_data(course), None)
+    page = summary_page(course)
+    if request.shown_as != "text":
+        return written(layout_named(request.shown_as).document(page), None)
+    found = lines(page, request.width)
+    if coloured():
+        from rotsolve.render.terminal import show as show_coloured
+
+        show_coloured(found, sys.stdout)
+        return ALL_RIGHT
+    return written(layout.page(found), None)

@@ -1,0 +1,66 @@
+"""Marks: the table of a class for a spreadsheet, separated as the class's own table is, with nothing that a spreadsheet would run."""
+
+from __future__ import annotations
+
+import csv
+from io import StringIO
+
+from rotsolve.grading.course.handing.content import MARK
+from rotsolve.grading.course.report.page import amount
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.verdict import Marked
+from rotsolve.render.layout import release
+from rotsolve.render.voice import TEXT
+
+FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠", "−")  # with these a cell begins that is worked out
+POINT = {";": ","}  # the decimal point where semicolons separate
+
+
+def marks_table(course: Course) -> str:
+    """A row a student: the answers' verdicts and marks, the sum, and all that is said of them."""
+    text = StringIO()
+    separator = course.columns.separator
+    writer = csv.writer(text, delimiter=separator, lineterminator="\n")
+    names = tuple(course.task.letters)
+    writer.writerow(
+        [
+            "line",
+            "student",
+            "variant",
+            *(cell for name in names for cell in (f"{name} verdict", name)),
+            "marks",
+            "of",
+            "remarks",
+        ]
+    )
+    for result in course.results:
+        numbers, remarks = figures(result.marked, names), said(result)
+        row = [str(result.entry.line), harmless(result.entry.student), harmless(result.variant)]
+        writer.writerow([*row, *(cell.replace(".", POINT.get(separator, ".")) for cell in numbers), harmless(remarks)])
+    return (MARK if course.byte_order_mark else "") + text.getvalue()
+
+
+def figures(marked: Marked | None, names: tuple[str, ...]) -> list[str]:
+    """Verdict and marks of each answer, the sum, and how many there are; nothing where a row was not marked."""
+    if marked is None:
+        return [""] * (2 * len(names) + 2)
+    parts = {part.name: part for part in marked.parts}
+    cells = []
+    for name in names:
+        part = parts[name]
+        cells += [part.verdict.outcome if part.text else "no answer", amount(part.marks)]
+    return [*cells, amount(marked.marks), amount(marked.of)]
+
+
+def said(result: Result) -> str:
+    """What is to be said of the row, then of each answer."""
+    sentences = list(result.entry.remarks)
+    for part in result.marked.parts if result.marked is not None else ():
+        sentences += [f"{part.name}: {release(TEXT.words(remark.words))}" for remark in part.verdict.remarks]
+    return "; ".join(sentences)
+
+
+def harmless(text: str) -> str:
+    """The text as a spreadsheet keeps it: an apostrophe in front of what it would take for a formula."""
+    plain = " ".join(text.split())
+    return f"'{plain}" if plain.startswith(FORMULA) else plain

@@ -1,0 +1,141 @@
+"""Summary: a class on one page: its marks, what went wrong most, and what a teacher should look at."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from fractions import Fraction
+from statistics import mean, median
+
+from rotsolve.core.derivation import Words
+from rotsolve.grading.course.report.page import Page, Paragraph, Section, Table, amount, of
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Part
+from rotsolve.render.layout import release
+from rotsolve.render.voice import TEXT
+
+CLASSES = 10  # of the distribution
+BAR = 40  # columns of its longest bar
+COMMONEST = 20
+FOLLOWED = "followed"  # the kind of a remark that tells of no mistake of its own
+
+
+def summary_page(course: Course, targets: tuple[str, ...] = ()) -> Page:
+    """The page of the class; `targets` are the students' pages."""
+    papers = [result.marked for result in course.results if result.marked is not None]
+    sections = (
+        ("", tuple(overview(course, papers))),
+        ("Distribution", tuple(distribution(papers))),
+        ("Answers, by how often they went wrong", tuple(by_answer(course, papers))),
+        ("Commonest mistakes", tuple(commonest(course, papers))),
+        ("To be looked at", tuple(to_be_looked_at(course))),
+        ("Students", (students(course, targets),)),
+    )
+    return Page(
+        f"{course.task.title}: the class", tuple(Section(title, blocks) for title, blocks in sections if blocks)
+    )
+
+
+def overview(course: Course, papers: list[Marked]) -> Iterator[Paragraph]:
+    """How many papers there are, and their marks in a sentence."""
+    total, left = len(course.results), len(course.results) - len(papers)
+    without = f", {left} of them not marked" if left else ""
+    yield Paragraph((f"{total} {'paper' if total == 1 else 'papers'}{without}.",))
+    if papers:
+        marks = [paper.marks for paper in papers]
+        best, most = max(marks), papers[0].of
+        figures = f"mean {amount(mean(marks))}, median {amount(Fraction(median(marks)))}, best {amount(best)}"
+        full = sum(paper.marks >= paper.of for paper in papers)
+        yield Paragraph((f"Of {amount(most)} marks: {figures}; {full} with full marks.",))
+
+
+def distribution(papers: list[Marked]) -> Iterator[Table]:
+    """How many papers have which part of the marks."""
+    if not papers:
+        return
+    counts = Counter(tenth(paper) for paper in papers)
+    longest = max(counts.values())
+    rows = []
+    for number in range(CLASSES):
+        low, high = 100 * number // CLASSES, 100 * (number + 1) // CLASSES
+        count = counts[number]
+        bar = "█" * (max(1, BAR * count // longest) if count else 0)
+        rows.append(((f"{low} to {high} %",), (str(count),), (bar,)))
+    yield Table(("of the marks", "papers", ""), tuple(rows))
+
+
+def tenth(paper: Marked) -> int:
+    """The class of the distribution; full marks belong to the highest."""
+    part = paper.marks / paper.of if paper.of else Fraction(1)
+    return max(0, min(CLASSES - 1, int(part * CLASSES)))
+
+
+def by_answer(course: Course, papers: list[Marked]) -> Iterator[Table]:
+    """Of each answer how often it was right, the one that went wrong most often first."""
+    parts: dict[str, list[Part]] = {}
+    for paper in papers:
+        for part in paper.parts:
+            parts.setdefault(part.name, []).append(part)
+    rows = []
+    for name, found in sorted(parts.items(), key=lambda item: sum(right(part) for part in item[1])):
+        counts = Counter(part.verdict.outcome if part.text else "" for part in found)
+        marks = of(Fraction(mean(part.marks for part in found)), found[0].of)
+        numbers = (counts[RIGHT], counts[WRONG], counts[UNDECIDED], counts[""])
+        rows.append((course.task.letter(name), *((str(number),) for number in numbers), (marks,)))
+    if rows:
+        yield Table(("answer", RIGHT, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
+
+
+def right(part: Part) -> bool:
+    return part.verdict.outcome == RIGHT
+
+
+def commonest(course: Course, papers: list[Marked]) -> Iterator[Table]:
+    """What was said of answers that lost marks, the commonest first."""
+    counts: Counter[tuple[str, Words]] = Counter()
+    for paper in papers:
+        for part in paper.parts:
+            if part.text and part.marks < part.of and part.verdict.outcome != UNDECIDED:
+                said = dict.fromkeys(remark.words for remark in part.verdict.remarks if remark.kind != FOLLOWED)
+                counts.update((part.name, words) for words in said)
+    rows = [((str(count),), course.task.letter(name), words) for (name, words), count in counts.most_common(COMMONEST)]
+    if rows:
+        yield Table(("papers", "answer", "what was said"), tuple(rows))
+
+
+def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
+    """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
+    absent = [name for name in course.task.letters if name not in course.columns.answers]
+    if absent:
+        yield Paragraph((f"No column is named {', '.join(absent)}.",))
+    if course.columns.unused:
+        yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
+    rows = [
+        ((str(result.entry.line),), (result.name,), words)
+        for result in course.results
+        for words in oddities(course, result)
+    ]
+    if rows:
+        yield Table(("line", "student", "what"), tuple(rows))
+
+
+def oddities(course: Course, result: Result) -> Iterator[Words]:
+    """What a teacher should look at in one row."""
+    if result.entry.remarks:
+        prefix = "" if result.marked is not None else "not marked: "
+        yield (prefix + "; ".join(result.entry.remarks),)
+    for part in result.marked.parts if result.marked is not None else ():
+        if part.text and part.verdict.outcome == UNDECIDED:
+            yield (*course.task.letter(part.name), f": can't decide on {part.text[:100]}")
+
+
+def students(course: Course, targets: tuple[str, ...]) -> Table:
+    """Every student with the marks of each answer and their sum."""
+    letters = [release(TEXT.words(course.task.letter(name))) for name in course.task.letters]
+    rows = []
+    for result in course.results:
+        parts = {part.name: part for part in result.marked.parts} if result.marked is not None else {}
+        marks = (amount(parts[name].marks) if name in parts else "" for name in course.task.letters)
+        total = of(result.marked.marks, result.marked.of) if result.marked is not None else "not marked"
+        rows.append(((result.name,), *((text,) for text in marks), (total,)))
+    return Table(("student", *letters, "marks"), tuple(rows), targets)

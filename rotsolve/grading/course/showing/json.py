@@ -1,0 +1,67 @@
+"""JSON: what was marked, for programs: every text as it was handed in, marks as fractions and as numbers."""
+
+from __future__ import annotations
+
+import json
+from fractions import Fraction
+from typing import Any
+
+from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.verdict import Line, Marked, Part, Verdict
+from rotsolve.render.layout import release
+from rotsolve.render.voice import TEXT
+
+
+def paper(title: str, marked: Marked, variant: str) -> str:
+    """One paper as an object."""
+    return text({"problem": title, **marked_data(marked, variant)})
+
+
+def course(found: Course) -> str:
+    """A class as an object with all its papers."""
+    return text({"problem": found.task.title, "papers": [result_data(result) for result in found.results]})
+
+
+def text(value: dict[str, Any]) -> str:
+    return json.dumps(value, ensure_ascii=False, indent=2) + "\n"
+
+
+def result_data(result: Result) -> dict[str, Any]:
+    """A row of a class: its line, its remarks, and, where it was marked, its paper."""
+    row = {"line": result.entry.line, "remarks": list(result.entry.remarks)}
+    if result.marked is None:
+        return {"student": result.entry.student, "variant": result.variant, "marked": False, **row}
+    return {**marked_data(result.marked, result.variant), "marked": True, **row}
+
+
+def marked_data(marked: Marked, variant: str) -> dict[str, Any]:
+    return {
+        "student": marked.student,
+        "variant": variant,
+        "answers": [part_data(part) for part in marked.parts],
+        "working": [line_data(line) for line in marked.lines],
+        "marks": number(marked.marks),
+        "of": number(marked.of),
+    }
+
+
+def part_data(part: Part) -> dict[str, Any]:
+    marks = {"marks": number(part.marks), "of": number(part.of), "followed": part.followed}
+    return {"name": part.name, "text": part.text, **verdict_data(part.verdict), **marks}
+
+
+def line_data(line: Line) -> dict[str, Any]:
+    return {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong}
+
+
+def verdict_data(verdict: Verdict) -> dict[str, Any]:
+    """Outcome, reading and remarks; columns count from 0, the end is the one behind the last."""
+    remarks = [
+        {"kind": remark.kind, "text": release(TEXT.words(remark.words)), "start": remark.start, "end": remark.end}
+        for remark in verdict.remarks
+    ]
+    return {"outcome": verdict.outcome, "read_as": verdict.read_as, "remarks": remarks}
+
+
+def number(marks: Fraction) -> dict[str, Any]:
+    return {"exact": str(marks), "number": float(marks)}

@@ -1,0 +1,1 @@
+"""keys: answer keys, sheets of problems, and their variants."""

@@ -1,0 +1,85 @@
+"""Variants: the same problem with other values of its givens, drawn by a seed, all different as long as there are such."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from itertools import cycle, islice
+from math import prod
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.units.quantities import parse_quantity
+from rotsolve.core.faults import Unsolvable
+from rotsolve.keys.shuffle import shuffled
+from rotsolve.keys.working import Unsuited, Worked, Working, side
+from rotsolve.scene.model import Problem
+from rotsolve.scene.variation import Variation
+
+PATIENCE = 1000  # sets of values one after the other that can not be used, before it is given up
+
+
+class Variant(Struct, frozen=True):
+    """One variant: its number from 1 on, and its values as for `rotsolve solve --set`; `repeats` where no new one was left."""
+
+    number: int
+    settings: Mapping[str, str] = field(default_factory=dict)
+    repeats: int | None = None
+
+
+def variants(problem: Problem, count: int, seed: int) -> Iterator[Variant]:
+    """The first variants of a problem for a seed; Unsolvable where it has none."""
+    return (variant for variant, _ in worked_variants(problem, count, seed))
+
+
+def worked_variants(problem: Problem, count: int, seed: int) -> Iterator[tuple[Variant, Worked]]:
+    """The variants with their answers; once there are no more different ones, they come again in the same order."""
+    working = Working(problem)
+    found: list[Variant] = []
+    for number, (settings, worked) in enumerate(islice(usable(working, seed), count), 1):
+        found.append(Variant(number, settings))
+        yield found[-1], worked
+    for number, variant in zip(range(len(found) + 1, count + 1), cycle(found), strict=False):
+        yield Variant(number, variant.settings, variant.number), working.work(variant.settings)
+
+
+def usable(working: Working, seed: int) -> Iterator[tuple[dict[str, str], Worked]]:
+    """The different settings that can be used, with their answers."""
+    problem = working.problem
+    if problem.vary is None:
+        yield {}, working.work({})
+        return
+    failures, reason, none = 0, "", True
+    for settings in candidates(problem.vary, seed):
+        try:
+            check(problem, settings)
+            worked = working.work(settings)
+        except Unsuited as error:
+            failures, reason = failures + 1, str(error)
+            if failures == PATIENCE:
+                break
+        else:
+            failures, none = 0, False
+            yield settings, worked
+    if none:
+        message = f"none of {failures} sets of values can be used; of the last: {reason}"
+        raise Unsolvable(message, help="choose other ranges under `vary`, or other conditions", file=problem.file)
+
+
+def candidates(vary: Variation, seed: int) -> Iterator[dict[str, str]]:
+    """All sets of values, each once, in the order of the seed; the first letter of the file changes slowest in their numbering."""
+    for index in shuffled(prod(len(letter.values) for letter in vary.letters), seed):
+        settings: dict[str, str] = {}
+        for letter in reversed(vary.letters):
+            index, place = divmod(index, len(letter.values))
+            settings[letter.name] = letter.values[place]
+        yield {letter.name: settings[letter.name] for letter in vary.letters}
+
+
+def check(problem: Problem, settings: Mapping[str, str]) -> None:
+    """Whether the conditions of `where` hold."""
+    assert problem.vary is not None
+    if problem.vary.conditions:
+        values = problem.values | {name: parse_quantity(text).value for name, text in settings.items()}
+        for condition in problem.vary.conditions:
+            if side(condition.gap, values) not in condition.signs:
+                raise Unsuited(f"`{condition.text}` does not hold")

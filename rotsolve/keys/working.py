@@ -1,0 +1,211 @@
+"""Working: a problem solved once in symbols, and what it answers for other values of its givens.
+
+Its formulas hold for every variant in which all numbers that were asked for on the way have the signs that they had then. Other signs
+are another branch, which is solved once more; so is a first variant of each branch, as a probe. Where numbers decided more than signs
+tell (which of two roots is nearer, whole turns), each variant is solved anew.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.witness import witnessed
+from rotsolve.algebra.formula import PI, Call, Formula
+from rotsolve.core.derivation import Answer, Derivation
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.core.registry import TIME
+from rotsolve.inquiry.validity import ROOT, SLIPS
+from rotsolve.pipeline import solve_problem
+from rotsolve.render.voice import figures
+from rotsolve.scene.model import Given, Problem
+from rotsolve.scene.read import read_tree
+from rotsolve.scene.tree.nodes import Map, Node, compose
+from rotsolve.solution import Solution
+
+Values = Mapping[str, Formula]
+ASIDE = ("answers", "marking", "vary")  # sections that only graders read
+MOST = 20  # branches that are kept
+PROBE = 10  # significant digits in which a formula and a new solution have to agree
+
+
+class Unsuited(ValueError):
+    """Values for which a scene has no answer, or one that its own checks object to; says why."""
+
+
+class Worked(Struct, frozen=True):
+    """A problem with the values of one variant, and its answers; `like` has their formulas, `solution` where it was solved anew."""
+
+    problem: Problem
+    answers: tuple[Answer, ...]
+    told: frozenset[str]  # the givens that its derivation speaks of
+    like: Solution
+    solution: Solution | None = None
+
+    def shown(self) -> tuple[Given, ...]:
+        """The givens that its derivation speaks of, with these values."""
+        return tuple(given for given in self.problem.givens if given.name in self.told)
+
+    def derivation(self) -> Derivation:
+        """The derivation with these values."""
+        return (self.solution or solve_problem(self.problem)).derivation
+
+
+class Branch:
+    """One solution in symbols, and the signs of the numbers with which it was found."""
+
+    def __init__(self, problem: Problem) -> None:
+        with witnessed() as witness:
+            self.solution = solve_problem(problem)
+        valid = self.solution.trace.validity() if self.solution.trace.validity is not None else None
+        self.bounds = valid.bounds if valid is not None else ()
+        asked = [item for item in witness.asked if item.symbols() and item not in self.bounds]
+        self.asked = tuple(item for item in asked if item.symbols() <= problem.values.keys())
+        self.signs = [side(item, problem.values) for item in self.asked]
+        self.probed = False
+        derivation = self.solution.derivation
+        self.trusted = (
+            valid is not None
+            and set(valid.decided) <= {SLIPS, ROOT}  # by signs, unless the witness knows better
+            and not witness.by_size
+            and not any(TIME in item.symbols() for item in asked)
+            and all(check.holds for check in derivation.checks)
+            and None not in [revalued(answer, problem.values) for answer in derivation.answers]
+        )
+
+    def evaluated(self, problem: Problem) -> tuple[Answer, ...] | None:
+        """The answers by their formulas; None where the numbers may decide otherwise than they did. Unsuited where a bound is broken."""
+        values = problem.values
+        if not self.trusted or any(
+            side(item, values) != sign for item, sign in zip(self.asked, self.signs, strict=True)
+        ):
+            return None
+        if any(side(bound, values) < 0 for bound in self.bounds):
+            raise Unsuited("a string would go slack, or a contact open or slip")
+        found = [revalued(answer, values) for answer in self.solution.derivation.answers]
+        answers = tuple(answer for answer in found if answer is not None)
+        return answers if len(answers) == len(found) else None
+
+    def probe(self, answers: tuple[Answer, ...], worked: Worked) -> None:
+        """Trust the formulas no more where a new solution with the same signs says something else."""
+        self.probed = True
+        self.trusted = all(agree(*pair) for pair in zip(answers, worked.answers, strict=True))
+
+
+class Working:
+    """Answers one problem for many settings of its givens."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.tree = scene_of(problem)
+        self.branches = [Branch(problem)]
+
+    def work(self, settings: Mapping[str, str]) -> Worked:
+        """The problem with these settings; Unsuited where it can not be used so."""
+        if not settings:
+            return solved(self.problem, self.branches[0].solution)
+        try:
+            problem = read_tree(self.tree, self.problem.lines, self.problem.file, settings)
+        except SceneError as error:
+            raise Unsuited(error.faults[0].message) from None
+        for branch in self.branches:
+            answers = branch.evaluated(problem)
+            if answers is not None and branch.probed:
+                return Worked(problem, answers, told(branch.solution), branch.solution)
+            if answers is not None:
+                worked = solved(problem, self.found(problem).solution)
+                branch.probe(answers, worked)
+                return worked
+        branch = self.found(problem)
+        if branch.trusted and len(self.branches) < MOST:
+            self.branches.append(branch)
+        return solved(problem, branch.solution)
+
+    def found(self, problem: Problem) -> Branch:
+        """A new solution; Unsuited where there is none."""
+        try:
+            return Branch(problem)
+        except Unsolvable as error:
+            raise Unsuited(error.fault.message) from None
+        except SceneError as error:
+            raise Unsuited(error.faults[0].message) from None
+
+
+def scene_of(problem: Problem) -> Node:
+    """The tree of a problem's file without what its answers do not depend on, which is not read again for each variant."""
+    root, _ = compose("\n".join(problem.lines), problem.file)
+    if not isinstance(root, Map):
+        return root
+    return Map(tuple(entry for entry in root.entries if entry[0].value not in ASIDE), root.span)
+
+
+def solved(problem: Problem, solution: Solution) -> Worked:
+    """What a new solution says, unless a check objects."""
+    if any(check.holds is False for check in solution.derivation.checks):
+        raise Unsuited("a check objects to its answers")
+    return Worked(problem, solution.derivation.answers, told(solution), solution, solution)
+
+
+def told(solution: Solution) -> frozenset[str]:
+    """The givens that the derivation speaks of."""
+    return frozenset(given.name for given in solution.derivation.givens)
+
+
+def side(value: Formula, values: Values) -> int:
+    """The sign of a formula, 0 where nothing tells it from 0 or it has no number."""
+    try:
+        return evaluate(value, values, digits=6).sign or 0
+    except (Undefined, ValueError, ZeroDivisionError):
+        return 0
+
+
+def revalued(answer: Answer, values: Values) -> Answer | None:
+    """An answer with the number that its closed form has for other values; None where that does not tell all that it says."""
+    components = [revalued(part, values) for part in answer.components]
+    parts = tuple(part for part in components if part is not None)
+    if answer.word or len(parts) < len(components):
+        return None
+    if answer.rows:
+        return replace(answer, components=parts)
+    if answer.closed is None or answer.value is None:
+        return None
+    factor = answer.unit.factor if answer.unit is not None else None
+    value = number(answer.closed / factor if factor is not None else answer.closed, values)
+    if value is None or value.sign is None or value.sign != answer.value.sign:
+        return None
+    angle = slope(parts, values) if answer.angle is not None else None
+    return (
+        None
+        if (angle is None) != (answer.angle is None)
+        else replace(answer, value=value, components=parts, angle=angle)
+    )
+
+
+def number(value: Formula, values: Values) -> Certified | None:
+    try:
+        return evaluate(value, values)
+    except (Undefined, ValueError, ZeroDivisionError):
+        return None
+
+
+def slope(parts: Sequence[Answer], values: Values) -> Certified | None:
+    """The angle of a slanted vector to the horizontal, in degrees: tan φ = |y|/|x|."""
+    x, y = (part.closed for part in parts) if len(parts) == 2 else (None, None)
+    return None if x is None or y is None else number(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI, values)
+
+
+def agree(one: Answer, other: Answer) -> bool:
+    """Whether two answers say the same."""
+    same = (one.name, one.direction, one.word) == (other.name, other.direction, other.word)
+    numbers = [(figures(item.value, PROBE), figures(item.angle, PROBE)) for item in (one, other)]
+    parts = len(one.components) == len(other.components)
+    return (
+        same
+        and parts
+        and numbers[0] == numbers[1]
+        and all(agree(*pair) for pair in zip(one.components, other.components, strict=True))
+    )

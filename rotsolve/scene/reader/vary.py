@@ -1,0 +1,220 @@
+"""Vary: `m: 1 kg to 3 kg by 0.5 kg`, `theta: [30 deg, 45 deg]`, and `where: M > m`, a condition or a list of them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import Quantity, UnitError, in_unit, parse_quantity
+from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
+from rotsolve.scene.model import Given
+from rotsolve.scene.tree.nodes import List, Map, Node, Text
+from rotsolve.scene.values.dims import fits, named
+from rotsolve.scene.values.expressions import expression
+from rotsolve.scene.values.literals import Want, unit_fault
+from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.values.values import as_written
+from rotsolve.scene.variation import Comparison, Variation, Varied
+from rotsolve.scene.words import quoted
+
+WHERE = "where"
+FORM = "write a range `1 kg to 3 kg by 0.5 kg`, or a list `[30 deg, 45 deg]`"
+RANGE = re.compile(r"\s*(?P<start>.+?)\s+to\s+(?P<stop>.+?)(?:\s+by\s+(?P<step>.+?))?\s*", re.DOTALL)
+SIGN = re.compile(r"<=|>=|==|!=|[<>=≤≥≠]")
+SIGNS = {"<": (-1,), ">": (1,), "≤": (-1, 0), "≥": (0, 1), "=": (0,), "≠": (-1, 1)}
+SIGNS |= {"<=": SIGNS["≤"], ">=": SIGNS["≥"], "==": SIGNS["="], "!=": SIGNS["≠"]}
+DECIMALS = re.compile(r"\d*\.(\d+)")
+MOST = 10_000  # values of one letter
+
+
+def read_vary(scope: Scope, node: Node) -> Variation | None:
+    """The whole section; None after a fault."""
+    if not isinstance(node, Map):
+        scope.fault(node, "`vary` wants a map", "write `vary: {m: 1 kg to 3 kg by 0.5 kg}`", "form")
+        return None
+    before = len(scope.faults)
+    entries = scope.entries(node, "`vary`")
+    where = entries.pop(WHERE, None)
+    letters = [letter(scope, name, key, written) for name, (key, written) in entries.items()]
+    if not entries and len(scope.faults) == before:
+        scope.fault(node, "`vary` names no letter that varies", FORM, "form")
+    varied = tuple(item for item in letters if item is not None)
+    conditions = tuple(conditions_of(scope, where[1], set(entries))) if where is not None else ()
+    return Variation(varied, conditions) if len(scope.faults) == before else None
+
+
+def check_told(scope: Scope, variation: Variation, told: Mapping[str, Node]) -> None:
+    """What is told with the number of a letter that varies would be wrong for all variants but one."""
+    for name in (item.name for item in variation.letters):
+        value = scope.givens[name].text
+        for section, node in told.items():
+            if isinstance(node, Text) and (found := re.search(rf"(?<![\w.]){re.escape(value)}(?!\w)", node.value)):
+                help = f"write `{{{name}}}` or `{{value of {name}}}`" if section == "text" else "choose another"
+                message = f"`{section}` tells {quoted(value)}, the value of `{name}`, which varies"
+                scope.fault(node.part(*found.span()), message, help, "form")
+
+
+def letter(scope: Scope, name: str, key: Text, node: Node) -> Varied | None:
+    """One given with its values."""
+    given = scope.givens.get(name)
+    if given is None or scope.kinds.get(name) != "given":
+        scope.unknown(key, name, "given", scope.names("given"), "givens", " in `vary`")
+        return None
+    if given.asked:
+        scope.fault(key, f"`{name}` is asked for: it can't vary", "let givens vary that have a value", "form")
+        return None
+    if isinstance(node, List):
+        values = choices(scope, given, node)
+    elif isinstance(node, Text) and (match := RANGE.fullmatch(node.value)):
+        values = steps(scope, given, node, match)
+    else:
+        scope.fault(node, f"`{name}` varies over nothing", FORM, "form")
+        return None
+    return Varied(name, values) if values else None
+
+
+def quantity(scope: Scope, given: Given, node: Text) -> Quantity | None:
+    """One value, with the dimension that the given has."""
+    try:
+        found = parse_quantity(node.value.strip())
+    except UnitError as error:
+        unit_fault(scope, node, error)
+        return None
+    wanted = scope.dimensions.get(given.name)
+    if given.unit is not None and found.unit is None:
+        scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
+        return None
+    if wanted is not None and not fits(found.dimension, wanted):
+        message = f"`{given.name}` is {named(wanted)}, but {quoted(node.value.strip())} is {named(found.dimension)}"
+        scope.fault(node, message, kind="dimension")
+        return None
+    return found
+
+
+def choices(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
+    """The values of a list, all different."""
+    found: dict[Formula, str] = {}
+    before = len(scope.faults)
+    for item in node.items:
+        if not isinstance(item, Text):
+            scope.fault(item, f"`{given.name}` wants a list of values", FORM, "form")
+            continue
+        value = quantity(scope, given, item)
+        if value is not None and value.value in found:
+            scope.fault(item, f"{quoted(item.value.strip())} stands twice in the list", kind="choice")
+        elif value is not None:
+            found[value.value] = item.value.strip()
+    if len(node.items) < 2 and len(scope.faults) == before:
+        scope.fault(node, f"`{given.name}` has nothing to choose from", "a list has two values at least", "form")
+    return tuple(found.values()) if len(scope.faults) == before else ()
+
+
+def steps(scope: Scope, given: Given, node: Text, match: re.Match[str]) -> tuple[str, ...]:
+    """The values of a range, from its start by equal steps to its stop."""
+    if match["step"] is None:
+        help = f"write `{match['start']} to {match['stop']} by …`"
+        scope.fault(node, f"the range {quoted(node.value.strip())} has no step", help, "form")
+        return ()
+    parts = [part_of(node, *match.span(word)) for word in ("start", "stop", "step")]
+    found = [quantity(scope, given, part) for part in parts]
+    known = [value for value in found if value is not None]
+    if len(known) < len(found):
+        return ()
+    unit = known[0].unit or ONE_UNIT
+    numbers = [in_unit(value.value, unit) for value in known]
+    sizes = [number.value for number in numbers if isinstance(number, Number)]
+    if len(sizes) < len(numbers):
+        scope.fault(node, f"the units of {quoted(node.value.strip())} have no ratio", "write all three in one", "unit")
+        return ()
+    start, stop, step = sizes
+    if not in_steps(scope, node, match, start, stop, step):
+        return ()
+    point = DECIMALS.match(match["start"].lstrip("+-−"))
+    least = len(point[1]) if point else 0
+    return tuple(written(start + step * count, least, unit) for count in range(int((stop - start) / step) + 1))
+
+
+def in_steps(scope: Scope, node: Text, match: re.Match[str], start: Fraction, stop: Fraction, step: Fraction) -> bool:
+    """Whether equal steps lead from the start to the stop, and not too many."""
+    if step <= 0:
+        scope.fault(part_of(node, *match.span("step")), "the step of a range must be positive", kind="limits")
+    elif stop <= start:
+        scope.fault(node, f"the range {quoted(node.value.strip())} ends before it begins", kind="limits")
+    elif ((stop - start) / step).denominator > 1:
+        message = f"steps of {quoted(match['step'])} from {quoted(match['start'])} do not meet {quoted(match['stop'])}"
+        scope.fault(node, message, "choose a step that divides the range", "limits")
+    elif (stop - start) / step >= MOST:
+        scope.fault(node, f"the range has more than {MOST} values", "take larger steps", "limit")
+    else:
+        return True
+    return False
+
+
+def written(number: Fraction, least: int, unit: Unit) -> str:
+    """A number as a scene writes it, as a decimal where it has an end, with as many places as the start of its range at least."""
+    for places in range(least, least + 40):
+        scaled = number * 10**places
+        if scaled.denominator == 1:
+            digits = str(abs(scaled.numerator)).rjust(places + 1, "0")
+            text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
+            return unit.after(f"{'-' * (number < 0)}{text}")
+    return unit.after(str(number))
+
+
+def part_of(node: Text, start: int, end: int) -> Text:
+    """A part of a text, without blanks round it, in its place."""
+    text = node.value[start:end]
+    start += len(text) - len(text.lstrip())
+    return Text(text.strip(), node.part(start, start + len(text.strip())), True, node.exact)
+
+
+def conditions_of(scope: Scope, node: Node, varied: set[str]) -> Iterator[Comparison]:
+    """The comparisons that `where` writes."""
+    for item in node.items if isinstance(node, List) else (node,):
+        marks = list(SIGN.finditer(item.value)) if isinstance(item, Text) else []
+        if not isinstance(item, Text) or not marks:
+            scope.fault(item, "`where` wants a comparison of givens", "write `where: M > m`, or a list of such", "form")
+            continue
+        before = set(scope.givens)
+        places = [0, *(place for mark in marks for place in mark.span()), len(item.value)]
+        sides = [side(scope, part_of(item, *places[k : k + 2]), varied) for k in range(0, len(places), 2)]
+        made = {name: given for name, given in scope.givens.items() if name not in before}
+        yield from compared(scope, item, [SIGNS[mark[0]] for mark in marks], sides, made)
+        for name in made:  # the quantities in a condition are numbers, not letters of the scene
+            del scope.givens[name], scope.dimensions[name]
+            scope.numbers.pop(name, None)
+
+
+def side(scope: Scope, node: Text, varied: set[str]) -> Formula | None:
+    """One side of a comparison, whose letters all have numbers."""
+    if not node.value:
+        scope.fault(node, "a comparison lacks a side", "write `where: M > m`", "form")
+        return None
+    formula = expression(scope, node, Want(WHERE), None)
+    for name in sorted(formula.symbols() - varied) if formula is not None else ():
+        if scope.givens[name].value is None:
+            scope.fault(node, f"`{name}` has no number", "give it one, or let it vary", "missing")
+            return None
+    return formula
+
+
+def compared(
+    scope: Scope, node: Text, signs: list[tuple[int, ...]], sides: list[Formula | None], made: Mapping[str, Given]
+) -> Iterator[Comparison]:
+    """A comparison for each sign, between what stands on its two sides."""
+    known = {name: dimension for name, dimension in scope.dimensions.items() if dimension is not None}
+    numbers = {name: given.value for name, given in made.items() if given.value is not None}
+    for allowed, left, right in zip(signs, sides, sides[1:], strict=False):
+        if left is None or right is None:
+            return
+        gap = left - right
+        try:
+            dimension_of(gap, known)
+        except DimensionError as error:
+            message = f"the dimensions in {quoted(node.value)} don't agree: {as_written(scope, gap, error.message)}"
+            scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
+            return
+        yield Comparison(gap.substitute(numbers), allowed, node.value.strip())

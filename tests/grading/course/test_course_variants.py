@@ -1,0 +1,104 @@
+"""Variants: what the key of a variant says is right for it and for no other; each is marked as the scene says."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+Command = Callable[..., Any]
+WINCH = """\
+title: A bucket on a winch
+given: {m: 2 kg, M: 5 kg, R: 0.2 m, g: 9.8 m/s^2}
+gravity: g
+bodies:
+  bucket: {mass: m, moves: down}
+  drum: {shape: disc, mass: M, radius: R, turns: clockwise}
+connections: {axle: {axle: drum}, rope: {string: [drum, bucket]}}
+find: {a: bucket.acceleration, alpha: drum.angular_acceleration, T: rope.tension}
+vary: {m: 1.0 kg to 3.0 kg by 0.5 kg, M: 4 kg to 8 kg by 1 kg, R: [0.15 m, 0.20 m, 0.25 m], where: M > 2*m}
+marking: {a: 2, alpha: 2, T: {points: 2, tolerance: 2 %}}
+"""
+SLOPE = """\
+title: A cylinder that rolls or slips
+given: {M: 2 kg, R: 0.1 m, beta: 30 deg, mu: 0.5, g: 9.8 m/s^2}
+gravity: g
+surfaces: {slope: {slope: beta, down: right}}
+bodies: {cylinder: {shape: cylinder, mass: M, radius: R, moves: down, turns: clockwise}}
+connections: {grip: {contact: [cylinder, slope], friction: mu}}
+find: {a: cylinder.acceleration, alpha: cylinder.angular_acceleration}
+vary: {mu: [0.05, 0.1, 0.15, 0.3, 0.5], beta: [20 deg, 30 deg, 40 deg], M: [1 kg, 2 kg]}
+marking: {all: 3}
+"""
+
+
+def key() -> dict[str, dict[str, dict[str, str]]]:
+    """The rows of the key of thirty variants, by variant and answer."""
+    from rotsolve.keys.command import Request, run
+
+    assert run(Request(("scene.yaml",), "handout", ("csv",), 30, 7)) == 0
+    found: dict[str, dict[str, dict[str, str]]] = {}
+    with Path("handout", "key.csv").open(encoding="utf-8", newline="") as stream:
+        for row in csv.DictReader(stream):
+            found.setdefault(row["variant"], {})[row["answer"]] = row
+    assert [*found] == [str(number) for number in range(1, 31)]
+    return found
+
+
+def marks(command: Command, rows: list[list[str]], names: list[str]) -> list[str]:
+    """The marks of a class of these rows."""
+    with Path("class.csv").open("w", encoding="utf-8", newline="") as stream:
+        csv.writer(stream).writerows([["name", "variant", *names], *rows])
+    command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
+    with Path("report", "marks.csv").open(encoding="utf-8", newline="") as stream:
+        return [row["marks"] for row in csv.DictReader(stream)]
+
+
+@pytest.mark.parametrize("scene", [WINCH, SLOPE], ids=["one way", "rolls or slips"])
+def test_the_key_of_a_variant_is_right_for_it(command: Command, scene: str) -> None:
+    """As numbers and as formulas; as numbers of another variant it is wrong, unless both have the same ones."""
+    Path("scene.yaml").write_text(scene, encoding="utf-8")
+    found = key()
+    names = [*found["1"]]
+    numbers = {variant: [f"{row['value']} {row['unit']}" for row in rows.values()] for variant, rows in found.items()}
+    formulas = {variant: [row["exact"] for row in rows.values()] for variant, rows in found.items()}
+    for answers in (numbers, formulas):
+        rows = [[f"Student {variant}", variant, *texts] for variant, texts in reversed(answers.items())]
+        assert set(marks(command, rows, names)) == {"6"}
+    others = {variant: numbers[str(int(variant) % 30 + 1)] for variant in numbers}
+    given = marks(command, [[f"Student {variant}", variant, *texts] for variant, texts in others.items()], names)
+    same = [all(left == right for left, right in zip(numbers[one], others[one], strict=True)) for one in numbers]
+    assert [mark == "6" for mark in given] == same
+
+
+def test_a_formula_of_the_other_branch_is_wrong(command: Command) -> None:
+    """Where the cylinder rolls, what holds where it slips is wrong, and the other way round."""
+    Path("scene.yaml").write_text(SLOPE, encoding="utf-8")
+    found = key()
+    rolls, slips = "2/3 g sin β", "g (sin β − μ cos β)"
+    rows = [[variant, variant, rolls] for variant in found] + [[variant, variant, slips] for variant in found]
+    expected = ["⅔" in answers["a"]["exact"] for answers in found.values()]
+    assert True in expected and False in expected
+    given = [mark == "3" for mark in marks(command, rows, ["a"])]
+    assert given == expected + [not one for one in expected]
+
+
+def test_a_variant_is_marked_as_the_scene_says(command: Command) -> None:
+    """Points and tolerances stand in the scene alone: the tension may be off by 2 %, the acceleration by 1 %, and α follows from it."""
+    Path("scene.yaml").write_text(WINCH, encoding="utf-8")
+    answers = key()["1"]
+    off = [f"{float(row['value']) * 1.015:.5g} {row['unit']}" for row in answers.values()]
+    assert marks(command, [["Ada", "1", *off]], [*answers]) == ["3.5"]
+
+
+@pytest.mark.parametrize(("words", "code"), [(("--seed", "7"), 0), (("--seed", "8"), 1)])
+def test_the_variant_on_the_command_line(command: Command, words: tuple[str, str], code: int) -> None:
+    Path("scene.yaml").write_text(WINCH, encoding="utf-8")
+    answers = key()["2"]
+    lines = [f"{name} = {row['value']} {row['unit']}" for name, row in answers.items()]
+    Path("bob.txt").write_text("\n".join(lines), encoding="utf-8")
+    assert command("bob.txt", "--variant", "2", *words).code == code
+    assert "variant 2" in command("bob.txt", "--variant", "2", *words).out

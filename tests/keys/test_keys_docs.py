@@ -1,0 +1,73 @@
+"""docs/keys.md: every command of the page does what it says, its Python runs, and every file that it names is written."""
+
+from __future__ import annotations
+
+import re
+import shlex
+import shutil
+from pathlib import Path
+
+import pytest
+
+from pages import ROOT
+from rotsolve import cli
+from rotsolve.pipeline import solve
+
+PAGE = (ROOT / "docs" / "keys.md").read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    return re.findall(rf"^```{language}\n(.*?)^```$", PAGE, flags=re.MULTILINE | re.DOTALL)
+
+
+@pytest.fixture
+def desk(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A folder with the problem of the page, and the bundled ones."""
+    (tmp_path / "winch.yaml").write_text(blocks("yaml")[0], encoding="utf-8")
+    for name in ("pulleys/atwood.yaml", "rolling/bowling-ball.yaml"):
+        (tmp_path / "problems" / name).parent.mkdir(parents=True)
+        shutil.copy(ROOT / "problems" / name, tmp_path / "problems" / name)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def run(command: str) -> int:
+    program, *arguments = shlex.split(command)
+    assert program == "rotsolve"
+    with pytest.raises(SystemExit) as left:
+        cli.main(arguments)
+    return int(left.value.code or 0)
+
+
+def test_every_command_of_the_page(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    commands = [line for block in blocks("sh") for line in block.splitlines()]
+    assert len(commands) >= 4
+    for command in commands:
+        assert run(command) == 0, command
+    assert capsys.readouterr().err == ""
+    numbers = [f"{number:02}" for number in range(1, 31)]
+    pages = [f"{word}-{number}.html" for word in ("sheet", "solutions") for number in numbers]
+    first = ["sheet.html", "key.html"]  # of the run without variants
+    together = ["sheets.html", "sheets.csv", "key.csv"]
+    assert {path.name for path in (desk / "sheets").iterdir()} == {*pages, *first, *together}
+    assert {path.name for path in (desk / "homework").iterdir()} == {
+        "key.tex",
+        "sheets.tex",
+        *(f"sheet-{number}.tex" for number in range(1, 6)),
+    }
+
+
+def test_the_python_of_the_page(desk: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    exec(blocks("python")[0], {})
+    lines = capsys.readouterr().out.splitlines()
+    assert [line[0] for line in lines] == ["1", "2", "3"]
+
+
+def test_the_problem_of_the_page_is_solved_for_every_variant_of_the_key(desk: Path) -> None:
+    run("rotsolve key winch.yaml -o sheets --variants 6 -f csv")
+    text = (desk / "sheets" / "key.csv").read_text("utf-8")
+    for row in text.splitlines()[1:]:
+        _, _, given, name, value, unit, *_ = row.split(",")
+        settings = dict(pair.split(" = ") for pair in given.split("; ") if not pair.startswith("g "))
+        answer = solve(desk / "winch.yaml", settings=settings).answers[name]
+        assert (answer.value, answer.unit) == (value, unit)
