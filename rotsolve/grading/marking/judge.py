@@ -189,7 +189,7 @@ class Judge:
         """The letters that an answer may hold."""
         known = self._names.get(asked)
         if known is None:
-            known = self._names[asked] = Names(self.letters.givens, frozenset(self.targets), asked)
+            known = self._names[asked] = Names(self.letters.givens, self.letters.told, asked)
         return known
 
     def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:

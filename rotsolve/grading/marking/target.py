@@ -76,6 +76,14 @@ class Letters(Struct, frozen=True, dict=True):
         return frozenset(answer.name for answer in self.solution.derivation.answers)
 
     @cached_property
+    def told(self) -> frozenset[str]:
+        """The letters that answers may hold beside givens: those of all answers and of their components."""
+        parts = {
+            part.name for answer in self.solution.derivation.answers if not answer.rows for part in answer.components
+        }
+        return self.answers | (parts - self.givens)
+
+    @cached_property
     def closed(self) -> dict[str, Formula]:
         """The closed forms of the answers that have one, by name."""
         forms = ((answer.name, self.written(answer.closed)) for answer in self.solution.derivation.answers)
