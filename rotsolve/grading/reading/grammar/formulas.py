@@ -135,7 +135,12 @@ class Grammar(Parser):
 
     def exponent(self, base: Formula, start: int) -> Formula:
         """The exponent; one that begins without a bracket may go on: `e^-kt`, `x^1/2`."""
-        closed = self.token.kind == "raised" or self.tokens[self.index + 1].kind in ("(", "[")
+        if self.token.kind == "raised":
+            mark = self.next()
+            raised = _plain(from_superscript(mark.text))
+            check_power(base, raised, start, mark.end)
+            return raised
+        closed = self.tokens[self.index + 1].kind in ("(", "[")
         result = super().exponent(base, start)
         if closed:
             return result

@@ -16,28 +16,14 @@ from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, 
 
 MAX_LENGTH = 600
 MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
-MARKS |= {
-    "⟨": "(",
-    "⟩": ")",
-    "∣": "|",
-    "≈": "=",
-    "≃": "=",
-    ":=": "=",
-    "==": "=",
-    "º": "°",
-    "{": "(",
-    "}": ")",
-    "＝": "=",
-}
-RELATIONS = ("<", ">", "≤", "≥", "≠", "<=", ">=", "!=")
+MARKS |= dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "=") | {"⟨": "(", "⟩": ")", "∣": "|", "º": "°"}
 _TOKEN = re.compile(
     rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
     r"|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
-PLAIN = frozenset(("space", "mark", "number", "fraction", "raised"))
-_CALLED = re.compile(rf"(?<![A-Za-z]_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
+_CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
 _MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
@@ -51,19 +37,8 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
         raise FormulaError(message, MAX_LENGTH, len(text))
     reader = _Reader(text if end is None else text[:end])
     at, last = start, len(reader.text)
-    emit, read, step = reader.tokens.append, _TOKEN.match, reader.step
     while at < last:
-        match = read(reader.text, at)
-        kind = match.lastgroup if match else None
-        if kind in PLAIN and match:  # what is read most goes the shortest way
-            if kind == "mark":
-                found = MARKS.get(match[0], match[0])
-                emit(Token(found, found, at, match.end()))
-            elif kind != "space":
-                emit(Token(kind, match[0], at, match.end()))
-            at = match.end()
-        else:
-            at = step(at)
+        at = reader.step(at)
     reader.emit("end", "", last, last)
     return reader.tokens
 
@@ -83,17 +58,13 @@ class _Reader:
         match = _TOKEN.match(self.text, at)
         assert match is not None
         kind, found, end = str(match.lastgroup), match[0], match.end()
-        if kind == "space":
-            return end
+        special = _SPECIAL.get(kind)
+        if special is not None:
+            return special(self, found, at, end)
         if kind == "mark":
-            found = MARKS.get(found, found)
-            self.emit(found, found, at, end)
-        elif kind == "name":
-            return self.name(found, at, end)
-        elif kind in _SPECIAL:
-            return _SPECIAL[kind](self, found, at, end)
-        else:
-            self.emit(kind, found, at, end)
+            kind = found = MARKS.get(found, found)
+        if kind != "space":
+            self.tokens.append(Token(kind, found, at, end))
         return end
 
     def name(self, found: str, start: int, end: int) -> int:
@@ -229,6 +200,7 @@ class _Reader:
 
 
 _SPECIAL: dict[str, Callable[[_Reader, str, int, int], int]] = {
+    "name": _Reader.name,
     "command": _Reader.command,
     "brace": _Reader.brace,
     "degree": _Reader.degree,
