@@ -385,6 +385,9 @@ def test_undeclared_letters_are_not_judged() -> None:
         "m·exp(exp(exp(exp(9))))/exp(exp(exp(exp(9))))",
         "m + sin(10^60 R)",
         "m(1+1/(1+1/(1+1/(1+1/(1+R)))))^60",
+        "m + " + "√(R+" * 30 + "m" + ")" * 30 + " - " + "√(" * 30 + "m" + "+R)" * 30,
+        "m + " + "+".join(f"√(m+{n}R)" for n in range(1, 20)) + "".join(f"-√({n}R+m)" for n in range(1, 20)),
+        "m + " + "+".join(f"sin({n}β)" for n in range(1, 25)) + "".join(f"-sin({n}β)" for n in range(1, 25)),
     ],
 )
 def test_hostile_formulas_are_judged_in_time(text: str) -> None:

@@ -100,10 +100,8 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
     tried = undefined = 0
     for index, point in enumerate(reference.points):
         value = reference.value(index)
-        if value is None:
+        if value is None or not left.symbols() <= point.keys():
             continue
-        if not left.symbols() <= point.keys():
-            return None
         tried += 1
         try:
             other = value_at(left, point)
