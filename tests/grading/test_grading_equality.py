@@ -370,6 +370,18 @@ def test_same(left: str, right: str, verdict: bool | None) -> None:
     assert found is verdict or (verdict is True and found is None and "√m + √M" in left)
 
 
+@pytest.mark.parametrize("scale", ["1e-15", "1e12"])
+def test_points_have_the_size_of_the_numbers(scale: str) -> None:
+    domain = Domain.of(
+        rotsolve.solve(SCENE.replace("m: 2 kg", f"m: {scale} kg").replace("M: 5 kg", f"M: 3{scale[1:]} kg"))
+    )
+    assert all(0.5 <= point["m"] / float(scale) <= 6 for point in domain.points)
+    one, other = (read_answer(text, LETTERS)[0].formula for text in ("½m(R²+r²)", "½M(R²+r²)"))
+    assert one is not None
+    assert other is not None
+    assert same(one, other, domain) is False
+
+
 def test_undeclared_letters_are_not_judged() -> None:
     strange = read_answer("2q", Names.of(["q"]))[0].formula
     assert strange is not None

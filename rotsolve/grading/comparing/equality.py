@@ -97,7 +97,7 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
     if left == right:
         return True
     reference = domain.reference(right)
-    tried = undefined = 0
+    tried = undefined = met = 0
     for index, point in enumerate(reference.points):
         value = reference.value(index)
         if value is None or not left.symbols() <= point.keys():
@@ -112,10 +112,10 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
             continue
         if not (other - value).contains(0):
             return False
-        if tried - undefined == 1:  # the first point at which both are defined
-            exact = reference.is_exactly(left)
-            if exact is not None:
-                return exact
+        met += 1
+        exact = reference.is_exactly(left) if met == 1 else None
+        if exact is not None:
+            return exact
     if undefined and undefined == tried:
         return False
     return reference.is_exactly(left) if not tried else None
