@@ -10,7 +10,7 @@ from collections.abc import Callable
 from unicodedata import normalize
 
 from rotsolve.algebra.notation.cursor import MAX_NESTING
-from rotsolve.algebra.notation.letters import FRACTIONS, RUN
+from rotsolve.algebra.notation.letters import FRACTIONS, GREEK_LETTERS, RUN
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, SAME_MARK, FormulaError, Token
 from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
 
@@ -26,6 +26,7 @@ _TOKEN = re.compile(
 _CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
 _MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
+_CHANGED = re.compile(rf"\s*(?:\\({'|'.join(GREEK_LETTERS)})(?![A-Za-z])|([A-Za-z]))")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
@@ -70,7 +71,7 @@ class _Reader:
     def name(self, found: str, start: int, end: int) -> int:
         """A run of letters, with its index where that stands in braces: `v_{end}`."""
         called = _CALLED.search(found)
-        if called:  # sin2θ is sin 2θ
+        if called and found not in FUNCTION_NAMES:  # sin2θ is sin 2θ, but atan2 is atan2
             self.emit("name", found[: called.end()], start, start + called.end())
             return start + called.end()
         bare = found.rstrip("_")
@@ -117,6 +118,9 @@ class _Reader:
         word = found[1:]
         if word in SILENT:
             return end
+        change = _CHANGED.match(self.text, end) if word == "Delta" else None
+        if change:  # \Delta K is ΔK
+            return self.name("Δ" + (change[2] or NAMES.get(change[1], "")), start, change.end())
         if word in NAMES:
             return self.name(NAMES[word], start, end)
         if word in FRACTION:
@@ -181,9 +185,11 @@ class _Reader:
         """The content of \\text{…} and its like, which only says how letters are set."""
         while self.text[at : at + 1].isspace():
             at += 1
-        if self.text.startswith("{", at):
-            return self.inside(at, at + 1)
-        return self.argument(start, at)
+        at = self.inside(at, at + 1) if self.text.startswith("{", at) else self.argument(start, at)
+        if self.text.startswith("_", at) and self.tokens and self.tokens[-1].kind == "name":
+            named = self.tokens.pop()  # \mathrm{hp}_{m}
+            return self.name(named.text, named.start, at)
+        return at
 
     def other(self, found: str, start: int, end: int) -> int:
         """A character that is no mark: the plain letter that it is a form of, such as 𝑚 or ｍ."""
