@@ -344,6 +344,7 @@ def test_points_are_always_the_same() -> None:
         ("√((R - r)²)", "R - r", True),  # R > r in this scene
         ("√((r - R)²)", "r - R", False),
         ("|R - r|", "R - r", True),
+        ("2 ∫[0 → R] exp(x·x) dx", "∫[0 → R] exp(x·x) dx·2", True),
         ("|M - m|/(M + m)", "(M - m)/(m + M)", True),
         ("|M - R|", "M - R", None),  # letters of two dimensions have no order
         ("|β|", "β", False),  # an angle has both signs
@@ -394,6 +395,7 @@ def test_undeclared_letters_are_not_judged() -> None:
         "m(m+M+R+r+L+g)^64/(m+M+R+r+L+g)^64",
         "m + ((m+M+R+r)^30)^2 - ((m+M+R+r)^30)^2",
         "m√((m+M+R+r+g)^40)/√((m+M+R+r+g)^40)",
+        "m + ∫[0 → 1] exp(exp(exp(30 x))) dx",
         "m·exp(exp(exp(exp(9))))/exp(exp(exp(exp(9))))",
         "m + sin(10^60 R)",
         "m(1+1/(1+1/(1+1/(1+1/(1+R)))))^60",

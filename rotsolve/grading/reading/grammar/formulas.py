@@ -75,6 +75,8 @@ class Grammar(Parser):
         token = self.token
         if token.kind != "name":
             return 1
+        if self.bound:
+            return super().expand()
         if token.text == ELLIPTIC and ELLIPTIC not in self.letters and self.tokens[self.index + 1].kind == "(":
             self.tokens[self.index] = Token("function", "ellipk", token.start, token.end)
             return 1
@@ -110,8 +112,6 @@ class Grammar(Parser):
         return result
 
     def primary(self) -> Formula:
-        if self.token.kind == "∫" or self.token.text == "integral":
-            raise FormulaError("an integral has to be carried out", self.token.start, self.token.end)
         result = self.number() if self.token.kind == "number" else super().primary()
         while self.token.kind == "°":
             self.next()
@@ -170,6 +170,8 @@ class Grammar(Parser):
     def function(self, token: Token) -> Formula:
         """A function of what stands in brackets or, without them, of what follows."""
         name = "sqrt" if token.kind == "√" else token.text
+        if name not in FUNCTIONS and name not in RECIPROCAL:
+            return super().function(token)  # integral(f, x, a, b)
         power = self.function_power(token) if self.token.kind in ("^", "raised") and name != "sqrt" else None
         if power is not None and power.value == -1 and name in INVERSE and self.forks.choose(True):
             name, power = INVERSE[name], None
