@@ -17,7 +17,7 @@ STAGES = ("facts", "equations", "plan")
 NAMES = tuple(item.name for item in FORMATS)
 PAGES = ("text", "markdown", "html", "json")  # of marked answers
 KEYS = ("html", "markdown", "latex", "json", "csv")
-MOST_VARIANTS = 1_000_000
+MOST_VARIANTS = 100_000
 SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
 MOST_ROWS = 100_000
 
@@ -349,6 +349,9 @@ def key(
     raise typer.Exit(code)
 
 
+Problem = Annotated[
+    str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
+]
 Answers = Annotated[
     str | None,
     typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
@@ -375,7 +378,7 @@ Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, hel
 
 @app.command()
 def check(
-    problem: Scene,
+    problem: Problem,
     answers: Answers = None,
     typed: Typed = None,
     output: Report = None,

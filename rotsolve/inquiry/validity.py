@@ -12,7 +12,7 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.motion.rubs import rubs
 
-ROOT = "which root of an equation is meant"
+SLIPS, ROOT = "what slips and which way", "which root of an equation is meant"
 
 
 class Validity(Struct, frozen=True):
@@ -39,7 +39,7 @@ def validity(inquiry: Inquiry) -> Validity:
                 elif not (is_zero(gap, positive) or surely_positive(gap, positive)):
                     bounds[gap] = None
     if rubs(inquiry.history.arrangement):
-        decided["what slips and which way"] = None
+        decided[SLIPS] = None
     if any(step.reason for step in inquiry.solver.steps):
         decided[ROOT] = None
     return Validity(positive, tuple(bounds), tuple(decided))

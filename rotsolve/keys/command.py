@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 from msgspec import Struct
@@ -14,7 +14,7 @@ from rotsolve.keys.sheets import Sheet
 from rotsolve.keys.variants import worked_variants
 from rotsolve.keys.working import Worked
 from rotsolve.keys.writers import WRITERS, File
-from rotsolve.run import with_progress
+from rotsolve.run.advancing import advancing
 from rotsolve.run.attempt import failure
 from rotsolve.run.delivery import say, summary, write_file
 from rotsolve.run.request import BAD, SOLVED
@@ -45,11 +45,8 @@ def run(request: Request) -> int:
     chosen = Problems(files, request)
     if request.variants and chosen.problems and not any(problem.vary for problem in chosen.problems.values()):
         return refused("none of these problems says under `vary` what may vary; leave --variants out")
-    sheets = with_progress(chosen.sheets(), max(1, request.variants))
-    try:
-        code = write(made(sheets, request), request.folder)
-    finally:
-        sheets.close()
+    with advancing("sheets") as tell:
+        code = write(made(chosen.sheets(tell), request), request.folder)
     if chosen.failed and len(files) > 1:
         say(summary(chosen.failed, len(files)), follows=True)
     return max(code, chosen.code)
@@ -84,8 +81,8 @@ class Problems:
         self.failed.append(outcome.file)
         self.code = max(self.code, outcome.code)
 
-    def sheets(self) -> Iterator[Sheet]:
-        """One sheet for each variant, with all problems that have an answer."""
+    def sheets(self, tell: Callable[[float], None]) -> Iterator[Sheet]:
+        """One sheet for each variant, with all problems that have an answer; it tells how many are behind."""
         count = max(1, self.request.variants)
         drawn = {name: worked_variants(problem, count, self.request.seed) for name, problem in self.problems.items()}
         for number in range(1, count + 1):
@@ -101,6 +98,7 @@ class Problems:
                     has = f"{number - 1} different variants" if number > 2 else "one variant only"
                     say(f"note: {self.files[name]} has {has}: from {number} on they come again", follows=False)
                 found.append((name, worked))
+            tell(number / count)
             if found:
                 yield Sheet(number if self.request.variants else 0, tuple(found))
 

@@ -2,7 +2,7 @@
 
 Its formulas hold for every variant in which all numbers that were asked for on the way have the signs that they had then. Other signs
 are another branch, which is solved once more; so is a first variant of each branch, as a probe. Where numbers decided more than signs
-tell (what slips, which of two roots is nearer), each variant is solved anew.
+tell (which of two roots is nearer, whole turns), each variant is solved anew.
 """
 
 from __future__ import annotations
@@ -16,10 +16,11 @@ from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.witness import witnessed
 from rotsolve.algebra.formula import PI, Call, Formula
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import TIME
-from rotsolve.inquiry.validity import ROOT
+from rotsolve.inquiry.validity import ROOT, SLIPS
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures
 from rotsolve.scene.model import Given, Problem
@@ -70,7 +71,7 @@ class Branch:
         derivation = self.solution.derivation
         self.trusted = (
             valid is not None
-            and set(valid.decided) <= {ROOT}
+            and set(valid.decided) <= {SLIPS, ROOT}  # by signs, unless the witness knows better
             and not witness.by_size
             and not any(TIME in item.symbols() for item in asked)
             and all(check.holds for check in derivation.checks)
@@ -96,22 +97,61 @@ class Branch:
         self.trusted = all(agree(*pair) for pair in zip(answers, worked.answers, strict=True))
 
 
+class Reading:
+    """One file read for many settings: only the givens change, as long as the limits of its values hold as they did."""
+
+    def __init__(self, problem: Problem) -> None:
+        self.problem = problem
+        self.tree = scene_of(problem)
+        with witnessed() as witness:
+            read_tree(self.tree, problem.lines, problem.file)
+        asked = tuple(item for item in witness.asked if item.symbols() <= problem.values.keys())
+        self.signs = {item: side(item, problem.values) for item in asked}
+        self.by_size = witness.by_size
+
+    def read(self, settings: Mapping[str, str]) -> Problem:
+        """The problem with these settings; Unsuited where the reader refuses them."""
+        if not self.by_size:
+            givens = tuple(with_value(given, settings.get(given.name)) for given in self.problem.givens)
+            problem = replace(self.problem, givens=givens)
+            values = problem.values
+            if all(side(item, values) == sign for item, sign in self.signs.items()):
+                return problem
+        try:
+            return read_tree(self.tree, self.problem.lines, self.problem.file, settings)
+        except SceneError as error:
+            raise Unsuited(error.faults[0].message) from None
+
+
+def with_value(given: Given, text: str | None) -> Given:
+    """A given with another value, as a scene writes it."""
+    if text is None:
+        return given
+    quantity = parse_quantity(text)
+    return replace(given, value=quantity.value, unit=quantity.unit, text=text)
+
+
+def scene_of(problem: Problem) -> Node:
+    """The tree of a problem's file without what its answers do not depend on."""
+    root, _ = compose("\n".join(problem.lines), problem.file)
+    if not isinstance(root, Map):
+        return root
+    return Map(tuple(entry for entry in root.entries if entry[0].value not in ASIDE), root.span)
+
+
 class Working:
     """Answers one problem for many settings of its givens."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
-        self.tree = scene_of(problem)
+        self.reading = Reading(problem)
         self.branches = [Branch(problem)]
 
     def work(self, settings: Mapping[str, str]) -> Worked:
         """The problem with these settings; Unsuited where it can not be used so."""
         if not settings:
             return solved(self.problem, self.branches[0].solution)
-        try:
-            problem = read_tree(self.tree, self.problem.lines, self.problem.file, settings)
-        except SceneError as error:
-            raise Unsuited(error.faults[0].message) from None
+        problem = self.reading.read(settings)
         for branch in self.branches:
             answers = branch.evaluated(problem)
             if answers is not None and branch.probed:
@@ -133,14 +173,6 @@ class Working:
             raise Unsuited(error.fault.message) from None
         except SceneError as error:
             raise Unsuited(error.faults[0].message) from None
-
-
-def scene_of(problem: Problem) -> Node:
-    """The tree of a problem's file without what its answers do not depend on, which is not read again for each variant."""
-    root, _ = compose("\n".join(problem.lines), problem.file)
-    if not isinstance(root, Map):
-        return root
-    return Map(tuple(entry for entry in root.entries if entry[0].value not in ASIDE), root.span)
 
 
 def solved(problem: Problem, solution: Solution) -> Worked:

@@ -6,19 +6,17 @@ import os
 import sys
 from collections.abc import Generator, Iterator
 from time import monotonic
-from typing import TypeVar
 
 from msgspec.structs import replace
 
 from rotsolve.run.attempt import attempt, internal_error, piped
 from rotsolve.run.delivery import deliver
-from rotsolve.run.progress import PATIENCE
 from rotsolve.run.request import BAD, Outcome, Request
 from rotsolve.run.scenes import scenes
 
 __all__ = ["Request", "internal_error", "run"]
 
-Item = TypeVar("Item")
+PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
 def run(request: Request) -> int:
@@ -56,8 +54,8 @@ def attempts(request: Request) -> Iterator[Outcome]:
             yield attempt(file, request, text)
 
 
-def with_progress(outcomes: Iterator[Item], total: int) -> Generator[Item]:
-    """What is worked out, one by one; once it takes long, and on a terminal, with a progress bar that makes room for what is written."""
+def with_progress(outcomes: Iterator[Outcome], total: int) -> Generator[Outcome]:
+    """The outcomes one by one; once it takes long, and on a terminal, with a progress bar that makes room for what is written."""
     start, bar = monotonic(), None
     try:
         for done, outcome in enumerate(outcomes, 1):

@@ -8,9 +8,9 @@ from msgspec import Struct, field
 
 from rotsolve.render.layout import page
 from rotsolve.run import coloured
+from rotsolve.run.advancing import advancing
 from rotsolve.run.attempt import failure, name_of, piped, source
 from rotsolve.run.delivery import write_file
-from rotsolve.run.progress import advancing
 from rotsolve.run.request import BAD, SOLVED
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.showing.report import csv, lines, times_of

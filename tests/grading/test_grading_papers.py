@@ -50,3 +50,24 @@ def test_paper(problem: str, content: str) -> None:
     found += [f"- {line.text} | {said_of_line(line)}" for line in marked.lines]
     assert "\n".join(found) == "\n".join(" | ".join(row) for row in rows)
     assert marked.marks == sum(part.marks for part in marked.parts)
+
+
+NO_CLOSED_FORM = """title: Wheel that is driven by an odd law
+given: {c: 2 rad/s^5, b: 3 rad/s, q: 7 rad}
+bodies: {wheel: {shape: disc, mass: 2 kg, radius: 20 cm}}
+connections: {axle: {axle: wheel, angle: b*time + c*time^5}}
+states: {start: {}, end: {wheel.angle: q}}
+find: {t: time from start to end, omega: wheel.angular_velocity at end}
+"""
+
+
+def test_where_there_is_no_closed_form() -> None:
+    """Numbers are compared, formulas of a letter that has only a number are told apart by it, and laws are right by themselves."""
+    own = Judge(solve(NO_CLOSED_FORM))
+    lines = ("q = b t + c t^5", "t = 1.126 s", "omega = b + 5 c t^4", "omega = b + 4 c t^4", "q = b t")
+    marked = own.mark(Paper("one", {"t": "1126 ms", "omega": "b + 5 c t^4"}, lines))
+    assert [said_of_part(part) for part in marked.parts] == ["right 1", "right 1"]
+    assert [said_of_line(line) for line in marked.lines] == ["right", "right", "right", "wrong first", "wrong"]
+    late = own.mark(Paper("two", {"t": "1.239 s", "omega": "26.57 rad/s"}))
+    assert [said_of_part(part) for part in late.parts] == ["wrong 0", "wrong 3/4 followed"]
+    assert said_of_part(own.mark(Paper("three", {"t": "q/b"})).parts[0]) == "wrong 0"

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from pages import FALL, PLAIN, ROOT, said
 from rotsolve.algebra.units.quantities import parse_quantity
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.keys.variants import Variant, variants, worked_variants
 from rotsolve.pipeline import solve, solve_problem
 from rotsolve.scene.model import Problem
@@ -147,3 +147,60 @@ def test_most_variants_are_not_solved_anew() -> None:
     problem = read_file(ROOT / "problems" / "pulleys" / "stepped-drum.yaml")
     found = [worked for _, worked in worked_variants(problem, 60, 1)]
     assert sum(worked.solution is not None for worked in found) <= 3
+
+
+LIMITED = {
+    "a slope is acute": (
+        "surfaces: {ramp: {slope: q, down: right}}\nbodies: {b: {shape: cylinder, radius: 1 m, moves: down}}\n"
+        "connections: {c: {rolls: [b, ramp]}}\nfind: {a: b.acceleration}\n",
+        "30 deg",
+        "10 deg to 130 deg by 20 deg",
+    ),
+    "a coefficient is from 0 to 1": (
+        "bodies: {rod: {shape: rod, mass: 3 kg, length: 2 m}, b: {mass: 1 kg, moves: right}}\n"
+        "connections: {pin: {hinge: rod.start}}\n"
+        "states: {before: {rod.angle: -90 deg, rod.angular_velocity: 0, b.velocity: 4 m/s}, after: {}}\n"
+        "events: {hit: {collides: [b, rod.end], restitution: q, from: before, to: after}}\nfind: {v: b.velocity at after}\n",
+        "0.5",
+        "-0.5 to 1.5 by 0.25",
+    ),
+    "a rim lies within another": (
+        "bodies: {b: {shape: annulus, mass: 1 kg, radii: {inner: q, outer: 3 m}}}\nfind: {I: b.inertia}\n",
+        "1 m",
+        "-1 m to 5 m by 0.5 m",
+    ),
+    "a point lies on its rod": (
+        "bodies: {b: {shape: rod, mass: 1 kg, length: 2 m}}\nconnections: {h: {hinge: b.at(q)}}\nfind: {I: b.inertia about h}\n",
+        "1 m",
+        "-1 m to 3 m by 0.25 m",
+    ),
+    "the sides make a triangle": (
+        "bodies: {b: {shape: triangle, mass: 1 kg, sides: [q, 2 m, 3 m]}}\nfind: {I: b.inertia}\n",
+        "2 m",
+        "1 m to 6 m by 0.5 m",
+    ),
+    "nothing is divided by zero": (
+        "bodies: {b: {shape: rod, mass: 1 kg, length: 1 m/(q - 1)}}\nfind: {I: b.inertia}\n",
+        "2",
+        "-1 to 3 by 0.5",
+    ),
+}
+
+
+@pytest.mark.parametrize("name", LIMITED)
+def test_a_variant_is_used_where_the_scene_with_its_values_can_be_solved(name: str) -> None:
+    """Though the file is not read again for each of them."""
+    scene, first, span = LIMITED[name]
+    text = f"title: {name}\ngiven: {{q: {first}}}\n{scene}vary: {{q: {span}}}\n"
+    problem = read_text(text)
+    assert problem.vary is not None
+    good = set()
+    for value in problem.vary.letters[0].values:
+        try:
+            fresh = solve(text, settings={"q": value})
+        except (SceneError, Unsolvable):
+            continue
+        if all(check.holds is not False for check in fresh.checks):
+            good.add(value)
+    assert 0 < len(good) < len(problem.vary.letters[0].values)
+    assert {item.settings["q"] for item in variants(problem, 30, 1)} == good

@@ -17,6 +17,7 @@ from rotsolve.scene.model import Given
 FEWER = (1, 2, 3)  # figures to which a given may have been rounded
 PIS = ("3.14", "22/7", "3.1", "3")
 GRAVITIES = ("9.81", "9.8", "10")  # for one another
+LARGEST = Fraction(1, 20)  # the share that rounding to two figures may change at most: more is another number
 LEAST = 2  # figures of a number of which it can be told how it came about
 TWO_FIGURES = Fraction(1, 200)  # the share by which rounding to two figures changes a number of middling size
 
@@ -59,7 +60,7 @@ def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
     if given.name == "g" and Fraction(GRAVITIES[1]) <= number.value <= Fraction(GRAVITIES[0]):
         others += [Fraction(text) for text in GRAVITIES]
     for other in dict.fromkeys(others):
-        if other and other != number.value:
+        if other and other != number.value and abs(other - number.value) <= LARGEST * abs(number.value):
             shown = format(float(other), "g")
             yield (Number(other) if unit is None else other * unit.factor), unit.after(shown) if unit else shown
 

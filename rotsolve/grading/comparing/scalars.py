@@ -12,7 +12,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import Certified, rounded
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
-from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
+from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
@@ -79,8 +79,7 @@ def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
         return found(UNDECIDED, "reading", "it has no value")
     sought = asked.sought
     if sought is None:
-        letters_only = "a formula is asked for: the scene has no number for it"
-        return exact_judged(typed, asked) or found(WRONG, "form", letters_only)
+        return found(WRONG, "form", "a formula is asked for: the scene has no number for it")
     if typed.unit is None:
         return unitless_judged(typed, direction, asked, sought)
     meant = measured(typed.unit, asked.unit, asked.dimension, asked.turns)
@@ -88,12 +87,6 @@ def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
         assert meant.fault is not None
         return Finding(WRONG, (meant.fault,))
     return valued(typed, meant.unit, direction, asked, sought) or slip(typed, meant.unit, asked, sought)
-
-
-def exact_judged(typed: Typed, asked: Scalar) -> Finding | None:
-    """The finding for an exact number where the closed form has letters without a value; None unless it is the same."""
-    holds = asked.closed is not None and asked.same(typed.value * (typed.unit or ONE_UNIT).factor, asked.closed)
-    return Finding(RIGHT) if holds else None
 
 
 def unitless_judged(typed: Typed, direction: str, asked: Scalar, sought: Sought) -> Finding:
@@ -176,20 +169,21 @@ def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:
     """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
     value = sought.in_unit(unit)
     if rounds_to(typed, value):
-        few = (typed.figures or 0) < LEAST_FIGURES
-        said = f"right as far as it goes, but {typed.figures} figure{'s'[: typed.figures != 1]} are too few"
-        return found(
-            WRONG, "figures", said.replace("1 figure are", "1 figure is"), flaws=() if few else (marks.ROUNDING,)
-        )
+        return too_few(typed)
     for other in likely_meant(typed.unit, asked.unit, sought.si, asked.dimension):
         if within(typed, sought.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
     for power in powers(typed, value):
         if within(typed.times(Fraction(10) ** power), value, asked.marking.tolerance, unit):
-            return found(
-                WRONG, "power", f"off by a factor of {Fraction(10) ** abs(power)}: look at the prefixes of units"
-            )
+            return found(WRONG, "power", f"off by a factor of {10 ** abs(power)}: look at the prefixes of units")
     return Finding(WRONG)
+
+
+def too_few(typed: Typed) -> Finding:
+    """What is said of a number that is right to its figures, but not to the tolerance."""
+    count = typed.figures or 0
+    said = f"right as far as it goes, but {'1 figure is' if count == 1 else f'{count} figures are'} too few"
+    return found(WRONG, "figures", said, flaws=(marks.ROUNDING,) if count >= LEAST_FIGURES else ())
 
 
 def powers(typed: Typed, value: Certified) -> Iterator[int]:
@@ -211,12 +205,9 @@ def formula_judged(formula: Formula, asked: Scalar) -> Finding:
         return worked_out(formula, asked)
     holds = asked.same(formula, asked.closed)
     if holds:
-        wants_number = asked.marking.form == marks.NUMBER and asked.sought is not None
-        return (
-            found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
-            if wants_number
-            else Finding(RIGHT)
-        )
+        if asked.marking.form == marks.NUMBER and asked.sought is not None:
+            return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
+        return Finding(RIGHT)
     if holds is None:
         return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = of_other_dimension(formula, asked)

@@ -35,17 +35,17 @@ SAID = {  # other words for a direction
     "downhill": "down",
 }
 SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SAID}, key=len)), re.IGNORECASE)
-BESIDE = re.compile(r"\b(?:i\.e\.|to the|straight|vertically|horizontally|directed|pointing|and|along)(?=\W|$)|,")
-WHERE = re.compile(
-    r"\b(?:round|on|in|of)?\s*(?:the|a|an)\s+(?:slope|incline|ramp|plane|hill|dome|loop|bowl|hoop|rail|bar)\b"
+BESIDE = re.compile(
+    r"\b(?:i\.e\.|to the|towards the|straight|vertically|horizontally|directed|pointing|turning it|turning|and|along)(?=\W|$)|,"
 )
+WHERE = re.compile(r"\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
 
 Heading = frozenset[str]
 
 
 def heading(words: str) -> Heading:
     """A direction in words as a set of plain ones: "up and to the left" is up, left; where it is ("the slope") goes unsaid."""
-    plain = BESIDE.sub(" ", WHERE.sub(" ", words.lower()))
+    plain = WHERE.sub(" ", BESIDE.sub(" ", words.lower()))
     return frozenset(SAID.get(word, word) for word in plain.split())
 
 

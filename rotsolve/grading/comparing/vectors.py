@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from msgspec.structs import replace
 
@@ -10,9 +11,9 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import ZERO
 from rotsolve.grading.comparing.finding import Finding, found, together
 from rotsolve.grading.comparing.scalars import Scalar, judged
-from rotsolve.grading.comparing.signs import right_but_for_sign
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import RIGHT, WRONG
+from rotsolve.scene.marks import Tolerance
 
 AXES = ("x", "y", "z")
 
@@ -25,11 +26,12 @@ def vector_judged(reading: Reading, parts: Sequence[Scalar], whole: Scalar | Non
     wanted = [*parts, *([flat(parts[0])] if len(parts) == 2 and len(typed) == 3 else [])]
     if len(typed) != len(wanted):
         return found(WRONG, "form", f"{len(wanted)} components are asked for, not {len(typed)}")
+    if reading.polar and whole is not None:
+        wanted = [of_size(one, whole) for one in wanted]
     finding = components_judged(typed, wanted)
-    if finding.outcome == WRONG and not finding.flaws and any(part.directed for part in parts):
-        other = components_judged([negated(part) for part in typed], wanted)
-        if other.right:
-            return right_but_for_sign(True, "", None, parts[0].marking)
+    points = finding.outcome == WRONG and not finding.flaws and any(part.directed for part in parts)
+    if points and components_judged([negated(part) for part in typed], wanted).right:
+        return found(WRONG, "sign", "it points the other way")
     return finding
 
 
@@ -82,6 +84,15 @@ def entries(reading: Reading) -> list[Reading]:
 def negated(reading: Reading) -> Reading:
     assert reading.formula is not None and reading.kind in (NUMBER, FORMULA)
     return replace(reading, formula=-reading.formula)
+
+
+def of_size(part: Scalar, whole: Scalar) -> Scalar:
+    """A component of a vector that is told by size and angle: its tolerance is a share of the size, not of itself."""
+    share = part.marking.tolerance.share
+    if share is None or whole.value is None:
+        return part
+    amount = share * abs(Fraction(whole.value.float)) * whole.unit.factor
+    return replace(part, marking=replace(part.marking, tolerance=Tolerance("", amount=amount)))
 
 
 def flat(part: Scalar) -> Scalar:

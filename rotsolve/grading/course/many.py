@@ -22,7 +22,7 @@ from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.render import layout
 from rotsolve.render.voice import TEXT
 from rotsolve.run import coloured, same_file
-from rotsolve.run.progress import advancing
+from rotsolve.run.advancing import advancing
 
 PAGES = "html"  # of a report, where nothing else is asked for
 

@@ -77,7 +77,7 @@ class Following:
     def laws(self, name: str) -> tuple[Equality, ...]:
         """The laws that speak of an answer, in letters of answers and givens."""
         if name not in self._laws:
-            known = self.letters.closed.keys()
+            known = self.letters.answers
             told = [law for law in self.told if name in letters_of(law) and len(letters_of(law) & known) > 1]
             self._laws[name] = tuple(dict.fromkeys(told))
         return self._laws[name]
@@ -87,7 +87,7 @@ class Following:
         """All laws with their other letters put in: what constants stand for, and what other laws say of them by answers."""
         meanings = self.letters.meanings
         laws = [law for law in meanings.laws if not (law.left.holds(Integral) or law.right.holds(Integral))]
-        answers = self.letters.closed.keys() | self.letters.givens
+        answers = self.letters.answers | self.letters.givens
         inner = {letter for law in laws for letter in letters_of(law) - answers if letter in meanings.keys}
         forms: dict[str, list[Formula]] = {}
         for known in (self.letters.givens, answers):  # constants, such as I = ½ M R², before what answers tell

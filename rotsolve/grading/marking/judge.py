@@ -16,7 +16,9 @@ from rotsolve.grading.comparing.finding import Finding, found
 from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import judged, lacking_unit
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
+from rotsolve.grading.comparing.units import measured
 from rotsolve.grading.comparing.vectors import vector_judged
+from rotsolve.grading.marking.circles import circles
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.matrices import read_matrix
@@ -58,14 +60,26 @@ class Judge:
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
         parts, wrong = [], dict[str, str]()
+        round_in = self._circles(paper.answers)
         for target in self.targets.values():
             text = paper.answers.get(target.name, "")
             one, followed = self._in_its_place(target, text, wrong)
+            if target.name in round_in:
+                one, followed = unsolved(one, round_in[target.name]), False
             if one.finding.outcome == WRONG:
                 wrong[target.name] = text
             parts.append(part(target, text, one, followed))
         total, of = (sum((getattr(one, word) for one in parts), Fraction(0)) for word in ("marks", "of"))
         return Marked(paper.student, tuple(parts), self.working.lines(paper.working), total, of)
+
+    def _circles(self, answers: Mapping[str, str]) -> dict[str, frozenset[str]]:
+        """The answers that are told by each other alone."""
+        holds = {}
+        for name, target in self.targets.items():
+            reading = self.judged(target, answers.get(name, "")).reading
+            if reading is not None and reading.kind == FORMULA and reading.formula is not None:
+                holds[name] = (reading.formula.symbols() & self.targets.keys()) - self.letters.givens
+        return circles(holds) if len(holds) > 1 else {}
 
     def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[Judged, bool]:
         """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
@@ -111,9 +125,7 @@ class Judge:
                 finding = self.explaining.number(target.name, typed, asked)
             elif reading.kind == FORMULA:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
-        remark = () if finding is None else finding.remarks
-        flaws = () if finding is None else finding.flaws
-        return Judged(reading, Finding(WRONG, remark, flaws), one.read_as)
+        return one if finding is None else Judged(reading, finding, one.read_as)
 
     def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
@@ -124,13 +136,18 @@ class Judge:
 
     def _worth(self, target: Target, one: Judged) -> Own | None:
         reading, asked = one.reading, target.whole
-        if reading is None or reading.formula is None or asked is None or target.name not in self.letters.closed:
+        if reading is None or reading.formula is None or asked is None:
             return None
         if any(remark.kind in ("dimension", "form") for remark in one.finding.remarks):
             return None
         if reading.kind == NUMBER:
+            unit = (
+                asked.unit
+                if reading.unit is None
+                else measured(reading.unit, asked.unit, asked.dimension, asked.turns).unit
+            )
             typed = Typed(reading.formula, reading.figures, reading.unit)
-            return own_number(typed, (reading.unit or asked.unit).factor) if typed.rational != 0 else None
+            return None if unit is None or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)
         return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
 
@@ -165,17 +182,14 @@ class Judge:
             remark = Remark("reading", (str(error),), error.start, error.end)
             return Judged(None, Finding(UNDECIDED, (remark,)))
         if direction:
-            readings = (
-                tuple(replace(one, direction=direction) for one in readings if one.kind in (NUMBER, FORMULA))
-                or readings
-            )
+            readings = tuple(replace(one, direction=direction) for one in readings)
         return self._best(target, text, readings)
 
     def names(self, asked: str) -> Names:
         """The letters that an answer may hold."""
         known = self._names.get(asked)
         if known is None:
-            known = self._names[asked] = Names(self.letters.givens, frozenset(self.targets), asked)
+            known = self._names[asked] = Names(self.letters.givens, self.letters.told, asked)
         return known
 
     def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
@@ -183,7 +197,7 @@ class Judge:
         tried = [(reading, self._read(target, reading)) for reading in readings]
         reading, finding = min(tried, key=lambda item: rank(item[1]))
         echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO else ""
-        return Judged(reading, Finding(finding.outcome, (*reading.remarks, *finding.remarks), finding.flaws), echo)
+        return Judged(reading, finding, echo)
 
     def _read(self, target: Target, reading: Reading) -> Finding:
         """The finding for one reading."""
@@ -217,12 +231,20 @@ def rank(finding: Finding) -> int:
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
+def unsolved(one: Judged, others: frozenset[str]) -> Judged:
+    """The finding for an answer that is told by others, and they by it."""
+    listed = [word for name in sorted(others) for word in (", ", Symbol(name))][1:]
+    finding = found(WRONG, "form", "nothing is solved: it is told by ", *listed, ", and that by this answer")
+    return Judged(one.reading, finding, one.read_as)
+
+
 def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
     """One answer with its marks."""
     finding, marking = one.finding, target.marking
     earned = finding.right or bool(finding.flaws)
     left = marking.left(finding.flaws) if earned else Fraction(0)
-    verdict = Verdict(finding.outcome, one.read_as, finding.remarks)
+    read = () if one.reading is None else one.reading.remarks
+    verdict = Verdict(finding.outcome, one.read_as, (*read, *finding.remarks))
     return Part(target.name, text, verdict, left, marking.points, followed)
 
 
@@ -249,9 +271,9 @@ def direction_judged(text: str, target: Target) -> Finding:
         return found(WRONG, "form", "words are no answer here")
     if turned_round(text, direction) is not False:
         return found(WRONG, "direction", f"it points another way: {direction}")
-    return (
-        Finding(RIGHT) if target.directional else found(WRONG, "form", "the direction is right; its size is asked for")
-    )
+    if target.directional:
+        return Finding(RIGHT)
+    return found(WRONG, "form", "the direction is right; its size is asked for")
 
 
 def plain(words: str) -> str:

@@ -71,9 +71,23 @@ class Letters(Struct, frozen=True, dict=True):
         return positive_letters(self.problem.givens)
 
     @cached_property
+    def answers(self) -> frozenset[str]:
+        """The names of all answers."""
+        return frozenset(answer.name for answer in self.solution.derivation.answers)
+
+    @cached_property
+    def told(self) -> frozenset[str]:
+        """The letters that answers may hold beside givens: those of all answers and of their components."""
+        parts = {
+            part.name for answer in self.solution.derivation.answers if not answer.rows for part in answer.components
+        }
+        return self.answers | (parts - self.givens)
+
+    @cached_property
     def closed(self) -> dict[str, Formula]:
         """The closed forms of the answers that have one, by name."""
-        return {a.name: a.closed for a in self.solution.derivation.answers if a.closed is not None}
+        forms = ((answer.name, self.written(answer.closed)) for answer in self.solution.derivation.answers)
+        return {name: form for name, form in forms if form is not None}
 
     def written(self, closed: Formula | None) -> Formula | None:
         """A closed form with the variables of its integrals as they are printed."""

@@ -13,7 +13,9 @@ from itertools import pairwise
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, Undefined, evaluate
+from rotsolve.algebra.certified.balls import RealBalls
 from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.core.registry import SPOKEN
@@ -96,16 +98,17 @@ class Working:
         holds = self.holds(left, right, text)
         if holds is not False:
             return Finding(outcome_of(holds))
-        numbers = one_is_a_number(left, right) or bool(
-            DECIMAL.search(text)
-        )  # which lost their units when they were read
-        return (None if numbers else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
+        unitless = one_is_a_number(left, right) or DECIMAL.search(text)  # numbers lost their units when they were read
+        return (None if unitless else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
 
     def identical(self, left: Formula, right: Formula) -> bool:
-        """Whether two sides are the same whatever their letters stand for."""
+        """Whether two sides are the same whatever their letters stand for: most differ where each letter has some number of its own."""
+        names = sorted(left.symbols() | right.symbols())
+        numbers = {name: arb(3 * place + 2) / (2 * place + 5) for place, name in enumerate(names)}
         try:
-            return equal(left, right)
-        except (ValueError, ArithmeticError):
+            gap = RealBalls({}, bound=numbers)(left - right)
+            return bool(gap.contains(0)) and equal(left, right)
+        except (Undefined, ValueError, ArithmeticError):
             return False
 
     def settled(self, name: str) -> bool:
@@ -132,10 +135,24 @@ class Working:
     def holds(self, left: Formula, right: Formula, text: str) -> bool | None:
         """Whether an equation holds on the scene's solution: exactly, or in its decimals."""
         sides = [self.told(side) for side in (left, right)]
-        held = self.same(*sides)
-        if held is True or not (DECIMAL.search(text) or one_is_a_number(left, right)):
-            return held
-        return self.nearly(*sides)
+        held = self.same(sides[0] - sides[1], ZERO)
+        if held is True or (held is None and self.is_law(left - right)):
+            return True
+        if DECIMAL.search(text) or one_is_a_number(left, right):
+            return self.nearly(*sides)
+        return False if held is None and self.differ(*sides) else held
+
+    def is_law(self, residue: Formula) -> bool:
+        """Whether an equation is a law of the scene, of whose letters not all have a closed form."""
+        laws = self.letters.meanings.laws
+        return any(
+            self.identical(residue, side) for law in laws for side in (law.left - law.right, law.right - law.left)
+        )
+
+    def differ(self, left: Formula, right: Formula) -> bool:
+        """Whether the numbers of both sides surely differ."""
+        gap = self.value(left - right)
+        return gap is not None and bool(gap.sign)
 
     def nearly(self, left: Formula, right: Formula) -> bool | None:
         """Whether both sides agree to the tolerance, as a share of their largest term; None where they have no number."""

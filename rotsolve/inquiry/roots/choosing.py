@@ -50,13 +50,8 @@ class RootChoice(Struct, frozen=True):
             return Choice(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
-            decided_by_size()
-            real = [real[place] for place in stable]
-            nearest = min(abs(entry[1]) for entry in real)
-            near = [entry for entry in real if abs(entry[1]) <= nearest * (1 + SAME)]
-            return Choice(
-                min(near, key=lambda entry: entry[1] < 0)[0], ("the stable one: a body displaced from it comes back",)
-            )
+            found = nearest([real[place] for place in stable])
+            return Choice(found, ("the stable one: a body displaced from it comes back",))
         reached = FirstReached(self.history, self.numbers, self.definition).choose(
             name, [(index, roots[index]) for index, _ in real]
         )
@@ -140,3 +135,12 @@ def smallest(entries: Sequence[tuple[int, float]]) -> int:
     if len(entries) > 1:
         decided_by_size()
     return min(entries, key=lambda entry: abs(entry[1]))[0]
+
+
+def nearest(entries: Sequence[tuple[int, float]]) -> int:
+    """The root nearest to zero, of two that are equally far the positive one."""
+    least = abs(min(entries, key=lambda entry: abs(entry[1]))[1])
+    near = [entry for entry in entries if abs(entry[1]) <= least * (1 + SAME)]
+    if len(entries) > 1:
+        decided_by_size()
+    return min(near, key=lambda entry: entry[1] < 0)[0]

@@ -6,13 +6,14 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
+from rotsolve.algebra.certified.witness import note
 from rotsolve.elements.connections import Friction
 from rotsolve.scene.keys import Element, Key, keys_of
 from rotsolve.scene.phrase.running import running_path
 from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
 from rotsolve.scene.words import hint, quoted
@@ -221,7 +222,10 @@ def friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         word: value(scope, written, Want(word, "number", f"mu_{word[0]}", owner, "nonnegative"))
         for word, (_, written) in entries.items()
     }
-    numbers = {word: rough(found, scope.numbers) for word, found in both.items() if found is not None}
+    known = {word: found for word, found in both.items() if found is not None}
+    numbers = {word: size(found, scope.numbers) for word, found in known.items()}
+    if len(known) > 1:
+        note(known["static"] - known["kinetic"])
     if smaller(numbers.get("static"), numbers.get("kinetic")):
         scope.fault(node, "kinetic friction can't be greater than static friction", kind="limits")
     return Friction("coefficient", both.get("static"), both.get("kinetic"))

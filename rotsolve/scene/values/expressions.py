@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping
 
+from rotsolve.algebra.certified.witness import note
 from rotsolve.algebra.formula import Formula, Quotient
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.tokens import FormulaError
@@ -15,7 +16,7 @@ from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values import pieces
 from rotsolve.scene.values.dims import an
 from rotsolve.scene.values.literals import Want, ambiguous, as_letter, share_of_pi, times_pi, unit_fault
-from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import hint, quoted
 
@@ -56,7 +57,10 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
 
 def divides_by_zero(scope: Scope, node: Text, formula: Formula) -> bool:
     for part in formula.walk():
-        if isinstance(part, Quotient) and rough(part.denominator, scope.numbers) == 0:
+        if not isinstance(part, Quotient):
+            continue
+        note(part.denominator)
+        if size(part.denominator, scope.numbers) == 0:
             scope.fault(node, f"{quoted(node.value)} divides by zero", kind="formula")
             return True
     return False

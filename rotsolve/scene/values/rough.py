@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
+from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
 CALLS: dict[str, Callable[[float], float]] = {}
@@ -24,6 +25,13 @@ CALLS["ellipk"] = elliptic
 
 
 def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:
+    """The value of a formula as a float, by whose size something is decided; None where there is none."""
+    if formula.symbols():
+        decided_by_size()
+    return size(formula, numbers)
+
+
+def size(formula: Formula, numbers: Mapping[str, float]) -> float | None:
     """The value of a formula as a float; None where a letter has no value or the float range is left."""
     try:
         value = evaluate(formula, numbers)
@@ -33,7 +41,7 @@ def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:
 
 
 def remember(numbers: dict[str, float], name: str, formula: Formula | None) -> None:
-    value = None if formula is None else rough(formula, numbers)
+    value = None if formula is None else size(formula, numbers)
     if value is not None:
         numbers[name] = value
 

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import re
 
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.certified.witness import note
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity
@@ -23,7 +24,7 @@ from rotsolve.scene.values.literals import (
     unknown,
     whole_literal,
 )
-from rotsolve.scene.values.rough import rough
+from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.words import quoted
 
@@ -96,8 +97,18 @@ def as_written(scope: Scope, formula: Formula, message: str) -> str:
     return message
 
 
+def gaps(formula: Formula, limits: str) -> tuple[Formula, ...]:
+    """What is not negative where a value lies within its limits."""
+    if not limits or not formula.symbols():
+        return ()
+    above = {"fraction": ONE - formula, "acute": PI / 2 - formula}
+    return (formula, above[limits]) if limits in above else (formula,)
+
+
 def check_limits(scope: Scope, node: Text, formula: Formula, want: Want) -> bool:
-    number = rough(formula, scope.numbers) if want.limits else None
+    number = size(formula, scope.numbers) if want.limits else None
+    for gap in gaps(formula, want.limits):
+        note(gap)
     shown = node.value.strip()
     given = scope.givens.get(shown)
     if given is not None and given.text:

@@ -1,4 +1,4 @@
-"""Progress: how far one long work has come, for those who wait for it at a terminal."""
+"""Advancing: a bar for one long calculation that writes nothing on its way."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from contextlib import contextmanager
 from time import monotonic
 from typing import Any
 
-PATIENCE = 1.0  # seconds before a progress bar is worth its place
+from rotsolve.run import PATIENCE
 
 
 @contextmanager
 def advancing(name: str) -> Iterator[Callable[[float], None]]:
-    """What tells how much of one long work has been done: once it takes long, and on a terminal, by a bar."""
+    """What tells how much has been done: once it takes long, and on a terminal, by a bar."""
     if not sys.stderr.isatty():
         yield lambda part: None
         return
