@@ -39,9 +39,7 @@ class Measured(Struct, frozen=True):
 def measured(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = False) -> Measured:
     """How a number in the typed unit is to be taken; `turns` says that a pure number counts turns."""
     if not typed.dimension.matches(dimension):
-        kind, asked = kind_of(typed.dimension), describe(dimension, article=True)
-        here = f" is the unit of {kind.words}" if kind is not None else " is another unit"
-        return Measured(fault=Remark("dimension", (f"{typed.text}{here}, but {asked} is asked for",)))
+        return Measured(fault=Remark("dimension", (other_dimension(typed, dimension),)))
     if dimension.matches(FREQUENCY):
         return of_rate(typed, wanted, dimension)
     if turns and typed.dimension == ANGLE:
@@ -49,6 +47,13 @@ def measured(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = Fals
             return Measured(ONE_UNIT)
         return Measured(fault=Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",)))
     return Measured(typed)
+
+
+def other_dimension(typed: Unit, dimension: Dimension) -> str:
+    """What is said of a unit that measures something else."""
+    kind, asked = kind_of(typed.dimension, "frequency" if hertz(typed) else None), describe(dimension, article=True)
+    here = f"is the unit of {kind.words}" if kind is not None else "is the unit of something else"
+    return f"{typed.text} {here}, but {asked} is asked for"
 
 
 def of_rate(typed: Unit, wanted: Unit, dimension: Dimension) -> Measured:
