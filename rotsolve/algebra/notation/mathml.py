@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from functools import lru_cache
 from html import escape
 
 from rotsolve.algebra.formula import Formula
@@ -18,6 +19,7 @@ UPRIGHT = '<mi mathvariant="normal">{}</mi>'.format
 UNIT = re.compile(r"(?P<word>[A-Za-zµμ_]+|[°%])(?:(?P<raised>[⁻⁺⁰¹²³⁴⁵⁶⁷⁸⁹]+)|\^\((?P<share>[^)]*)\))?|(?P<mark>.)")
 
 
+@lru_cache(1000)  # an answer is printed for thousands of variants
 def mathml(formula: Formula) -> str:
     """The formula as one MathML element, which belongs within `<math>`."""
     return typeset(formula, MARKS)
@@ -52,6 +54,7 @@ def subscript(text: str) -> str:
     return identifier(text) if len(greek(text)) == 1 else f"<mtext>{escape(text)}</mtext>"
 
 
+@lru_cache(1000)
 def unit(text: str) -> str:
     """A unit as it is printed, `kg m²/s`, upright and with raised powers."""
     return row("".join(map(unit_part, UNIT.finditer(text))))
