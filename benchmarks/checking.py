@@ -9,6 +9,7 @@ ways, numbers with units; no answer has a line twice. All times are processor ti
 from __future__ import annotations
 
 import argparse
+import gc
 import time
 from collections.abc import Callable, Iterator, Sequence
 from fractions import Fraction
@@ -23,6 +24,7 @@ from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, 
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.grading.comparing.equality import Domain, same
 from rotsolve.grading.reading import Names, read_answer
+from rotsolve.process import GARBAGE
 
 PROBLEMS = Path(__file__).resolve().parent.parent / "problems"
 EACH = 4  # of so many problem files, one is taken
@@ -155,6 +157,7 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--write", action="store_true", help="put the table into docs/benchmarks.md")
     told = parser.parse_args()
+    gc.set_threshold(GARBAGE)  # as in the command
     text = page(told.lines, told.seed)
     print(text)
     if told.write:

@@ -344,6 +344,9 @@ def key(
     raise typer.Exit(code)
 
 
+Problem = Annotated[
+    str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
+]
 Answers = Annotated[
     str | None,
     typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
@@ -370,7 +373,7 @@ Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, hel
 
 @app.command()
 def check(
-    problem: Scene,
+    problem: Problem,
     answers: Answers = None,
     typed: Typed = None,
     output: Report = None,

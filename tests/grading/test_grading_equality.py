@@ -344,6 +344,7 @@ def test_points_are_always_the_same() -> None:
         ("√((R - r)²)", "R - r", True),  # R > r in this scene
         ("√((r - R)²)", "r - R", False),
         ("|R - r|", "R - r", True),
+        ("2 ∫[0 → R] exp(x·x) dx", "∫[0 → R] exp(x·x) dx·2", True),
         ("|M - m|/(M + m)", "(M - m)/(m + M)", True),
         ("|M - R|", "M - R", None),  # letters of two dimensions have no order
         ("|β|", "β", False),  # an angle has both signs
@@ -370,6 +371,18 @@ def test_same(left: str, right: str, verdict: bool | None) -> None:
     assert found is verdict or (verdict is True and found is None and "√m + √M" in left)
 
 
+@pytest.mark.parametrize("scale", ["1e-15", "1e12"])
+def test_points_have_the_size_of_the_numbers(scale: str) -> None:
+    domain = Domain.of(
+        rotsolve.solve(SCENE.replace("m: 2 kg", f"m: {scale} kg").replace("M: 5 kg", f"M: 3{scale[1:]} kg"))
+    )
+    assert all(0.5 <= point["m"] / float(scale) <= 6 for point in domain.points)
+    one, other = (read_answer(text, LETTERS)[0].formula for text in ("½m(R²+r²)", "½M(R²+r²)"))
+    assert one is not None
+    assert other is not None
+    assert same(one, other, domain) is False
+
+
 def test_undeclared_letters_are_not_judged() -> None:
     strange = read_answer("2q", Names.of(["q"]))[0].formula
     assert strange is not None
@@ -382,9 +395,13 @@ def test_undeclared_letters_are_not_judged() -> None:
         "m(m+M+R+r+L+g)^64/(m+M+R+r+L+g)^64",
         "m + ((m+M+R+r)^30)^2 - ((m+M+R+r)^30)^2",
         "m√((m+M+R+r+g)^40)/√((m+M+R+r+g)^40)",
+        "m + ∫[0 → 1] exp(exp(exp(30 x))) dx",
         "m·exp(exp(exp(exp(9))))/exp(exp(exp(exp(9))))",
         "m + sin(10^60 R)",
         "m(1+1/(1+1/(1+1/(1+1/(1+R)))))^60",
+        "m + " + "√(R+" * 30 + "m" + ")" * 30 + " - " + "√(" * 30 + "m" + "+R)" * 30,
+        "m + " + "+".join(f"√(m+{n}R)" for n in range(1, 20)) + "".join(f"-√({n}R+m)" for n in range(1, 20)),
+        "m + " + "+".join(f"sin({n}β)" for n in range(1, 25)) + "".join(f"-sin({n}β)" for n in range(1, 25)),
     ],
 )
 def test_hostile_formulas_are_judged_in_time(text: str) -> None:

@@ -85,12 +85,12 @@ def read_number(text: str, start: int = 0) -> Fraction:
 def resolve(token: Token, names: Collection[str] | None, bound: Collection[str], *, split: bool) -> list[Token]:
     """What a run of name characters means: one symbol, constant or function, or several of them side by side."""
     raw = token.text
-    whole = _meaning(token, names, bound)
+    whole = one_name(token, names, bound)
     if whole is not None:
         return [whole]
     pieces = [Token("name", m[0], token.start + m.start(), token.start + m.end()) for m in re.finditer(SEGMENT, raw)]
     if names is not None and split:
-        found = _split(token, names, bound)
+        found = side_by_side(token, names, bound)
         if found:
             return found
         known = [*names, *bound, *FUNCTION_NAMES]
@@ -98,12 +98,12 @@ def resolve(token: Token, names: Collection[str] | None, bound: Collection[str],
     if len(pieces) == 1 or sum(len(piece.text) for piece in pieces) < len(raw):
         return [Token("symbol", spellings(raw)[0], token.start, token.end)]
     return [
-        _meaning(piece, names, bound) or Token("symbol", spellings(piece.text)[0], piece.start, piece.end)
+        one_name(piece, names, bound) or Token("symbol", spellings(piece.text)[0], piece.start, piece.end)
         for piece in pieces
     ]
 
 
-def _meaning(token: Token, names: Collection[str] | None, bound: Collection[str]) -> Token | None:
+def one_name(token: Token, names: Collection[str] | None, bound: Collection[str]) -> Token | None:
     """The token as one known name, function or constant; None if it is none."""
     raw = token.text
     candidates = spellings(raw)
@@ -120,7 +120,7 @@ def _meaning(token: Token, names: Collection[str] | None, bound: Collection[str]
     return Token("constant", "pi", token.start, token.end) if candidates[0] == "pi" else None
 
 
-def _split(token: Token, names: Collection[str], bound: Collection[str]) -> list[Token]:
+def side_by_side(token: Token, names: Collection[str], bound: Collection[str]) -> list[Token]:
     """The run as known names side by side, longest first; empty if it does not split fully."""
     raw = token.text[:MAX_RUN]
     size = len(token.text)
@@ -134,7 +134,7 @@ def _split(token: Token, names: Collection[str], bound: Collection[str]) -> list
             rest = parts[end]
             if rest is None:
                 continue
-            piece = _meaning(Token("name", raw[start:end], token.start + start, token.start + end), names, bound)
+            piece = one_name(Token("name", raw[start:end], token.start + start, token.start + end), names, bound)
             # A function comes last, before its argument, or in front of a Greek letter: `mgsin`, `cosθ`.
             if piece is not None and (piece.kind != "function" or not rest or not raw[end].isascii()):
                 parts[start] = [piece, *rest]

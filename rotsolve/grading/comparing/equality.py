@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.normal import equal
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.grading.comparing.forms import Yardstick, extent
 from rotsolve.grading.comparing.points import BITS, Point, Region, points_of, region_of
 
@@ -97,13 +97,13 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
     if left == right:
         return True
     reference = domain.reference(right)
-    tried = undefined = 0
+    if left.holds(Integral):
+        return reference.is_exactly(left)  # its values could take seconds
+    tried = undefined = met = 0
     for index, point in enumerate(reference.points):
         value = reference.value(index)
-        if value is None:
+        if value is None or not left.symbols() <= point.keys():
             continue
-        if not left.symbols() <= point.keys():
-            return None
         tried += 1
         try:
             other = value_at(left, point)
@@ -114,10 +114,10 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
             continue
         if not (other - value).contains(0):
             return False
-        if tried - undefined == 1:  # the first point at which both are defined
-            exact = reference.is_exactly(left)
-            if exact is not None:
-                return exact
+        met += 1
+        exact = reference.is_exactly(left) if met == 1 else None
+        if exact is not None:
+            return exact
     if undefined and undefined == tried:
         return False
     return reference.is_exactly(left) if not tried else None

@@ -29,6 +29,7 @@ from rotsolve.algebra.formula import (
 
 LETTERED = tuple(FUNCTIONS.keys() - set(RADICALS))
 HUGE = 10**9  # beyond this nobody counts terms
+NESTED = 8  # times that a term is worked with in a root within a root
 Rooted = tuple[Ratio, Ratio]  # q and p of q √p
 
 
@@ -172,7 +173,7 @@ def _has_root(node: Formula) -> bool:
 
 
 def extent(node: Formula) -> int:
-    """A bound on the number of terms of a formula that is multiplied out, also within its functions."""
+    """About how many terms the exact layer works with: those of the formula multiplied out, and more of them within functions."""
     return sum(_extents(node))
 
 
@@ -195,5 +196,6 @@ def _extents(node: Formula) -> tuple[int, int]:
     elif isinstance(node, Negative):
         above, below = _extents(node.operand)
     else:
-        above += sum([sum(_extents(child)) for child in node.children()])
+        within = isinstance(node, Call) and node.function in RADICALS and node.arguments[0].holds(*RADICALS)
+        above += (NESTED if within else 1) * sum([sum(_extents(child)) for child in node.children()])
     return min(above, HUGE), min(below, HUGE)

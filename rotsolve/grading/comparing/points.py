@@ -7,7 +7,6 @@ the closed forms rest is broken. A letter that may have either sign has both.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 from random import Random
 from typing import TYPE_CHECKING
 
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
 SEED = 20
 POINTS = 8
 BITS = 96
-GRAIN = 2**24  # values are whole multiples of 1/GRAIN of the scene's number, so that they are exact in binary
 TRIES = 24  # at one point, before the next ones are taken nearer to the scene's numbers
 SPREAD = 1.0  # values are from half to twice the scene's
 NEAREST = 0.01
@@ -120,9 +118,8 @@ def points_of(region: Region) -> tuple[Point, ...]:
 def _point(region: Region, random: Random, spread: float) -> Point | None:
     """Values of all letters, None where a bound is broken."""
     numbers = {letter.name: _number(letter, random, spread) for letter in region.letters}
-    values = {name: Fraction(round(number * GRAIN), GRAIN) for name, number in _ordered(region, numbers).items()}
     with Precision(BITS):
-        point: dict[str, Ball] = {name: arb(value.numerator) / value.denominator for name, value in values.items()}
+        point: dict[str, Ball] = {name: arb(number) for name, number in _ordered(region, numbers).items()}
         balls = RealBalls({}, bound=point)
         try:
             if any(balls(bound) < 0 for bound in region.bounds):

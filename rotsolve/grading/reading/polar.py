@@ -31,6 +31,7 @@ _WORD = (
     r"|measured|axis|[+\-−]?[xy](?=[\s-]axis|$)|counter-?clockwise|anti-?clockwise|clockwise"
 )
 _PHRASE = rf"(?i:(?:(?<![A-Za-z\\])(?:{_WORD})(?![A-Za-z])[\s,.$)\-]*)*)$"
+COUNTER = ("counter", "anti", "counterclockwise", "anticlockwise")  # before "clockwise"
 DEGREE, RADIAN = UNITS["deg"], UNITS["rad"]
 
 
@@ -64,17 +65,17 @@ def cut_polar(text: str, start: int) -> Cut | None:
 
 def heading(angle: Formula, half: Formula, cut: Cut, forks: Forks) -> Formula:
     """The angle counterclockwise from the right, where `half` is half a turn."""
-    if not cut.words - {"of", "to", "the"}:
-        return angle
-    if cut.any("clockwise") and not cut.any("counter", "anti", "counterclockwise", "anticlockwise"):
-        return negate(angle)
-    if cut.any("counter", "anti", "counterclockwise", "anticlockwise", "positive", "+"):
-        return angle
-    upright = cut.any("vertical", "y")
     down = cut.any("below", "under", "down", "downward", "downwards")
-    if not down and not cut.any("above", "over", "up", "upward", "upwards"):
+    upright = cut.any("vertical", "y")
+    placed = down or cut.any("above", "over", "up", "upward", "upwards")
+    if not cut.words - {"of", "to", "the"} or (cut.any(*COUNTER, "positive", "+") and not placed and not upright):
+        return angle
+    if cut.any("clockwise") and not cut.any(*COUNTER):
+        return negate(angle)
+    if not placed:
         down = not forks.choose(True)
-    left = cut.any("left", "negative", "-", "−") or (not cut.any("right") and not forks.choose(True))
+    right = cut.any("right", "positive", "+")
+    left = cut.any("left", "negative", "-", "−") or (not right and not forks.choose(True))
     if upright:
         angle = add(divide(half, Number(Fraction(2))), negate(angle))
     turned = add(half, negate(angle)) if left else angle

@@ -77,6 +77,8 @@ def between_digits(tokens: list[Token], index: int) -> bool:
 
 def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> Reading | None:
     """A vector in brackets, perhaps with a unit behind them; None where the line is none."""
+    if not any(token.kind in (",", ";") for token in tokens):
+        return None
     last = closing(tokens)
     if last < 0 or not any(token.kind in (",", ";") for token in tokens[1:last]):
         return None

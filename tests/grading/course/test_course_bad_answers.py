@@ -63,6 +63,18 @@ def test_other_encodings(content: bytes, message: str, made_up: Command) -> None
     assert (ran.code, ran.out, ran.err) == (2, "", f"error: {message}")
 
 
+@pytest.mark.parametrize(
+    "content", ["$" * 199_000, "a = g\n" * 9_999, "[" * 199_000, "a: " * 60_000, "$" * 10**6, "x\n" * 10**5]
+)
+@pytest.mark.parametrize("name", ["ada.txt", "ada.yaml"])
+def test_hostile_sheets_are_refused_in_no_time(name: str, content: str, made_up: Command) -> None:
+    Path(name).write_text(content, encoding="utf-8")
+    start = time.process_time()
+    ran = made_up(name)
+    assert (ran.code == 2 and ran.err.startswith("error: ")) or (name == "ada.txt" and content.startswith("a = g"))
+    assert time.process_time() - start < 5
+
+
 def test_a_file_that_is_not_there(made_up: Command) -> None:
     ran = made_up("none.csv")
     assert (ran.code, ran.err) == (2, "error: can't read `none.csv`: No such file or directory\n")

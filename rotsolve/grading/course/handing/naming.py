@@ -8,7 +8,10 @@ from collections.abc import Iterable
 from rotsolve.algebra.notation.letters import RUN, name_to_text, spellings
 
 LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
-LINE = re.compile(r"\s*(?P<name>[^=:]{1,60}?)\s*[=:](?![=:])\s*(?P<text>.*)", re.DOTALL)
+LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
+MATHEMATICS = re.compile(
+    r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL
+)  # $a = 2 m$ as a whole
 
 
 def meant(name: str, asked: Iterable[str]) -> str | None:
@@ -25,6 +28,7 @@ def meant(name: str, asked: Iterable[str]) -> str | None:
 
 
 def split(line: str) -> tuple[str, str] | None:
-    """`a = 2 m` or `a: 2 m` as name and text; None where the line is not of that form."""
-    match = LINE.fullmatch(line)
+    """`a = 2 m`, `a: 2 m` or `a ≈ 2 m` as name and text; None where the line is not of that form."""
+    whole = MATHEMATICS.fullmatch(line)
+    match = LINE.fullmatch(next(filter(None, whole.groups()), "") if whole else line)
     return (match["name"], match["text"].rstrip()) if match else None

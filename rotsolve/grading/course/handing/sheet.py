@@ -16,7 +16,7 @@ YAML = (".yaml", ".yml")
 STUDENT, VARIANT, WORKING = "student", "variant", "working"
 OWN = (STUDENT, VARIANT, WORKING)  # keys beside the names of the answers
 MARGIN = re.compile(r"\s|#|-\s|[\w\\$]+:(\s|$)")  # how each line of a YAML map begins
-LINES = 10_000
+LINES, LONGEST = 10_000, 200_000
 
 
 def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
@@ -25,8 +25,9 @@ def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
     lines = text.split("\n")
     if not text.strip():
         raise HandedInError([Fault("nothing is handed in", None, f"write `{asked[0]} = …`", "file")], (), file)
-    if len(lines) > LINES:
-        raise HandedInError([Fault(f"more than {LINES} lines", None, "hand in one student's answers")], (), file)
+    if len(lines) > LINES or len(text) > LONGEST:
+        message = f"more than {LINES} lines or {LONGEST} characters"
+        raise HandedInError([Fault(message, None, "hand in one student's answers; a class is a .csv")], (), file)
     named_so = file.lower().endswith(YAML)
     if named_so or all(MARGIN.match(line) for line in lines if line):
         return from_yaml(text, file, asked)

@@ -135,7 +135,12 @@ class Grammar(Parser):
 
     def exponent(self, base: Formula, start: int) -> Formula:
         """The exponent; one that begins without a bracket may go on: `e^-kt`, `x^1/2`."""
-        closed = self.token.kind == "raised" or self.tokens[self.index + 1].kind in ("(", "[")
+        if self.token.kind == "raised":
+            mark = self.next()
+            raised = _plain(from_superscript(mark.text))
+            check_power(base, raised, start, mark.end)
+            return raised
+        closed = self.tokens[self.index + 1].kind in ("(", "[")
         result = super().exponent(base, start)
         if closed:
             return result
@@ -166,7 +171,7 @@ class Grammar(Parser):
         """A function of what stands in brackets or, without them, of what follows."""
         name = "sqrt" if token.kind == "√" else token.text
         if name not in FUNCTIONS and name not in RECIPROCAL:
-            return super().function(token)
+            return super().function(token)  # integral(f, x, a, b)
         power = self.function_power(token) if self.token.kind in ("^", "raised") and name != "sqrt" else None
         if power is not None and power.value == -1 and name in INVERSE and self.forks.choose(True):
             name, power = INVERSE[name], None

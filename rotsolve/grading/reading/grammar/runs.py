@@ -7,7 +7,15 @@ from functools import lru_cache
 
 from rotsolve.algebra.formula import FUNCTIONS
 from rotsolve.algebra.notation.letters import SUBSCRIPTS
-from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, UnknownName, resolve
+from rotsolve.algebra.notation.tokens import (
+    FUNCTION_NAMES,
+    FormulaError,
+    Token,
+    UnknownName,
+    one_name,
+    resolve,
+    side_by_side,
+)
 from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 
 _FUNCTION = "|".join(
@@ -23,10 +31,13 @@ def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
     """The letters and functions side by side in a run, with their columns in it; None where it holds anything else."""
     if run in RECIPROCAL and run not in names:
         return (Token("function", run, 0, len(run)),)
+    token = Token("name", run, 0, len(run))
     try:
-        return tuple(resolve(Token("name", run, 0, len(run)), names, (), split=True))
+        whole = one_name(token, names, ())
+        found = [whole] if whole is not None else side_by_side(token, names, ())
     except FormulaError:
-        return _around_function(run, names)
+        return None  # a part of it could be two of them
+    return tuple(found) if found else _around_function(run, names)
 
 
 def _around_function(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:

@@ -10,36 +10,23 @@ from collections.abc import Callable
 from unicodedata import normalize
 
 from rotsolve.algebra.notation.cursor import MAX_NESTING
-from rotsolve.algebra.notation.letters import FRACTIONS, RUN
+from rotsolve.algebra.notation.letters import FRACTIONS, GREEK_LETTERS, RUN
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, SAME_MARK, FormulaError, Token
 from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
 
 MAX_LENGTH = 600
 MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
-MARKS |= {
-    "⟨": "(",
-    "⟩": ")",
-    "∣": "|",
-    "≈": "=",
-    "≃": "=",
-    ":=": "=",
-    "==": "=",
-    "º": "°",
-    "{": "(",
-    "}": ")",
-    "＝": "=",
-}
-RELATIONS = ("<", ">", "≤", "≥", "≠", "<=", ">=", "!=")
+MARKS |= dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "=") | {"⟨": "(", "⟩": ")", "∣": "|", "º": "°"}
 _TOKEN = re.compile(
     rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
     r"|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
-PLAIN = frozenset(("space", "mark", "number", "fraction", "raised"))
-_CALLED = re.compile(rf"(?<![A-Za-z]_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
+_CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
 _INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
 _MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
+_CHANGED = re.compile(rf"\s*(?:\\({'|'.join(GREEK_LETTERS)})(?![A-Za-z])|([A-Za-z]))")
 _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
@@ -51,19 +38,8 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
         raise FormulaError(message, MAX_LENGTH, len(text))
     reader = _Reader(text if end is None else text[:end])
     at, last = start, len(reader.text)
-    emit, read, step = reader.tokens.append, _TOKEN.match, reader.step
     while at < last:
-        match = read(reader.text, at)
-        kind = match.lastgroup if match else None
-        if kind in PLAIN and match:  # what is read most goes the shortest way
-            if kind == "mark":
-                found = MARKS.get(match[0], match[0])
-                emit(Token(found, found, at, match.end()))
-            elif kind != "space":
-                emit(Token(kind, match[0], at, match.end()))
-            at = match.end()
-        else:
-            at = step(at)
+        at = reader.step(at)
     reader.emit("end", "", last, last)
     return reader.tokens
 
@@ -83,23 +59,19 @@ class _Reader:
         match = _TOKEN.match(self.text, at)
         assert match is not None
         kind, found, end = str(match.lastgroup), match[0], match.end()
-        if kind == "space":
-            return end
+        special = _SPECIAL.get(kind)
+        if special is not None:
+            return special(self, found, at, end)
         if kind == "mark":
-            found = MARKS.get(found, found)
-            self.emit(found, found, at, end)
-        elif kind == "name":
-            return self.name(found, at, end)
-        elif kind in _SPECIAL:
-            return _SPECIAL[kind](self, found, at, end)
-        else:
-            self.emit(kind, found, at, end)
+            kind = found = MARKS.get(found, found)
+        if kind != "space":
+            self.tokens.append(Token(kind, found, at, end))
         return end
 
     def name(self, found: str, start: int, end: int) -> int:
         """A run of letters, with its index where that stands in braces: `v_{end}`."""
         called = _CALLED.search(found)
-        if called:  # sin2θ is sin 2θ
+        if called and found not in FUNCTION_NAMES:  # sin2θ is sin 2θ, but atan2 is atan2
             self.emit("name", found[: called.end()], start, start + called.end())
             return start + called.end()
         bare = found.rstrip("_")
@@ -146,6 +118,9 @@ class _Reader:
         word = found[1:]
         if word in SILENT:
             return end
+        change = _CHANGED.match(self.text, end) if word == "Delta" else None
+        if change:  # \Delta K is ΔK
+            return self.name("Δ" + (change[2] or NAMES.get(change[1], "")), start, change.end())
         if word in NAMES:
             return self.name(NAMES[word], start, end)
         if word in FRACTION:
@@ -210,9 +185,11 @@ class _Reader:
         """The content of \\text{…} and its like, which only says how letters are set."""
         while self.text[at : at + 1].isspace():
             at += 1
-        if self.text.startswith("{", at):
-            return self.inside(at, at + 1)
-        return self.argument(start, at)
+        at = self.inside(at, at + 1) if self.text.startswith("{", at) else self.argument(start, at)
+        if self.text.startswith("_", at) and self.tokens and self.tokens[-1].kind == "name":
+            named = self.tokens.pop()  # \mathrm{hp}_{m}
+            return self.name(named.text, named.start, at)
+        return at
 
     def other(self, found: str, start: int, end: int) -> int:
         """A character that is no mark: the plain letter that it is a form of, such as 𝑚 or ｍ."""
@@ -229,6 +206,7 @@ class _Reader:
 
 
 _SPECIAL: dict[str, Callable[[_Reader, str, int, int], int]] = {
+    "name": _Reader.name,
     "command": _Reader.command,
     "brace": _Reader.brace,
     "degree": _Reader.degree,
