@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.formula import Formula, Integral, Number
+from rotsolve.algebra.formula import Integral, Number
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
@@ -144,17 +144,14 @@ def test_figures(number: str, sought: str, figures: int, holds: bool) -> None:
     assert within(typed, value, Tolerance("", figures=figures), parse_unit("m")) is holds
 
 
-def takes_latex(formula: Formula) -> bool:
-    """Whether a student may write it in LaTeX: integrals, elliptic integrals and letters of several characters are not read so."""
-    return not formula.holds(Integral, "ellipk") and "\\mathrm{hp}" not in to_latex(formula)
-
-
 def printed(answer: Answer) -> list[str]:
     """An answer as the program prints it: its exact form in three notations, its number with its unit, its word."""
     found = [answer.word] if answer.word else []
     if answer.formula is not None:
         found += [to_text(answer.formula), to_text(answer.formula, unicode=False)]
-        found += [to_latex(answer.formula)] if takes_latex(answer.formula) else []
+        found += (
+            [] if answer.formula.holds(Integral) else [to_latex(answer.formula)]
+        )  # an integral sign of LaTeX is not read
     if answer.value is not None:
         found.append(TEXT.amount(answer, 6))
         found += [f"{TEXT.amount(answer, 6)}, {answer.direction}"] if answer.direction else []
