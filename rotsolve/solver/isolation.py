@@ -94,9 +94,11 @@ class Isolation(Textbook, kw_only=True):
         gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
         if gap.symbols() - set(self.values) - {asked}:
             raise NoClosedForm("it has no closed form, and not every given has a number")
-        from rotsolve.algebra.certified.rootfind import real_roots
+        from rotsolve.algebra.certified.rootfind import is_identity, real_roots
 
         for reach in REACHES:
+            if is_identity(gap, asked, self.values, reach):
+                raise Redundant(item.index)
             found = real_roots(gap, asked, self.values, -reach, reach).roots
             if found:
                 picked = self.choose(asked, [as_formula(root) for root in found], None)

@@ -7,7 +7,7 @@ import math
 import mpmath
 import pytest
 
-from rotsolve.core.faults import SceneError
+from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.pipeline import solve
 
 
@@ -139,3 +139,17 @@ find: {theta: theta, tau: wire.torque at rest, h: L*sin(theta)}
         root = mpmath.findroot(lambda x: mpmath.mpf("9.8") * mpmath.cos(x) + 3 * x, -1.2)
         for name, value in {"theta": root, "tau": -3 * root, "h": mpmath.sin(root)}.items():
             assert answers[name].value == mpmath.nstr(value, 30, strip_zeros=False), name
+
+
+def test_an_equation_that_every_value_fulfils_gives_no_root() -> None:
+    """Energy with the time and the turn that the same law tells: true at any speed, though its logarithms do not show it."""
+    with pytest.raises(Unsolvable, match="too little is known"):
+        solve("""
+title: A wheel with a motor of given power beside a couple, and nothing said of its end
+given: {M: 3 N m, P: 1 W, I: 390 kg m^2, w: 1.5 rad/s}
+bodies: {wheel: {inertia: I}}
+connections: {axle: {axle: wheel}}
+actions: {pull: {couple: M, on: wheel}, motor: {power: P, on: wheel}}
+states: {one: {wheel.angular_velocity: w}, two: {}}
+find: {x: lost wheel.angular_velocity from one to two}
+""")

@@ -151,3 +151,19 @@ find: {u: disc.angular_velocity at full, q: sand.radius at full}
     own = 6 * 0.25 / 2
     assert found["u"] == pytest.approx(own * 5 / (own + 3 * 0.16))
     assert found["q"] == pytest.approx(0.4)
+
+
+@pytest.mark.parametrize("bodies", ["one: {inertia: I}, two: {inertia: J}", "two: {inertia: J}, one: {inertia: I}"])
+@pytest.mark.parametrize(("pair", "sign"), [("[one, two]", 1), ("[two, one]", -1)])
+def test_the_torque_of_a_clutch_is_that_on_the_body_that_it_names_last(bodies: str, pair: str, sign: int) -> None:
+    found = values(f"""
+title: A motor takes a disc along by a clutch that sticks
+plane: horizontal
+given: {{I: {FIRST} kg m^2, J: {SECOND} kg m^2, tau: {TAU} N m, T: 5 N m}}
+bodies: {{{bodies}}}
+connections: {{axle: {{axle: {pair}}}, grip: {{clutch: {pair}, friction_torque: tau}}}}
+actions: {{motor: {{couple: T, on: one}}}}
+states: {{start: at rest}}
+find: {{x: grip.torque}}
+""")
+    assert found["x"] == pytest.approx(sign * 5 * SECOND / (FIRST + SECOND))

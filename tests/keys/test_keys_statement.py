@@ -7,7 +7,8 @@ import pytest
 from rotsolve.keys.statement import Statement, in_words, paragraphs, statement
 from rotsolve.keys.variants import worked_variants
 from rotsolve.render.layout import release
-from rotsolve.render.voice import HTML, TEXT, Voice
+from rotsolve.render.prose import HTML
+from rotsolve.render.voice import TEXT, Voice
 from rotsolve.scene.read import read_text
 
 SCENE = """\

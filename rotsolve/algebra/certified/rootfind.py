@@ -16,6 +16,7 @@ from rotsolve.algebra.formula import Formula, Number, formula
 
 BUDGET = 3000  # intervals looked at
 SPLIT = Fraction(489, 1000)  # not the middle, where roots of tidy problems are
+PLACES = tuple(Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891))  # where an identity shows
 NARROW = 60  # bits of relative width below which an undecided interval is given up
 
 
@@ -72,6 +73,17 @@ def real_roots(
     return Roots(tuple(sorted(found, key=lambda root: root.float)), complete)
 
 
+def is_identity(f: Formula, name: str, values: Values, reach: int) -> bool:
+    """Whether f = 0 for every `name`: it is exactly so wherever it is looked at from −reach to reach and is defined at all.
+
+    It finds what the exact layer can't know of letters: ln(u/v) + ln(v/u), where the signs of u and v depend on the unknown.
+    """
+    g = resolve(f, {key: value for key, value in values.items() if key != name})
+    function = _Function(g, g, name)
+    told = [_vanishes(function, reach * place) for place in PLACES]
+    return sum(one is not None for one in told) > 1 and all(one is not False for one in told)
+
+
 def _end(value: Formula | Fraction | int, values: Values, upper: bool) -> Fraction:
     """An end of the interval as a fraction, rounded outwards."""
     resolved = resolve(formula(value), values)
@@ -103,14 +115,14 @@ def _isolate(function: _Function, first: Fraction, last: Fraction) -> tuple[list
     return found, complete
 
 
-def _vanishes(function: _Function, x: Fraction) -> bool:
-    """Whether x is a root, exactly."""
+def _vanishes(function: _Function, x: Fraction) -> bool | None:
+    """Whether x is a root, exactly; None where the function is not defined."""
     try:
         if not function(_point(x)).contains(0):
             return False
         return is_zero(function.f.substitute({function.name: Number(x)}))
     except (Undefined, ZeroDivisionError):
-        return False
+        return None
 
 
 def _look(function: _Function, low: Fraction, high: Fraction, exact: set[Fraction]) -> str:
@@ -147,7 +159,7 @@ def _certify(function: _Function, piece: tuple[Fraction, Fraction], digits: int)
         return _newton(function, low, high, more)
 
     def equals(value: Fraction) -> bool:
-        return low < value < high and _vanishes(function, value)
+        return low < value < high and bool(_vanishes(function, value))
 
     return Certified(refine(digits), refine, equals)
 

@@ -45,7 +45,9 @@ class OfElements(Moment, frozen=True):
             case "normal_force" | "friction_force":
                 return self._contact_force(path, forces)
             case "torque":
-                parts = [signed(couple.torque, body.motion.sense) for body, couple in couples[-1:]]
+                last = self._last_body(path.owner, [body.name for body, _ in couples]) if couples else ""
+                own = [(body, couple) for body, couple in couples if body.name == last]
+                parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
                 parts += [signed(force.torque, body.motion.sense) for body, force in forces]
                 return total([part for part in parts if part != ZERO])
             case "force":
@@ -186,7 +188,7 @@ class OfElements(Moment, frozen=True):
         return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
-        """Of the bodies that it pushes, the one that the connection names last."""
+        """Of the bodies on which it acts, the one that the connection names last."""
         instant = self.instant
         item = next((item for item in instant.arrangement.connections(instant.state) if item.name == owner), None)
         named = (
