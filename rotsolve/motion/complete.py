@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.connections import guide
@@ -90,6 +91,9 @@ def _connection(item: Connection, letters: _Letters, held: Container[str]) -> Co
     if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
         return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
     if isinstance(item, Contact) and item.contact[1].owner in held:
+        if len(item.contact) > 2:
+            message = f"two wheels rub on each other in a contact, and `{item.name}` names {len(item.contact)} bodies"
+            raise Unsolvable(message, span=item.contact[2].span, help="write a contact for each two that touch")
         press = item.press or letters.make("F", item.name, "force")
         return Rims(item.name, item.contact, press, item.friction)
     return item

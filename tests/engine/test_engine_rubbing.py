@@ -6,6 +6,7 @@ import pytest
 
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.notation.parse import parse
+from rotsolve.core.faults import Unsolvable
 from rotsolve.pipeline import solve
 
 FIRST, SECOND, TAU = 2.0, 3.0, 6.0
@@ -167,3 +168,13 @@ states: {{start: at rest}}
 find: {{x: grip.torque}}
 """)
     assert found["x"] == pytest.approx(sign * 5 * SECOND / (FIRST + SECOND))
+
+
+def test_three_wheels_in_one_contact_are_refused_by_name() -> None:
+    with pytest.raises(Unsolvable, match="two wheels rub on each other in a contact, and `touch` names 3 bodies"):
+        solve("""
+title: Three wheels
+bodies: {a: {radius: 1 m, mass: 1 kg}, b: {radius: 1 m, mass: 1 kg}, c: {radius: 1 m, mass: 1 kg}}
+connections: {one: {axle: a}, two: {axle: b}, three: {axle: c}, touch: {contact: [a, b, c]}}
+find: {x: a.angular_acceleration}
+""")

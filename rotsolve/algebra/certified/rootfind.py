@@ -16,7 +16,9 @@ from rotsolve.algebra.formula import Formula, Number, formula
 
 BUDGET = 3000  # intervals looked at
 SPLIT = Fraction(489, 1000)  # not the middle, where roots of tidy problems are
-PLACES = tuple(Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891))  # where an identity shows
+PLACES = tuple(
+    Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891)
+)  # where an identity shows
 NARROW = 60  # bits of relative width below which an undecided interval is given up
 
 
