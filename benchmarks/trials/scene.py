@@ -9,7 +9,7 @@ from typing import Any
 import yaml
 
 Scene = dict[str, Any]
-ASIDE = ("text", "source", "answers", "limits")  # what no answer depends on
+ASIDE = ("text", "source", "answers", "marking", "vary")  # what no answer depends on
 NAME = re.compile(r"(?<![\w.])[A-Za-z_]\w*")
 
 
