@@ -183,3 +183,17 @@ actions: {m: {couple: 2 N m, on: w}}
 find: {x: w.angular_acceleration}
 """)
     assert solution.answers["x"].formula is not None
+
+
+@pytest.mark.parametrize("height", ["0.5 m", "1e-6 m", "5e-12 m", "1e-30 m"])
+def test_a_state_that_is_never_reached_is_refused_however_near_it_is(height: str) -> None:
+    with pytest.raises(Unsolvable, match="never reached"):
+        solve(f"""
+title: A load too light to move a block
+given: {{m1: 300 kg, m2: 2 kg, M: 300 kg, mu: 0.25, h: {height}}}
+surfaces: {{table: level}}
+bodies: {{block: {{mass: m1, moves: right}}, pulley: {{shape: disc, mass: M, turns: clockwise}}, load: {{mass: m2, moves: down}}}}
+connections: {{base: {{contact: [block, table], friction: mu}}, axle: {{axle: pulley}}, cord: {{string: [block, pulley, load]}}}}
+states: {{start: at rest, fallen: {{load.displacement: h}}}}
+find: {{a: load.acceleration, v: load.velocity at fallen}}
+""")

@@ -15,7 +15,7 @@ from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.certified.witness import decided_by_size, note, watched
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import POSITION, RATE, at_any_time
@@ -178,7 +178,7 @@ class Numbers(Struct, frozen=True):
         left, right = (self.size(side, **more) for side in (equation.left, equation.right))
         if left is None or right is None:
             return False
-        terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in side.children())
+        terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in terms_of(side))
         scale = max((abs(term).upper() for term in (left, right, *terms) if term is not None), default=arb(0))
         return bool(abs(left - right) > TOLERANCE * scale)
 
@@ -190,9 +190,14 @@ class Numbers(Struct, frozen=True):
         if name in slope.symbols() or rate is None:
             return False
         if rate.contains(0):
-            terms = [abs(size) for term in slope.children() if (size := self.size(term)) is not None]
+            terms = [abs(size) for term in terms_of(slope) if (size := self.size(term)) is not None]
             vanishes = rate.is_zero() or abs(rate).upper() <= NOTHING * max(terms, default=arb(0)).upper()
             return vanishes and self.clash(equation, **{name: arb(1)})
         if rest is not None:
             self.found[name] = -rest / rate
         return False
+
+
+def terms_of(value: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum, by whose size its roundings count; of a product nothing but itself: its factors have other units."""
+    return value.terms if isinstance(value, Sum) else (value,)
