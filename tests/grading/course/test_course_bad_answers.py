@@ -103,6 +103,7 @@ def test_wrong_usage(arguments: list[str], message: str, made_up: Command) -> No
     ("typed", "message"),
     [
         (["g"], "which answer is this?\n  --> --answer:1:1\n 1 | g\n   | ^\nhelp: write `a = …`; asked: a, alpha, T"),
+        (["a = "], "there is no answer\n  --> --answer\nhelp: write `a = …`; asked: a, alpha, T"),
         (["b = g"], "`b` is not asked\n  --> --answer:1:1\n 1 | b = g\n   | ^\nhelp: asked: a, alpha, T"),
         (["alfa = g"], "`alfa` is not asked\n  --> --answer:1:1\n 1 | alfa = g\n   | ^^^^\nhelp: did you mean `alpha`? asked: a, alpha, T"),
         (["a = g", "a = 2 g"], "`a` is answered twice\n  --> --answer:2:1\n 2 | a = 2 g\n   | ^\nhelp: leave one out"),

@@ -122,9 +122,10 @@ def from_answers(texts: Sequence[str], asked: Sequence[str]) -> Paper:
             answers[asked[0]] = text.strip()
         else:
             faults.append(unnamed(text, said[0] if said else "", number, asked))
-    if faults:
-        raise HandedInError(faults, texts, "--answer")
-    return Paper("", answers)
+    given = {name: text for name, text in answers.items() if text}
+    if faults or not given:
+        raise HandedInError(faults or [none_of(asked, "=")], texts, "--answer")
+    return Paper("", given)
 
 
 def unnamed(text: str, name: str, number: int, asked: Sequence[str]) -> Fault:
