@@ -111,6 +111,8 @@ def entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
     if any(len(text) > LONGEST for text in cells):
         return Entry(line, student, None, (f"a cell has more than {LONGEST} characters",))
     remarks = []
+    if len(cells) > found.width:  # an answer with a separator in it may have shifted the others
+        remarks.append(f"the row has {len(cells)} cells, the first line {found.width}")
     if not student and found.student is not None:
         remarks.append("the row has no name")
     beyond = [name for name, place in found.answers.items() if place >= len(cells)]
