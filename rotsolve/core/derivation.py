@@ -76,7 +76,8 @@ class Answer(Struct, frozen=True):
     """An asked quantity: exact form, certified value in `unit`, and its direction in words.
 
     `formula` is None where no closed form exists; `value`, signed like it, is None where a given has no number. `direction` is that of
-    the value with its sign ("−12.73 rad/s², i.e. clockwise"). `components` hold the parts of a vector answer, whose `formula` and
+    the value with its sign ("−12.73 rad/s², i.e. clockwise"), and `positive` that of a positive value where a negative one has another.
+    `components` hold the parts of a vector answer, whose `formula` and
     `value` are the size; `angle` is that of a slanted vector to the horizontal, in degrees; `brief` vectors are told by
     size and direction alone where people read. `closed` is the closed form in givens alone; `formula` may hold other answers.
     """
@@ -94,6 +95,7 @@ class Answer(Struct, frozen=True):
     angle: Certified | None = None
     brief: bool = False
     closed: Formula | None = None
+    positive: str = ""
 
     @property
     def rows(self) -> tuple[tuple[Answer, ...], ...]:

@@ -100,7 +100,7 @@ class Problems:
                 found.append((name, worked))
             tell(number / count)
             if found:
-                yield Sheet(number if self.request.variants else 0, tuple(found))
+                yield Sheet(number if self.request.variants else 0, tuple(found), self.request.seed)
 
 
 def names(files: Sequence[str]) -> list[str]:

@@ -15,15 +15,16 @@ from rotsolve.render.options import Options
 
 
 class Sheet(Struct, frozen=True):
-    """The problems of one variant by their names; its number is 0 where there are no variants."""
+    """The problems of one variant by their names; its number is 0 where there are no variants, which are drawn by the seed."""
 
     variant: int
     problems: tuple[tuple[str, Worked], ...]
+    seed: int = 0
 
     @property
     def mark(self) -> str:
         """What tells the variant behind a title."""
-        return f", variant {self.variant}" if self.variant else ""
+        return f", variant {self.variant} (seed {self.seed})" if self.variant else ""
 
 
 def problem_sheet(sheet: Sheet, layout: Layout) -> str:
@@ -40,6 +41,8 @@ def statement_lines(sheet: Sheet, layout: Layout) -> Iterator[str]:
         if said.givens:
             yield layout.paragraph("Given", ", ".join(said.givens))
         yield layout.paragraph("Find", "; ".join(said.finds))
+        if said.positive:
+            yield layout.paragraph("Positive", "; ".join(said.positive))
 
 
 def key_lines(sheet: Sheet, layout: Layout, digits: int) -> Iterator[str]:

@@ -10,6 +10,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.letters import greek
 from rotsolve.algebra.notation.letters import parts as letter_parts
+from rotsolve.core.derivation import Answer
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
 from rotsolve.keys.working import Worked
@@ -24,12 +25,14 @@ AXES = ("x", "y", "z", "xx", "yy", "zz", "xy", "yz", "zx")
 
 
 class Statement(Struct, frozen=True):
-    """The title, the paragraphs of the text, the givens that it does not name, and what is asked, as one format sets them."""
+    """The title, the paragraphs of the text, the givens that it does not name, what is asked, and which way answers are positive, as one
+    format sets them."""
 
     title: str
     text: tuple[str, ...]
     givens: tuple[str, ...]
     finds: tuple[str, ...]
+    positive: tuple[str, ...]
 
 
 def statement(worked: Worked, voice: Voice) -> Statement:
@@ -48,6 +51,7 @@ def statement(worked: Worked, voice: Voice) -> Statement:
         tuple(filled(paragraph, givens, letters, voice) for paragraph in paragraphs(problem.text)),
         tuple(voice.math(voice.given(given)) for given in others),
         tuple(asked(problem.finds, voice)),
+        tuple(directions(worked.answers, voice)),
     )
 
 
@@ -98,6 +102,13 @@ def asked(finds: tuple[Find, ...], voice: Voice) -> Iterator[str]:
         said = options(find) if find.choice is not None else in_words(find.text)
         plain = not said or said.split()[0] == find.group  # a letter of the scene, which the text speaks of
         yield letter if plain else f"{letter} ({voice.prose(said)})"
+
+
+def directions(answers: tuple[Answer, ...], voice: Voice) -> Iterator[str]:
+    """Which way answers are positive: a: down the slope."""
+    for answer in answers:
+        if answer.positive:
+            yield f"{voice.math(voice.formula(answer.symbol))}: {voice.prose(answer.positive)}"
 
 
 def options(find: Find) -> str:

@@ -16,7 +16,7 @@ from rotsolve.render.json import answer_data, given_data
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
 
-PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find")
+PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
 NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 ACTIVE = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet takes what begins so for a formula
@@ -25,7 +25,7 @@ ACTIVE = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet takes what begins so 
 def plain(worked: Worked) -> Statement:
     """What a problem says, as plain text."""
     said = statement(worked, TEXT)
-    lists = (tuple(map(release, items)) for items in (said.text, said.givens, said.finds))
+    lists = (tuple(map(release, items)) for items in (said.text, said.givens, said.finds, said.positive))
     return Statement(release(said.title), *lists)
 
 
@@ -36,7 +36,8 @@ def problems_data(sheet: Sheet) -> dict[str, Any]:
 
 
 def statement_data(said: Statement) -> dict[str, Any]:
-    return {"title": said.title, "text": "\n".join(said.text), "given": list(said.givens), "find": list(said.finds)}
+    lists = {"given": said.givens, "find": said.finds, "positive": said.positive}
+    return {"title": said.title, "text": "\n".join(said.text), **{key: list(items) for key, items in lists.items()}}
 
 
 def key_data(sheet: Sheet, digits: int) -> dict[str, Any]:
@@ -57,14 +58,14 @@ def key_data(sheet: Sheet, digits: int) -> dict[str, Any]:
 
 def marked(sheet: Sheet, problems: list[dict[str, Any]]) -> dict[str, Any]:
     """The problems with the number of their variant."""
-    return {**({"variant": sheet.variant} if sheet.variant else {}), "problems": problems}
+    return {**({"variant": sheet.variant, "seed": sheet.seed} if sheet.variant else {}), "problems": problems}
 
 
 def problem_rows(sheet: Sheet) -> Iterator[tuple[str, ...]]:
     """The statements of one variant, a row each."""
     for name, worked in sheet.problems:
         said = plain(worked)
-        lists = (" ".join(said.text), "; ".join(said.givens), "; ".join(said.finds))
+        lists = (" ".join(said.text), *("; ".join(items) for items in (said.givens, said.finds, said.positive)))
         yield (str(sheet.variant or ""), name, said.title, *lists)
 
 

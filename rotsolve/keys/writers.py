@@ -60,6 +60,8 @@ class Pages(Writer):
         return f"{word}{number}{self.chosen.suffixes[0]}"
 
     def add(self, sheet: Sheet) -> Iterator[File]:
+        if sheet.variant and not self.sheets:
+            self.key.append(self.layout.paragraph("", f"Variants by seed {sheet.seed}"))
         page = problem_sheet(sheet, self.layout)
         self.sheets.append(page)
         self.key.extend(key_lines(sheet, self.layout, self.digits))

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.certified.ball import decimal_text, evaluate
+from rotsolve.algebra.certified.ball import Certified, decimal_text, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
@@ -204,3 +204,15 @@ def test_elliptic_integral_is_the_integral_of_its_definition() -> None:
     root = call("sqrt", ONE - m * call("sin", turn) ** 2)
     quarter = Integral(ONE / root, "x", ZERO, PI / 2)
     assert evaluate(quarter, {}, digits=20).text(15) == evaluate(call("ellipk", m), {}, digits=20).text(15)
+
+
+def test_a_number_is_told_from_a_near_one_by_a_finer_ball() -> None:
+    """exp(125/19) and its like were asked of exact algebra, for minutes, wherever many digits were wanted."""
+    asked: list[Fraction] = []
+    known = evaluate(parse("exp(-x)*sqrt(m1*(exp(2*x) - 1))"), {"x": f("125/19"), "m1": f("298")})
+    number = Certified(known.ball, known.refine, lambda value: bool(asked.append(value)))
+    text, sure = number.figures(30)
+    assert sure == 30 and text == known.figures(30)[0] and not asked
+    exact = evaluate(parse("sqrt(2)*sqrt(8)"), {})
+    assert Certified(exact.ball, exact.refine, lambda value: bool(asked.append(value))).figures(30)[1] == 30
+    assert asked == [4]  # what is a short number is still tested

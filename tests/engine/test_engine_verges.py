@@ -197,3 +197,29 @@ connections: {{base: {{contact: [block, table], friction: mu}}, axle: {{axle: pu
 states: {{start: at rest, fallen: {{load.displacement: h}}}}
 find: {{a: load.acceleration, v: load.velocity at fallen}}
 """)
+
+
+LET_DOWN_ON_A_SPRING = """
+given: {m2: 1.5 kg, M: 1 kg, R: 10 cm, m1: 2 kg, k: 0.16e-5 N/m, h: 0.1600000000000000000000016e-6 cm}
+surfaces: {table: level}
+bodies:
+  block: {mass: m1, moves: right}
+  pulley: {shape: disc, mass: M, radius: R, turns: clockwise}
+  load: {mass: m2, moves: down}
+connections:
+  touch: {contact: [block, table], friction: none}
+  coil: {spring: [ground, block], stiffness: k}
+  axle: {axle: pulley}
+  string: {string: [block, pulley, load]}
+states:
+  start: {coil.elongation: 0, at rest: all}
+  sunk: {load.displacement: h}
+  stop: {}
+find: {v: load.velocity at sunk, extra: time from start to stop}
+"""
+
+
+def test_roots_of_quotients_within_inverse_functions_are_compared() -> None:
+    """arcsines of √(a/b), written otherwise, were an internal error."""
+    with pytest.raises(Unsolvable, match="too little is known to find `extra`"):
+        solve(LET_DOWN_ON_A_SPRING)

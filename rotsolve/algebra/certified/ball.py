@@ -22,6 +22,7 @@ Values = Mapping[str, Formula | Fraction | int]
 BITS_PER_DIGIT = 3.3219280948873626
 INTEGRAL_LIMIT = 400  # bits: beyond this an integral costs more than it is worth
 ROUNDS = 8  # times that the precision is doubled for the digits of one number
+FINER = 40  # digits more, with which a number is told from another before exact algebra is asked
 UNSURE = 3  # digits of a number of which none is certified
 DECADES = 100_000  # of ten: a number of a size beyond is not written down
 LARGEST, TINIEST = arb(10) ** DECADES, arb(10) ** -DECADES
@@ -107,12 +108,19 @@ class Certified(Struct, frozen=True):
         first, last = rounded(low, digits), rounded(high, digits)
         if first == last:
             candidate = value_of(first, digits)
-            exact = low <= candidate <= high and self.equals(candidate)
+            exact = low <= candidate <= high and self._is(candidate, ball)
             return written(*first, digits, exact)
         tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
-        if low <= tie <= high and self.equals(tie):
+        if low <= tie <= high and self._is(tie, ball):
             return written(*rounded(tie, digits), digits, False)
         return None
+
+    def _is(self, number: Fraction, ball: Ball) -> bool:
+        """Whether this is a number that lies in its ball: most are told apart by a finer one, where exact algebra may take minutes."""
+        if ball.is_exact():
+            return True
+        low, high = ends(self.refine(int(ball.rel_accuracy_bits() / BITS_PER_DIGIT) + FINER))
+        return low <= number <= high and self.equals(number)
 
 
 def ends(ball: Ball) -> tuple[Fraction, Fraction]:

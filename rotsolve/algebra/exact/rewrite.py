@@ -261,8 +261,9 @@ class Rewriter:
                 return node
         return self.known.setdefault((function, argument), call(function, argument))
 
-    @staticmethod
-    def _zero(node: Formula) -> bool:
+    def _zero(self, node: Formula) -> bool:
+        """Whether a sum of arguments vanishes; their roots are made canonical again, as they may have been written as √(a/b)."""
+        node = self._rewrite(node)
         ring = Field([node])
         return not len(ring.reduce(ring.convert(node)[0]))
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -121,3 +122,20 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
     if undefined and undefined == tried:
         return False
     return reference.is_exactly(left) if not tried else None
+
+
+def close(left: Formula, right: Formula, domain: Domain, share: Fraction) -> bool:
+    """Whether the left formula is within a share of the right one at every point of a domain: one of its numbers may be rounded."""
+    reference, met = domain.reference(right), 0
+    for index, point in enumerate(reference.points):
+        value = reference.value(index)
+        if value is None or not left.symbols() <= point.keys():
+            continue
+        try:
+            other = value_at(left, point)
+        except Undefined:
+            return False
+        if other is None or not abs(other - value) <= abs(value) * share.numerator / share.denominator:
+            return False
+        met += 1
+    return met > 1

@@ -19,6 +19,7 @@ PIS = ("3.14", "22/7", "3.1", "3")
 GRAVITIES = ("9.81", "9.8", "10")  # for one another
 LARGEST = Fraction(1, 20)  # the share that rounding to two figures may change at most: more is another number
 LEAST = 2  # figures of a number of which it can be told how it came about
+EXACTLY = Fraction(1, 10_000)  # the share within which an exact number, 10/3, is that of another g
 TWO_FIGURES = Fraction(1, 200)  # the share by which rounding to two figures changes a number of middling size
 
 
@@ -68,11 +69,15 @@ def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
 def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -> Words | None:
     """What was rounded, where that gives the typed number to its figures; `factor` is that of its unit."""
     half = typed.half_unit
-    if half is None or (typed.figures or 0) < LEAST:
+    if typed.figures is not None and (half is None or typed.figures < LEAST):
         return None
     number = Typed(typed.value * factor)
     for answer in answers:
-        if near(number, answer.value, margin=half * factor):
+        if (
+            near(number, answer.value, share=EXACTLY)
+            if half is None
+            else near(number, answer.value, margin=half * factor)
+        ):
             return answer.words
     return None
 

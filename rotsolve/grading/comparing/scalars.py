@@ -10,9 +10,10 @@ from math import floor, log10
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, rounded
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.grading.comparing.coefficients import USUAL, has_decimal, put_in
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
@@ -26,12 +27,14 @@ POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point make
 LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
+Close = Callable[[Formula, Formula, Fraction], bool]
 
 
 class Scalar(Struct, frozen=True, dict=True):
     """What is asked for: its closed form and its number, which of them there are, and how it is marked.
 
-    `direction` is that of its value in words; a `directed` one has a sign by convention. `turns` says that it counts turns.
+    `direction` is that of its value in words, `positive` that of a positive value where a negative one
+    has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
     `dimensions` are those of the letters that an answer may hold.
     """
 
@@ -41,9 +44,11 @@ class Scalar(Struct, frozen=True, dict=True):
     dimension: Dimension
     marking: Marking
     same: Same
+    close: Close
     values: dict[str, Formula]
     dimensions: dict[str, Dimension]
     direction: str = ""
+    positive: str = ""
     directed: bool = False
     turns: bool = False
 
@@ -66,7 +71,10 @@ def judged(reading: Reading, asked: Scalar) -> Finding:
     if reading.kind == NUMBER and reading.formula is not None:
         return number_judged(Typed(reading.formula, reading.figures, reading.unit), reading.direction, asked)
     if reading.kind == FORMULA and reading.formula is not None:
-        return formula_judged(reading.formula, asked)
+        meant = None if reading.unit is None else measured(reading.unit, asked.unit, asked.dimension, asked.turns)
+        if meant is not None and meant.fault is not None:
+            return Finding(WRONG, (meant.fault,))
+        return formula_judged(reading.formula, asked, measured=meant is not None)
     return found(WRONG, "form", f"{'a formula' if asked.sought is None else 'a number or a formula'} is asked for")
 
 
@@ -124,7 +132,7 @@ def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Soug
     if within(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
-        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
+        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
     return None
 
 
@@ -199,8 +207,8 @@ def powers(typed: Typed, value: Certified) -> Iterator[int]:
 # formulas
 
 
-def formula_judged(formula: Formula, asked: Scalar) -> Finding:
-    """The finding for a formula."""
+def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -> Finding:
+    """The finding for a formula; `measured` says that units in it tell what it measures, and that this is what is asked for."""
     if asked.closed is None:
         return worked_out(formula, asked)
     holds = asked.same(formula, asked.closed)
@@ -210,12 +218,35 @@ def formula_judged(formula: Formula, asked: Scalar) -> Finding:
         return Finding(RIGHT)
     if holds is None:
         return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
-    misfit = of_other_dimension(formula, asked)
-    if misfit:
-        return found(WRONG, "dimension", misfit)
-    if asked.same(-formula, asked.closed):
-        return right_but_for_sign(asked.directed, asked.direction, asked.sign, asked.marking)
+    misfit = "" if measured else of_other_dimension(formula, asked)
+    partly = partly_numeric(formula, asked, fits=not misfit)
+    if partly is not None or misfit:
+        return partly or found(WRONG, "dimension", misfit)
+    if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
+        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
     return Finding(WRONG)
+
+
+def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool) -> Finding | None:
+    """The finding for a formula that is right with numbers of givens put in, or but for a rounded coefficient; else None.
+
+    One that does not measure what is asked (`fits`) has lost the units of its numbers.
+    """
+    closed = asked.closed
+    reduced = None if closed is None else put_in(closed, formula, asked.values, fits)
+    if closed is None or reduced is None:
+        return None
+    missing = sorted(closed.symbols() - formula.symbols())
+    listed = [word for name in missing for word in (", ", Symbol(name))][1:]
+    put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if missing else ("right",)
+    if not missing or not asked.same(formula, reduced):
+        share = asked.marking.tolerance.share or USUAL
+        if not has_decimal(formula) or not asked.close(formula, reduced, share):
+            return None
+        put = (*put, ", but a number in it is rounded")
+    exact = asked.marking.form == marks.EXACT
+    finding = found(RIGHT, "numbers", *put, flaws=(marks.FORM,) if exact else ())
+    return finding if fits else lacking_unit(finding, asked.unit, asked)
 
 
 def worked_out(formula: Formula, asked: Scalar) -> Finding:

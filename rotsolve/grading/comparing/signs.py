@@ -79,12 +79,15 @@ def turned_round(typed: str, sought: str) -> bool | None:
     return False if own == wanted else True if own == opposite(wanted) else None
 
 
-def right_but_for_sign(directed: bool, direction: str, sign: int | None, marking: Marking) -> Finding:
-    """What is said of an answer with the other sign: by the declared positive direction it is marked as the teacher chose."""
+def right_but_for_sign(directed: bool, direction: str, positive: str, sign: int | None, marking: Marking) -> Finding:
+    """What is said of an answer with the other sign: it is marked as the teacher chose. `direction` is that of the answer, `positive`
+    that of a positive value, '' where the answer is a size."""
     if not directed:
         return found(WRONG, "sign", "right but for the sign")
     said = "right but for the sign: the other direction is declared positive"
-    if direction and sign:
-        value = "positive" if sign > 0 else "negative"
-        said = f"right but for the sign: by the declared positive direction the answer is {value}, that is {direction}"
+    if direction and positive:
+        way = "" if direction == positive else f", and it is {direction}"
+        said = f"right but for the sign: {positive} is declared positive{way}"
+    elif direction and sign == 1:
+        said = f"right but for the sign: its size is asked for; it points {direction}"
     return found(RIGHT if marking.sign == LENIENT else WRONG, "sign", said)

@@ -68,7 +68,8 @@ def marked_course(request: Request, judges: Judges) -> Course:
             tell(done / len(papers))
     rows = zip(handed.entries, papers, found, strict=True)
     results = tuple(result(*row) for row in rows)
-    return Course(task, handed.columns, results, handed.byte_order_mark)
+    seed = judges.seed if judges.problem.vary is not None else None
+    return Course(task, handed.columns, results, handed.byte_order_mark, seed)
 
 
 def result(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:

@@ -31,6 +31,8 @@ def check(request: Request, judges: Judges) -> int:
         raise HandedInError([Fault(str(reason), None, "", "variant")], (), name_of(request.answers)) from None
     if request.typed:
         marked = answered(marked)
+    elif judges.problem.vary is not None and not paper.variant:
+        print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
     failed = show(request, judges.task, marked, paper.variant)
     return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
 

@@ -10,10 +10,11 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
+from rotsolve.grading.comparing.coefficients import put_in
 from rotsolve.grading.comparing.finding import Finding, found
 from rotsolve.grading.comparing.numbers import Typed, near, number_of, rounds_to
 from rotsolve.grading.comparing.rounding import Rounded, rounded_answers, rounded_early, spread
-from rotsolve.grading.comparing.scalars import Scalar
+from rotsolve.grading.comparing.scalars import Scalar, of_other_dimension
 from rotsolve.grading.marking.target import Letters
 from rotsolve.grading.verdict import WRONG
 from rotsolve.scene import marks
@@ -114,7 +115,9 @@ class Explaining:
             rough = in_si(answer)
             if number is not None and rough is not None and abs(number.float - rough) > ROUGHLY * abs(rough):
                 continue  # most are told apart by their numbers
-            if asked.same(formula, answer.closed):
+            fits = not of_other_dimension(formula, asked)
+            wrong = put_in(answer.closed, formula, asked.values, fits)
+            if wrong is not None and asked.same(formula, wrong):
                 return told(one.mistake)
         return None
 

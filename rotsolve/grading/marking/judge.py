@@ -5,40 +5,24 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from msgspec import Struct
-from msgspec.structs import replace
-
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.grading.comparing.equality import Domain, same
-from rotsolve.grading.comparing.finding import Finding, found
+from rotsolve.grading.comparing.equality import Domain, close, same
+from rotsolve.grading.comparing.finding import found
 from rotsolve.grading.comparing.numbers import Typed
-from rotsolve.grading.comparing.scalars import judged, lacking_unit
-from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
+from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.comparing.units import measured
-from rotsolve.grading.comparing.vectors import vector_judged
 from rotsolve.grading.marking.circles import circles
 from rotsolve.grading.marking.explaining import Explaining
 from rotsolve.grading.marking.following import Following, Own, own_number
-from rotsolve.grading.marking.matrices import read_matrix
 from rotsolve.grading.marking.target import Letters, Target, targets_of
+from rotsolve.grading.marking.texts import Judged, Texts
 from rotsolve.grading.marking.working import Working
-from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
-from rotsolve.grading.reading.records import FORMULA, NUMBER, WORD
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Paper, Part, Remark, Verdict
+from rotsolve.grading.reading.records import FORMULA, NUMBER
+from rotsolve.grading.verdict import WRONG, Marked, Paper, Part, Verdict
 from rotsolve.scene import marks
 from rotsolve.solution import Solution
-
-LONGEST_ECHO = 400  # characters of a line that is said back
-
-
-class Judged(Struct, frozen=True):
-    """One text, judged by itself: the reading that was used (None where there is none), and what was found."""
-
-    reading: Reading | None
-    finding: Finding
-    read_as: str = ""
 
 
 class Judge:
@@ -47,12 +31,11 @@ class Judge:
     def __init__(self, solution: Solution) -> None:
         self.letters = Letters.of(solution)
         self.domain = Domain.of(solution)
-        self.targets = {target.name: target for target in targets_of(self.letters, self.same)}
+        self.texts = Texts(self.letters)
+        self.targets = {target.name: target for target in targets_of(self.letters, self.same, self.close)}
         self.following = Following(self.letters, self.same)
         self.explaining = Explaining(self.letters)
         self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
-        self._names: dict[str, Names] = {}
-        self._judged: dict[tuple[str, str], Judged] = {}
         self._own: dict[tuple[str, str], Own | None] = {}
         self._explained: dict[tuple[str, str], Judged] = {}
         self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], Judged | None] = {}
@@ -76,14 +59,14 @@ class Judge:
         """The answers that are told by each other alone."""
         holds = {}
         for name, target in self.targets.items():
-            reading = self.judged(target, answers.get(name, "")).reading
+            reading = self.texts.judged(target, answers.get(name, "")).reading
             if reading is not None and reading.kind == FORMULA and reading.formula is not None:
                 holds[name] = (reading.formula.symbols() & self.targets.keys()) - self.letters.givens
         return circles(holds) if len(holds) > 1 else {}
 
     def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[Judged, bool]:
         """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
-        one = self.judged(target, text)
+        one = self.texts.judged(target, text)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
         key = target.name, text, tuple(wrong.items())
@@ -100,7 +83,7 @@ class Judge:
 
     def _follow(self, target: Target, text: str, wrong: Mapping[str, str]) -> Judged | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
-        one, given = self.judged(target, text), self.own(target, text)
+        one, given = self.texts.judged(target, text), self.own(target, text)
         owned = {name: self.own(self.targets[name], typed) for name, typed in wrong.items()}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
@@ -131,7 +114,7 @@ class Judge:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
         key = target.name, text
         if key not in self._own:
-            self._own[key] = self._worth(target, self.judged(target, text))
+            self._own[key] = self._worth(target, self.texts.judged(target, text))
         return self._own[key]
 
     def _worth(self, target: Target, one: Judged) -> Own | None:
@@ -151,84 +134,16 @@ class Judge:
         formula = self.letters.meant(reading.formula)
         return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
 
+    def close(self, left: Formula, right: Formula, share: Fraction) -> bool:
+        """Whether two formulas differ by no more than a share in the scene's domain; the right one is the reference."""
+        return close(left, right, self.domain, share)
+
     def same(self, left: Formula, right: Formula) -> bool | None:
         """Whether two formulas are equal in the scene's domain; the right one is the reference. None also where one has no value."""
         try:
             return same(left, right, self.domain)
         except (Undefined, ZeroDivisionError):
             return None
-
-    # one text by itself
-
-    def judged(self, target: Target, text: str) -> Judged:
-        """What is found in a text, whoever wrote it."""
-        known = self._judged.get((target.name, text))
-        if known is None:
-            known = self._judged[target.name, text] = self._judge(target, text)
-        return known
-
-    def _judge(self, target: Target, text: str) -> Judged:
-        if not text.strip():
-            return Judged(None, found(WRONG, "empty", "not answered"))
-        if target.word:
-            return Judged(None, word_judged(text, target))
-        if is_direction(said(text)):
-            return Judged(None, direction_judged(said(text), target))
-        line, direction = cut_direction(text)
-        try:
-            read = read_answer if target.rows == 1 else read_matrix
-            readings = read(line, self.names(target.name))
-        except AnswerError as error:
-            remark = Remark("reading", (str(error),), error.start, error.end)
-            return Judged(None, Finding(UNDECIDED, (remark,)))
-        if direction:
-            readings = tuple(replace(one, direction=direction) for one in readings)
-        return self._best(target, text, readings)
-
-    def names(self, asked: str) -> Names:
-        """The letters that an answer may hold."""
-        known = self._names.get(asked)
-        if known is None:
-            known = self._names[asked] = Names(self.letters.givens, self.letters.told, asked)
-        return known
-
-    def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
-        """By the reading that makes the line right, else by the likeliest one."""
-        tried = [(reading, self._read(target, reading)) for reading in readings]
-        reading, finding = min(tried, key=lambda item: rank(item[1]))
-        echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO else ""
-        return Judged(reading, finding, echo)
-
-    def _read(self, target: Target, reading: Reading) -> Finding:
-        """The finding for one reading."""
-        if reading.kind == WORD:
-            return found(WRONG, "form", "words are no answer here")
-        reading = self.meant(reading)
-        if reading.formula is not None and self.circular(target, reading.formula):
-            return found(WRONG, "form", "the answer speaks of itself")
-        if target.parts:
-            return vector_judged(reading, target.parts, target.whole)
-        assert target.whole is not None
-        return judged(reading, target.whole)
-
-    def meant(self, reading: Reading) -> Reading:
-        """A reading with its formulas in the letters of closed forms."""
-        if not self.letters.runs:
-            return reading
-        formula = None if reading.formula is None else self.letters.meant(reading.formula)
-        return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
-
-    def circular(self, target: Target, formula: Formula) -> bool:
-        """Whether an answer holds its own letter, which is no letter of its closed form."""
-        closed = self.letters.closed.get(target.name)
-        return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
-
-
-def rank(finding: Finding) -> int:
-    """The order in which the readings of one line are preferred: none is called wrong while another may be right."""
-    if finding.outcome == WRONG and finding.flaws:
-        return 1
-    return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
 def unsolved(one: Judged, others: frozenset[str]) -> Judged:
@@ -246,35 +161,3 @@ def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
     read = () if one.reading is None else one.reading.remarks
     verdict = Verdict(finding.outcome, one.read_as, (*read, *finding.remarks))
     return Part(target.name, text, verdict, left, marking.points, followed)
-
-
-def said(text: str) -> str:
-    """A text without the letter of the answer in front."""
-    return text.rpartition("=")[2].strip()
-
-
-def word_judged(text: str, target: Target) -> Finding:
-    """The finding for a label, or several in any order."""
-    typed, wanted = (frozenset(plain(part) for part in words.split(",")) for words in (said(text), target.word))
-    if typed == wanted or plain(text) == plain(target.word):
-        return Finding(RIGHT)
-    known = {plain(label) for label in (*target.options, "none")}
-    if typed <= known:
-        return Finding(WRONG)
-    return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
-
-
-def direction_judged(text: str, target: Target) -> Finding:
-    """The finding for a direction in words where a number could stand."""
-    direction = "" if target.whole is None else target.whole.direction
-    if not direction:
-        return found(WRONG, "form", "words are no answer here")
-    if turned_round(text, direction) is not False:
-        return found(WRONG, "direction", f"it points another way: {direction}")
-    if target.directional:
-        return Finding(RIGHT)
-    return found(WRONG, "form", "the direction is right; its size is asked for")
-
-
-def plain(words: str) -> str:
-    return " ".join(words.lower().split())

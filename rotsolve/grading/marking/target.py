@@ -12,8 +12,8 @@ from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
-from rotsolve.core.registry import TIME
-from rotsolve.grading.comparing.scalars import Same, Scalar
+from rotsolve.core.registry import SPOKEN, TIME
+from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
 from rotsolve.motion.positive import positive_letters
@@ -89,6 +89,22 @@ class Letters(Struct, frozen=True, dict=True):
         forms = ((answer.name, self.written(answer.closed)) for answer in self.solution.derivation.answers)
         return {name: form for name, form in forms if form is not None}
 
+    @cached_property
+    def printed(self) -> frozenset[str]:
+        """The letters that the laws print."""
+        return frozenset(name for name, key in self.meanings.keys.items() if not any(mark in key for mark in SPOKEN))
+
+    def meaning(self, name: str) -> Formula | None:
+        """The closed form of a letter that is no given."""
+        closed = self.closed.get(name)
+        return self.meanings.closed(name) if closed is None and name in self.meanings.keys else closed
+
+    def spelled_out(self, formula: Formula) -> Formula | None:
+        """A formula with the closed forms of all letters that are no givens and no answers; None where one has none."""
+        forms = {name: self.meaning(name) for name in formula.symbols() - self.givens - self.told}
+        known = {name: form for name, form in forms.items() if form is not None}
+        return formula.substitute(known) if len(known) == len(forms) else None
+
     def written(self, closed: Formula | None) -> Formula | None:
         """A closed form with the variables of its integrals as they are printed."""
         names = {key: name for key, name in self.meanings.names.items() if key != TIME}
@@ -108,7 +124,7 @@ class Letters(Struct, frozen=True, dict=True):
         return {name: dimension for name, dimension in known.items() if dimension is not None}
 
 
-def targets_of(letters: Letters, same: Same) -> Iterator[Target]:
+def targets_of(letters: Letters, same: Same, close: Close) -> Iterator[Target]:
     """What every answer is held against, in the order of the questions."""
     finds = {find.group: find for find in letters.problem.finds}
     published = {entry.name: entry for entry in letters.problem.answers}
@@ -121,14 +137,16 @@ def targets_of(letters: Letters, same: Same) -> Iterator[Target]:
         told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
         rows = answer.rows
         entries = [part for row in rows for part in row] or answer.components
-        parts = tuple(scalar(part, marking, letters, same, directed=not rows or len(rows) == 1) for part in entries)
+        parts = tuple(
+            scalar(part, marking, letters, (same, close), directed=not rows or len(rows) == 1) for part in entries
+        )
         directed = letters.meanings.directed(answer.name)
-        whole = None if rows else scalar(answer, marking, letters, same, directed, counts_turns(find))
+        whole = None if rows else scalar(answer, marking, letters, (same, close), directed, counts_turns(find))
         yield Target(answer.name, marking, whole, parts, len(rows) or 1, directional=told and bool(answer.direction))
 
 
 def scalar(
-    answer: Answer, marking: Marking, letters: Letters, same: Same, directed: bool, turns: bool = False
+    answer: Answer, marking: Marking, letters: Letters, compare: tuple[Same, Close], directed: bool, turns: bool = False
 ) -> Scalar:
     """One number or formula of an answer."""
     return Scalar(
@@ -137,10 +155,11 @@ def scalar(
         answer.unit or ONE_UNIT,
         answer.dimension or NONE,
         marking,
-        same,
+        *compare,
         letters.values,
         letters.dimensions,
         answer.direction,
+        answer.positive,
         directed,
         turns,
     )

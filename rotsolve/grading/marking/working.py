@@ -18,7 +18,6 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
-from rotsolve.core.registry import SPOKEN
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of, together
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, told
@@ -68,9 +67,7 @@ class Working:
     @cached_property
     def names(self) -> Names:
         """The letters that a line may hold: those of the scene, and those that its laws print."""
-        meanings = self.letters.meanings
-        printed = {name for name, key in meanings.keys.items() if not any(mark in key for mark in SPOKEN)}
-        return Names(self.letters.givens | printed, self.answers)
+        return Names(self.letters.givens | self.letters.printed, self.answers)
 
     # one equation
 
@@ -113,14 +110,7 @@ class Working:
 
     def settled(self, name: str) -> bool:
         """Whether it is known what a letter stands for."""
-        return name in self.letters.givens or self.meaning(name) is not None or self.number(name) is not None
-
-    def meaning(self, name: str) -> Formula | None:
-        """The closed form of a letter that is no given."""
-        closed = self.letters.closed.get(name)
-        if closed is None and name in self.letters.meanings.keys:
-            closed = self.letters.meanings.closed(name)
-        return closed
+        return name in self.letters.givens or self.letters.meaning(name) is not None or self.number(name) is not None
 
     def number(self, name: str) -> Certified | None:
         """The number of a letter without a closed form, in SI units."""
@@ -129,7 +119,7 @@ class Working:
 
     def told(self, side: Formula) -> Formula:
         """A side with the closed forms of its letters."""
-        forms = {name: self.meaning(name) for name in side.symbols() - self.letters.givens}
+        forms = {name: self.letters.meaning(name) for name in side.symbols() - self.letters.givens}
         return side.substitute({name: form for name, form in forms.items() if form is not None})
 
     def holds(self, left: Formula, right: Formula, text: str) -> bool | None:

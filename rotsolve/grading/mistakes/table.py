@@ -30,6 +30,7 @@ class Kind(Struct, frozen=True):
 MISTAKES: tuple[Kind, ...] = (
     Kind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
     Kind("equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions),
+    Kind("tension as weight", "T = m g is put for the tension on a body that falls or rises", forces.tension_as_weight),
     Kind("no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy),
     Kind("wrong shape factor", "the moment of inertia of another shape is used: m R² for ½ m R²", inertias.shapes),
     Kind("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),

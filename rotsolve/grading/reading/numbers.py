@@ -7,14 +7,13 @@ from collections.abc import Iterable
 from msgspec import Struct
 
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
-from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
 from rotsolve.grading.reading.grammar.forks import Forks
 from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.runs import LONGEST, meaning
-from rotsolve.grading.reading.records import NUMBER, Reading
+from rotsolve.grading.reading.records import NUMBER, Reading, echo
 from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
 
 WEIGHT = "mg"  # seldom milligrams where both are letters
@@ -69,7 +68,7 @@ def read_number(text: str, parts: Parts, forks: Forks) -> Reading:
     value = read_formula(text, number, NO_NAMES, forks)
     unit = read_unit(text, list(parts.unit), forks) if parts.has_unit else None
     written, figures = literal(number)
-    shown = written or to_text(value)
+    shown = written or echo(value)
     return Reading(NUMBER, unit.after(shown) if unit else shown, value, unit, figures)
 
 

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.tokens import FormulaError, Token
+from rotsolve.grading.reading.chains import EQUALS
 from rotsolve.grading.reading.commas import with_points
 from rotsolve.grading.reading.directions import direction_behind
 from rotsolve.grading.reading.grammar.forks import Forks, all_ways
@@ -30,7 +31,6 @@ from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, WORD, An
 from rotsolve.grading.reading.units import read_unit
 from rotsolve.grading.reading.vectors import by_axes, end_at, noted, read_axes, read_list
 
-_EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
 _WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
 
 
@@ -101,10 +101,10 @@ def word_of(value: str, names: Names) -> str:
 
 def after_name(text: str, names: Names) -> int:
     """Where the value begins: behind `NAME =`, if that stands there, whose name has to be the one asked for."""
-    sign = _EQUALS.search(text) if names.asked else None
+    sign = EQUALS.search(text) if names.asked else None
     if sign is None:
         return 0
-    second = _EQUALS.search(text, sign.end())
+    second = EQUALS.search(text, sign.end())
     if second is not None:
         raise FormulaError("one answer at a time: a second `=`", *second.span())
     left = tokens_of(text, 0, sign.start())[:-1]

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
@@ -10,6 +12,7 @@ from rotsolve.algebra.notation.tokens import FormulaError, UnknownName
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.grading.verdict import Remark
 
+_DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
 FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word", "equation"
 
 
@@ -36,12 +39,19 @@ class Reading(Struct, frozen=True):
     @property
     def text(self) -> str:
         """The echo of the line, as the program would print it."""
-        return self.written or (to_text(self.formula) if self.formula is not None else "")
+        if self.written or self.formula is None:
+            return self.written
+        return echo(self.formula)
 
     @property
     def has_units(self) -> bool:
         """Whether a unit was read, perhaps in a component."""
         return self.unit is not None or any(part.has_units for part in self.parts)
+
+
+def echo(formula: Formula) -> str:
+    """A formula as it is said back: 30° as it was typed, though it is an exact number."""
+    return _DEGREES.sub(r"\1°", to_text(formula))
 
 
 class AnswerError(ValueError):

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Symbol
 from rotsolve.algebra.notation.limits import rational
-from rotsolve.algebra.notation.tokens import FormulaError, Token, suggest
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, suggest
 from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
 from rotsolve.grading.reading.grammar.forks import Forks
@@ -21,7 +21,12 @@ _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
 
 def looks_like_unit(tokens: list[Token]) -> bool:
     """Whether tokens, the last an `end`, can only be the words and marks of a unit."""
-    return all(token.kind in MARKS or (token.kind == "name" and split(token.text)) for token in tokens[:-1])
+    return all(token.kind in MARKS or (token.kind == "name" and is_unit(token.text)) for token in tokens[:-1])
+
+
+def is_unit(name: str) -> bool:
+    """Whether a run of letters is one of units, and no function: sin is not s in."""
+    return bool(split(name)) and name not in FUNCTION_NAMES
 
 
 def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:

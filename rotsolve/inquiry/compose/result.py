@@ -27,6 +27,8 @@ LONG = 220  # nodes of a formula beyond which it is left in letters found before
 
 NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
 
+SIZED = "friction_force"  # the kind of quantity of which only the size is asked
+
 
 class Results(Struct, frozen=True):
     """The answers of an inquiry in the letters of its derivation."""
@@ -92,6 +94,7 @@ class Results(Struct, frozen=True):
             remark=self._when(answered),
             brief=not answered.parts or any(part.formula == ZERO for part in parts),
             closed=found.formula,
+            positive=self._positive(answered),
         )
 
     def _when(self, answered: Answered) -> Words:
@@ -231,16 +234,26 @@ class Results(Struct, frozen=True):
 
     def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> str:
         """Direction in words."""
-        asked = answered.asked
-        if asked.vector is not None:
+        if answered.asked.vector is not None:
             return heading_words(parts)
-        quantity = self.inquiry.history.registry.quantities.get(asked.letter)
-        words = asked.words
-        if quantity is not None and any((quantity.positive, quantity.negative)):
-            words = (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
+        words = self._both_ways(answered)
         if not any(words) or value is None or not value.sign:
             return ""
         return words[0 if value.sign > 0 else 1]
+
+    def _positive(self, answered: Answered) -> str:
+        """What a positive value means, in words, where a negative one means something else; friction is told by its size."""
+        quantity = self.inquiry.history.registry.quantities.get(answered.asked.letter)
+        sized = answered.asked.vector is not None or (quantity is not None and quantity.kind == SIZED)
+        ways = self._both_ways(answered)
+        return ways[0] if all(ways) and not sized else ""
+
+    def _both_ways(self, answered: Answered) -> tuple[str, str]:
+        """What a positive and a negative value mean, in words; empty where its sign is no direction."""
+        quantity = self.inquiry.history.registry.quantities.get(answered.asked.letter)
+        if quantity is not None and any((quantity.positive, quantity.negative)):
+            return (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
+        return answered.asked.words
 
     def _solved(self, value: Formula) -> Formula:
         """All letters in a formula by what the steps found for them."""

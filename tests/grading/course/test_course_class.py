@@ -188,7 +188,7 @@ def test_there_is_a_page_for_everyone(marked: Marked) -> None:
     for number in range(0, ROWS, 997):
         text = pages[f"student-{number}.html"].read_text(encoding="utf-8")
         sum_of = sum(cell.marks for cell in marked.planted[f"Student {number}"].values())
-        assert f"<p>{sum_of:g} of 6</p>" in text and text.endswith("</html>\n")
+        assert f"<p>{sum_of:g} of 6" in text and text.endswith("</html>\n")
 
 
 def test_the_summary_counts_what_was_planted(marked: Marked) -> None:

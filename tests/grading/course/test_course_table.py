@@ -118,9 +118,32 @@ def test_what_is_noted_of_rows() -> None:
     assert [entry.remarks for entry in found] == [
         ("the row ends before alpha, T", "the same name stands in line 3"),
         ("the same name stands in line 2",),
-        ("the row has no name",),
+        ("the row has 7 cells, the first line 4", "the row has no name"),
         (),
     ]
+
+
+def test_empty_cells_at_the_end_of_all_rows_are_nothing_to_speak_of() -> None:
+    assert [entry.remarks for entry in table("name,a,T,,\nAda,1,2,,\nBob,3,4,,\n").entries] == [(), ()]
+
+
+def test_a_decimal_comma_may_have_cut_a_number() -> None:
+    found = table(
+        "name,a,alpha,T\nAda,2,18 m/s²,10\nBob,2 m/s²,18 rad/s²,10 N\nCarol,2,18,10\nDan,a = 3,27 m/s²,\n"
+    ).entries
+    said = "is `{}` one number with a decimal comma? Then it must be in quotes"
+    assert [entry.remarks for entry in found] == [(said.format("2,18 m/s²"),), (), (), (said.format("a = 3,27 m/s²"),)]
+    assert table("name;a;T\nAda;2;18 N\n").entries[0].remarks == ()
+
+
+@pytest.mark.parametrize("heading", ["a (m/s²)", "a [m/s^2]", "a in m/s²", "a / m/s²"])
+def test_a_unit_over_a_column(heading: str) -> None:
+    found = table(f"name,{heading},T\nAda,4.36,19.6\nBob,-4.36 m/s²,1\nCarol,m g,\n").entries
+    assert [answers(entry)["a"] for entry in found] == ["4.36 m/s²", "-4.36 m/s²", "m g"]
+
+
+def test_what_is_no_unit_over_a_column() -> None:
+    assert answers(table("name,a (3 points),T\nAda,4.36,1\n").entries[0]) == {"a": "4.36", "T": "1"}
 
 
 def test_an_apostrophe_by_which_a_spreadsheet_kept_a_text() -> None:

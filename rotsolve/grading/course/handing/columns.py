@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Sequence
 
 from msgspec import Struct
 
+from rotsolve.algebra.notation.tokens import FormulaError
+from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.handing.content import HandedInError
 from rotsolve.grading.course.handing.naming import meant
@@ -19,6 +22,9 @@ STUDENT = (  # words over the column of names, the likeliest first
 )
 VARIANT = ("variant", "version", "sheet")
 WORKING = ("working", "equations", "solution", "work")
+WITH_UNIT = re.compile(
+    r"(?P<name>.+?)\s*(?:\((?P<round>[^()]+)\)|\[(?P<square>[^\[\]]+)\]|\s[i/]n?\s+(?P<plain>\S.*))"
+)  # a (m/s²), a in m/s²
 
 
 class Columns(Struct, frozen=True):
@@ -31,6 +37,8 @@ class Columns(Struct, frozen=True):
     variant: int | None
     working: int | None
     unused: tuple[str, ...]
+    units: dict[str, str] = {}  # of the answers whose column tells one; numbers without a unit are in it
+    breadth: int = 0  # cells of the first line, with empty ones at its end
 
 
 def columns(header: Sequence[str], line: int, file: str, asked: Sequence[str]) -> Columns:
@@ -38,7 +46,7 @@ def columns(header: Sequence[str], line: int, file: str, asked: Sequence[str]) -
     best = max(
         (read(header, separator, asked) for separator in SEPARATORS), key=lambda item: (len(item.answers), item.width)
     )
-    cells = cells_of(header, best.separator)
+    cells = trimmed(row_of(header, best.separator))
     wrong, message = "", ""
     if not best.answers:
         wrong, message = header[0], "no column has the name of an answer"
@@ -54,12 +62,15 @@ def columns(header: Sequence[str], line: int, file: str, asked: Sequence[str]) -
 
 def read(header: Sequence[str], separator: str, asked: Sequence[str]) -> Columns:
     """The columns, if that is the separator."""
-    cells = cells_of(header, separator)
+    row = row_of(header, separator)
+    cells = trimmed(row)
     answers: dict[str, int] = {}
+    units: dict[str, str] = {}
     for place, cell in enumerate(cells):
-        name = meant(cell, asked)
-        if name is not None:
-            answers.setdefault(name, place)
+        name, unit = answer_of(cell, asked)
+        if name is not None and name not in answers:
+            answers[name] = place
+            units |= {name: unit} if unit else {}
     free = [place for place in range(len(cells)) if place not in answers.values()]
     variant, working = (called(cells, free, words) for words in (VARIANT, WORKING))
     free = [place for place in free if place not in (variant, working)]
@@ -67,18 +78,37 @@ def read(header: Sequence[str], separator: str, asked: Sequence[str]) -> Columns
     if student is None:
         student = next(iter(free), None)
     unused = tuple(cells[place] for place in free if place != student and cells[place])
-    return Columns(separator, len(cells), answers, student, variant, working, unused)
+    return Columns(separator, len(cells), answers, student, variant, working, unused, units, len(row))
 
 
-def cells_of(header: Sequence[str], separator: str) -> list[str]:
-    """The names in the first row, without empty ones at its end."""
+def answer_of(cell: str, asked: Sequence[str]) -> tuple[str | None, str]:
+    """The answer that a cell names, and the unit that it tells: `a (m/s²)`."""
+    whole = meant(cell, asked)
+    match = WITH_UNIT.fullmatch(cell) if whole is None else None
+    name = meant(match["name"], asked) if match else None
+    if match is None or name is None:
+        return whole, ""
+    unit = next(filter(None, (match["round"], match["square"], match["plain"]))).strip()
     try:
-        cells = next(csv.reader([f"{line}\n" for line in header], delimiter=separator), [])
+        return name, parse_unit(unit).text
+    except FormulaError:
+        return name, ""
+
+
+def row_of(header: Sequence[str], separator: str) -> list[str]:
+    """The cells of the first row."""
+    try:
+        return next(csv.reader([f"{line}\n" for line in header], delimiter=separator), [])
     except csv.Error:  # a cell beyond all measure
         return []
-    while cells and not cells[-1].strip():
+
+
+def trimmed(row: Sequence[str]) -> list[str]:
+    """The names in the first row, without empty ones at its end."""
+    cells = [" ".join(cell.split()) for cell in row]
+    while cells and not cells[-1]:
         cells.pop()
-    return [" ".join(cell.split()) for cell in cells]
+    return cells
 
 
 def called(cells: Sequence[str], free: Sequence[int], words: Sequence[str]) -> int | None:
@@ -91,7 +121,7 @@ def doubled(cells: Sequence[str], asked: Sequence[str]) -> str:
     """A cell that names an answer which another cell before it names too."""
     seen: set[str] = set()
     for cell in cells:
-        name = meant(cell, asked)
+        name, _ = answer_of(cell, asked)
         if name in seen:
             return cell
         if name is not None:

@@ -22,6 +22,8 @@ LONGEST = 20_000  # characters of a cell
 ROWS = 200_000
 SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
 KEPT = re.compile(r"'[-+=@−]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
+NUMBER = re.compile(r"[-+−]?\d[\d.,]*(?:[eE][-+−]?\d+)?")
+WHOLE, REST = re.compile(r"(?:[^\W\d]\w*\s*=\s*)?[-+−]?\d{1,4}"), re.compile(r"\d+\s*[^\W\d]")  # `2` and `18 m/s²`
 TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header
 
 
@@ -111,16 +113,36 @@ def entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
     if any(len(text) > LONGEST for text in cells):
         return Entry(line, student, None, (f"a cell has more than {LONGEST} characters",))
     remarks = []
-    if len(cells) > found.width:  # an answer with a separator in it may have shifted the others
-        remarks.append(f"the row has {len(cells)} cells, the first line {found.width}")
+    if len(cells) > found.breadth:  # an answer with a separator in it may have shifted the others
+        remarks.append(f"the row has {len(cells)} cells, the first line {found.breadth}")
+    if cut := cut_decimal(cells, found):
+        remarks.append(f"is `{cut}` one number with a decimal comma? Then it must be in quotes")
     if not student and found.student is not None:
         remarks.append("the row has no name")
     beyond = [name for name, place in found.answers.items() if place >= len(cells)]
     if beyond:
         remarks.append(f"the row ends before {', '.join(beyond)}")
-    answers = {name: " ".join(cell(place).split("\n")) for name, place in found.answers.items() if cell(place)}
+    texts = {name: " ".join(cell(place).split("\n")) for name, place in found.answers.items() if cell(place)}
+    answers = {name: in_unit(text, found.units.get(name, "")) for name, text in texts.items()}
     working = tuple(part.strip() for part in re.split(r"[\n;]", cell(found.working)) if part.strip())
     return Entry(line, student, Paper(student, answers, working, cell(found.variant)), tuple(remarks))
+
+
+def cut_decimal(cells: Sequence[str], found: Columns) -> str:
+    """A decimal number that a comma may have cut into two cells, `2` and `18 m/s²`; '' where there is none."""
+    if found.separator != ",":
+        return ""
+    places = sorted(found.answers.values())
+    for place in places:
+        pair = [text.strip() for text in cells[place : place + 2]]
+        if place + 1 in places and len(pair) == 2 and WHOLE.fullmatch(pair[0]) and REST.match(pair[1]):
+            return ",".join(pair)
+    return ""
+
+
+def in_unit(text: str, unit: str) -> str:
+    """A number by itself with the unit that the column tells."""
+    return f"{text} {unit}" if unit and NUMBER.fullmatch(text) else text
 
 
 def told_apart(entries: Sequence[Entry]) -> Iterator[Entry]:

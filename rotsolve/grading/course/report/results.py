@@ -27,9 +27,10 @@ class Result(Struct, frozen=True):
 
 
 class Course(Struct, frozen=True):
-    """A class: the problem, the columns of its table, and its rows."""
+    """A class: the problem, the columns of its table, and its rows; the seed of the variants where the problem has such."""
 
     task: Task
     columns: Columns
     results: tuple[Result, ...]
     byte_order_mark: bool = False
+    seed: int | None = None

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.grading.course.report.page import Judged, Judgements, Page, Paragraph, Section, Task, of
-from rotsolve.grading.verdict import Line, Marked, Part, Verdict
+from rotsolve.grading.verdict import UNDECIDED, Line, Marked, Part, Verdict
 
 FIRST = "wrong, here first"
 
@@ -16,8 +16,15 @@ def student_page(task: Task, marked: Marked, variant: str = "") -> Page:
     if marked.lines:
         numbered = tuple(working(number, line) for number, line in enumerate(marked.lines, 1))
         sections.append(Section("Working", (Judgements(numbered),)))
-    sections.append(Section("Marks", (Paragraph((of(marked.marks, marked.of),)),)))
+    sections.append(Section("Marks", (Paragraph((total(marked),)),)))
     return Page(task.title, tuple(sections))
+
+
+def total(marked: Marked) -> str:
+    """The sum of the marks, and how many answers have none yet."""
+    open_ = sum(bool(part.text) and part.verdict.outcome == UNDECIDED for part in marked.parts)
+    left = f", and {'an answer' if open_ == 1 else f'{open_} answers'} to be looked at" if open_ else ""
+    return of(marked.marks, marked.of) + left
 
 
 def judged(task: Task, part: Part) -> Judged:

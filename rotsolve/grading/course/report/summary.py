@@ -17,7 +17,9 @@ from rotsolve.render.voice import TEXT
 CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
 COMMONEST = 20
-FOLLOWED = "followed"  # the kind of a remark that tells of no mistake of its own
+NO_MISTAKES = ("followed", "comma", "chain", "numbers")  # kinds of remarks that tell of no mistake of their own
+NAMED = 10  # papers that are named in one sentence
+FEW = 3  # papers of which none having a right number may be chance
 
 
 def summary_page(course: Course, targets: tuple[str, ...] = ()) -> Page:
@@ -47,6 +49,8 @@ def overview(course: Course, papers: list[Marked]) -> Iterator[Paragraph]:
         figures = f"mean {amount(mean(marks))}, median {amount(Fraction(median(marks)))}, best {amount(best)}"
         full = sum(paper.marks >= paper.of for paper in papers)
         yield Paragraph((f"Of {amount(most)} marks: {figures}; {full} with full marks.",))
+    if any(result.variant for result in course.results) and course.seed is not None:
+        yield Paragraph((f"Variants by seed {course.seed}.",))
 
 
 def distribution(papers: list[Marked]) -> Iterator[Table]:
@@ -90,17 +94,19 @@ def right(part: Part) -> bool:
     return part.verdict.outcome == RIGHT
 
 
-def commonest(course: Course, papers: list[Marked]) -> Iterator[Table]:
+def commonest(course: Course, papers: list[Marked]) -> Iterator[Table | Paragraph]:
     """What was said of answers that lost marks, the commonest first."""
     counts: Counter[tuple[str, Words]] = Counter()
     for paper in papers:
         for part in paper.parts:
             if part.text and part.marks < part.of and part.verdict.outcome != UNDECIDED:
-                said = dict.fromkeys(remark.words for remark in part.verdict.remarks if remark.kind != FOLLOWED)
+                said = dict.fromkeys(remark.words for remark in part.verdict.remarks if remark.kind not in NO_MISTAKES)
                 counts.update((part.name, words) for words in said)
     rows = [((str(count),), course.task.letter(name), words) for (name, words), count in counts.most_common(COMMONEST)]
     if rows:
         yield Table(("papers", "answer", "what was said"), tuple(rows))
+    if len(counts) > len(rows):
+        yield Paragraph((f"{len(counts) - len(rows)} more were not said so often: they stand on the students' pages.",))
 
 
 def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
@@ -110,6 +116,7 @@ def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
         yield Paragraph((f"No column is named {', '.join(absent)}.",))
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
+    yield from doubtful_variants(course)
     rows = [
         ((str(result.entry.line),), (result.name,), words)
         for result in course.results
@@ -117,6 +124,26 @@ def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
     ]
     if rows:
         yield Table(("line", "student", "what"), tuple(rows))
+
+
+def doubtful_variants(course: Course) -> Iterator[Paragraph]:
+    """Papers of a problem with variants that tell none, and a seed that can not be that of the sheets."""
+    if course.seed is None:
+        return
+    marked = [result for result in course.results if result.marked is not None]
+    without = [result.name for result in marked if not result.variant]
+    if without:
+        named = (
+            f": {', '.join(without[:NAMED])}{', …' if len(without) > NAMED else ''}"
+            if len(without) < len(marked)
+            else ""
+        )
+        whose = "No paper tells its variant" if not named else "Papers that tell no variant"
+        yield Paragraph((f"{whose}{named}. They were marked with the numbers of the problem itself.",))
+    papers = [result.marked for result in marked if result.variant and result.marked is not None]
+    numbers = [part for paper in papers for part in paper.parts if any(char.isdigit() for char in part.text)]
+    if len(papers) >= FEW and numbers and not any(part.marks for part in numbers):
+        yield Paragraph((f"No paper with a variant has a right number: is {course.seed} the seed of the sheets?",))
 
 
 def oddities(course: Course, result: Result) -> Iterator[Words]:

@@ -50,6 +50,26 @@ def tension_sign(scene: Scene) -> Made:
         yield words, Change(altered=of_forces((name,), backwards("tension")), aside=(ENERGY,))
 
 
+def tension_as_weight(scene: Scene) -> Made:
+    """T = m g in place of Newton's second law for what hangs from one string, as if it were at rest."""
+    for name, body in scene.bodies.items():
+        pulls = [force.size for force in body.forces if force.role == "tension"]
+        weights = [force.size for force in body.forces if force.role == "weight"]
+        if body.motion.kind == "line" and not body.motion.turns and len(pulls) == len(weights) == 1:
+            words = f"the tension was taken as the weight of the {spoken(name)}"
+            yield words, Change(altered=Alteration(equation=in_balance(name, pulls[0], weights[0])), aside=(ENERGY,))
+
+
+def in_balance(name: str, pull: Formula, weight: Formula) -> Callable[[Equation], Equation]:
+    """T = m g wherever Newton's second law for a body stands."""
+
+    def changed(equation: Equation) -> Equation:
+        moved = equation.bodies == (name,) and equation.label.startswith("Newton's second law")
+        return replace(equation, left=pull, right=weight) if moved else equation
+
+    return changed
+
+
 def no_weight(scene: Scene) -> Made:
     """m for m g."""
     gravity = scene.problem.gravity

@@ -23,6 +23,9 @@ _FUNCTION = "|".join(
 )
 INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
+MOST_STRANGE = (
+    2  # letters at the end of a run that are told to be strange by themselves: x in mgx, but not orce in force
+)
 LONGEST = 24  # of a run in which the strange part is looked for
 
 
@@ -62,8 +65,8 @@ def fault(token: Token, names: frozenset[str]) -> FormulaError:
     )
     known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
-    if meaning(strange.text, names) is not None:  # a function in the midst of a run
-        strange = token
+    if meaning(strange.text, names) is not None or len(strange.text) > MOST_STRANGE:
+        strange = token  # a function in the midst of a run, or a word
     try:
         resolve(strange, names, (), split=True)
     except UnknownName as error:

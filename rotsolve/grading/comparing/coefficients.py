@@ -1,0 +1,54 @@
+"""Coefficients: formulas in which numbers of givens are put in, `g/3` for ⅔ g sin θ with θ = 30°, or which have a rounded coefficient."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from fractions import Fraction
+
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import Formula, Number
+from rotsolve.grading.comparing.numbers import number_of
+
+USUAL = Fraction(
+    1, 100
+)  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
+LEAST = 2  # figures of a number that may be rounded
+
+
+def put_in(closed: Formula, typed: Formula, values: Mapping[str, Formula], fits: bool) -> Formula | None:
+    """A closed form with the numbers of the letters that are missing in a formula. Where the formula does not measure what the closed
+    form does (`fits`), these numbers must stand in it, as 9.81 in m·9.81/4, or be worked into a decimal; None where they are not."""
+    missing = closed.symbols() - typed.symbols()
+    if not missing <= values.keys():
+        return None
+    if not fits and not has_decimal(typed) and not all(stands_in(values[name], typed) for name in missing):
+        return None
+    return closed.substitute({name: values[name] for name in missing})
+
+
+def stands_in(value: Formula, typed: Formula) -> bool:
+    """Whether a number, perhaps rounded, stands in a formula."""
+    try:
+        known = number_of(value, {})
+    except Undefined:
+        return False
+    numbers = [node.value for node in typed.walk(Number) if isinstance(node, Number)]
+    return known is not None and any(abs(float(number) - known.float) <= USUAL * abs(known.float) for number in numbers)
+
+
+def has_decimal(typed: Formula) -> bool:
+    """Whether a number of two figures or more, not a whole one, stands in a formula: 0.67, 9.81."""
+    return any(is_decimal(node.value) for node in typed.walk(Number) if isinstance(node, Number))
+
+
+def is_decimal(value: Fraction) -> bool:
+    """Whether a number is a decimal fraction with so many figures."""
+    rest, twos, fives = value.denominator, 0, 0
+    while rest % 2 == 0:
+        rest, twos = rest // 2, twos + 1
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    if rest > 1 or value.denominator == 1:
+        return False
+    digits = value.numerator * 10 ** max(twos, fives) // value.denominator
+    return len(str(abs(digits)).rstrip("0")) >= LEAST

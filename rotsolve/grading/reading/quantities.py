@@ -1,0 +1,216 @@
+"""Quantities: numbers with units within a formula, `2/3 · 9.81 m/s² · sin 30°`, and a unit behind one, `2/3 g sin θ m/s²`.
+
+They are looked for where a line is not right as a formula in the letters of the scene.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import PI, Call, Formula, Number, Product, Quotient
+from rotsolve.algebra.notation.tokens import FormulaError, Token
+from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, dimension_of, kind_of
+from rotsolve.algebra.units.quantities import unit_for
+from rotsolve.algebra.units.unit_table import MEANT, UNITS, Unit
+from rotsolve.grading.reading.commas import with_points
+from rotsolve.grading.reading.grammar.forks import Forks, all_ways
+from rotsolve.grading.reading.grammar.formulas import HALF_TURN, Grammar, read_formula
+from rotsolve.grading.reading.grammar.runs import meaning
+from rotsolve.grading.reading.names import Names
+from rotsolve.grading.reading.numbers import begins_with_letter, is_kind
+from rotsolve.grading.reading.read import line_of
+from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
+from rotsolve.grading.reading.units import is_unit, looks_like_unit, read_unit, split
+from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, noted
+from rotsolve.grading.verdict import Remark
+
+UNIT_MARK = "unit:"  # before the name of a unit where letters may be called the same
+TRIG = ("sin", "cos", "tan")
+BEFORE_UNIT = ("number", "fraction", "raised", ")", "]", "°", "symbol")
+JOINS = ("/", "*", ".")
+COUNTING = ("Hz", "rev", "turn", "rpm")  # units that SI units do not stand for
+
+Dimensions = Mapping[str, Dimension]
+
+
+def read_quantities(text: str, names: Names, dimensions: Dimensions) -> tuple[Reading, ...]:
+    """The readings of a line with units within its formula or behind it, and with degrees for the arguments of sin, cos and tan.
+
+    `dimensions` are those of the letters. Nothing where there is no such reading.
+    """
+    try:
+        line = line_of(text, names)
+        if line.word or line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):
+            return ()
+        found = all_ways(lambda forks: _read(line.text, line.tokens, names, dimensions, forks), 3 * len(line.tokens))
+    except FormulaError:
+        return ()
+    found += [degrees for reading in list(found) for degrees in in_degrees(reading)]
+    return tuple(replace(reading, direction=line.direction) for reading in found)
+
+
+def _read(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> Reading:
+    """One way to read a line: a formula with its unit behind it, or with units in it."""
+    tokens, remarks = with_points(tokens, forks)
+    at = unit_behind(tokens, names.letters)
+    if 0 < at < len(tokens) - 1 and forks.choose(True):
+        reading = _before_unit(text, tokens, at, names, dimensions, forks)
+    else:
+        reading = _within(text, tokens, names, dimensions, forks)
+    return noted(reading, remarks)
+
+
+# a unit behind a formula
+
+
+def unit_behind(tokens: list[Token], letters: frozenset[str]) -> int:
+    """Where the unit behind a formula begins; the end where there is none."""
+    end = len(tokens) - 1
+    bracketed = end > 0 and tokens[end - 1].kind in CLOSING
+    start = index = end - bracketed
+    while index:
+        token = tokens[index - 1]
+        if token.kind == "name" and is_unit(token.text):
+            start = index = index - 1
+            before = tokens[index - 1] if index else token
+            if before.kind in JOINS and index > 1 and tokens[index - 2].kind in ("name", "raised"):
+                index -= 1
+            elif not (before.kind == "name" and meaning(before.text, letters) is None):
+                break
+        elif token.kind == "raised" or (token.kind == "number" and tokens[index - 2].kind == "^"):
+            index -= 1 if token.kind == "raised" else 2
+        else:
+            break
+    if not bracketed:
+        return start
+    return start - 1 if start and tokens[start - 1].kind in OPENING and start < end - 1 else end
+
+
+def _before_unit(
+    text: str, tokens: list[Token], at: int, names: Names, dimensions: Dimensions, forks: Forks
+) -> Reading:
+    """A formula with the unit that begins at a place. Where the formula measures the same, the unit is not needed; where it is a pure
+    number times letters without dimension, the unit is its own; else the letters stand for numbers in SI units."""
+    if not is_kind(tuple(tokens[at:])):
+        raise FormulaError("this is no unit", tokens[at].start, tokens[-1].end)
+    unit = read_unit(text, tokens[at:], forks)
+    formula = names.meant(read_formula(text, [*tokens[:at], end_at(tokens[at])], names.letters, forks))
+    if not formula.symbols():
+        return _worked_out(text, tokens, formula * unit.factor, unit.dimension)
+    own = _dimension(formula, dimensions)
+    said = f"a formula in letters has its unit by itself: {unit.text} is not needed"
+    remark = Remark("form", (said,), tokens[at].start, tokens[-2].end)
+    if own is not None and own.matches(unit.dimension):
+        return Reading(FORMULA, formula=formula, remarks=(remark,))
+    return Reading(FORMULA, unit.after(_typed(text, tokens[:at])), formula * unit.factor, unit)
+
+
+# units within a formula
+
+
+class QuantityGrammar(Grammar):
+    """The grammar in which the name of a unit may stand behind a number; its symbol is the unit with a mark in front."""
+
+    def expand(self) -> int:
+        token = self.token
+        if token.kind != "name" or not self.is_unit(token):
+            return super().expand()
+        pieces = [_unit_token(word, token) for word in split(token.text)]
+        self.tokens[self.index : self.index + 1] = pieces
+        return len(pieces)
+
+    def is_unit(self, token: Token) -> bool:
+        """Whether a name is a unit: it is one by its spelling and its place, and no letter of the scene, or may be either."""
+        if not is_unit(token.text) or not self.behind_number():
+            return False
+        if meaning(token.text, self.letters) is not None:
+            return self.forks.choose(self.tokens[self.index - 1].end < token.start or self.in_unit())
+        return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.letters)
+
+    def behind_number(self) -> bool:
+        """Whether a number, a bracket or a unit stands in front, perhaps with a mark between."""
+        before = self.tokens[self.index - 1] if self.index else None
+        if before is None or before.kind in BEFORE_UNIT:
+            return before is not None and (before.kind != "symbol" or before.text.startswith(UNIT_MARK))
+        if before.kind in OPENING:  # 9.8 (m/s²)
+            rest = self.tokens[self.index :]
+            last = next((place for place, token in enumerate(rest) if token.kind in CLOSING), 0)
+            return self.index > 1 and self.tokens[self.index - 2].kind == "number" and looks_like_unit(rest[: last + 1])
+        return before.kind in JOINS and self.in_unit()
+
+    def in_unit(self) -> bool:
+        """Whether the name of a unit stands before the mark in front, perhaps with its power."""
+        index = self.index - 1 - (self.tokens[self.index - 1].kind in JOINS)
+        while index > 0 and self.tokens[index].kind in ("raised", "number", "^"):
+            index -= 1
+        return self.tokens[index].text.startswith(UNIT_MARK)
+
+
+def _unit_token(word: str, token: Token) -> Token:
+    """A piece of a run of units in the columns of the run."""
+    kind = {"^": "^", "/": "/", "2": "number", "3": "number"}.get(word, "symbol")
+    return Token(kind, UNIT_MARK + word if kind == "symbol" else word, token.start, token.end)
+
+
+def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> Reading:
+    """A formula with units in it."""
+    tokens = [Token("*", "*", token.start, token.end) if token.kind == "." else token for token in tokens]
+    grammar = QuantityGrammar(text, tokens, names.letters, forks)
+    formula = grammar.sum()
+    if grammar.token.kind != "end":
+        raise grammar.unexpected()
+    units = {name: UNITS[name.removeprefix(UNIT_MARK)] for name in formula.symbols() if name.startswith(UNIT_MARK)}
+    if any(word in unit.text for unit in units.values() for word in COUNTING):
+        raise FormulaError("a number of turns stands by itself", tokens[0].start, tokens[-1].end)
+    measured = _dimension(formula, {**dimensions, **{name: unit.dimension for name, unit in units.items()}})
+    if measured is None or (units and kind_of(measured) is None):
+        raise FormulaError("its units do not fit together", tokens[0].start, tokens[-1].end)
+    value = names.meant(formula.substitute({name: unit.factor for name, unit in units.items()}))
+    if not value.symbols():
+        return _worked_out(text, tokens, value, measured if units else None)
+    return Reading(FORMULA, _typed(text, tokens), value, unit_for(measured)) if units else Reading(FORMULA, "", value)
+
+
+def _worked_out(text: str, tokens: list[Token], value: Formula, dimension: Dimension | None) -> Reading:
+    """A number that is left to be worked out, in SI units."""
+    unit: Unit | None = None if dimension is None or dimension == NONE else unit_for(dimension)
+    return Reading(NUMBER, _typed(text, tokens), value, unit)
+
+
+def _dimension(formula: Formula, known: Dimensions) -> Dimension | None:
+    """What a formula measures; None where that is not known, or its parts do not fit together."""
+    try:
+        return dimension_of(formula, known)
+    except DimensionError:
+        return None
+
+
+def _typed(text: str, tokens: list[Token]) -> str:
+    """The tokens as they were typed."""
+    last = tokens[-2] if tokens[-1].kind == "end" else tokens[-1]
+    return text[tokens[0].start : last.end].strip()
+
+
+# degrees
+
+
+def in_degrees(reading: Reading) -> Iterator[Reading]:
+    """The reading with sin(30) as sin 30°; nothing where no function is of a bare number."""
+    if reading.formula is None or not reading.formula.holds(*TRIG):
+        return
+    turned: list[Number] = []
+
+    def change(node: Formula) -> Formula:
+        bare = isinstance(node, Call) and node.function in TRIG and isinstance(node.arguments[0], Number)
+        if not bare or not isinstance(node, Call) or not isinstance(node.arguments[0], Number):
+            return node
+        turned.append(node.arguments[0])
+        return Call(node.function, (Quotient(Product((node.arguments[0], PI)), HALF_TURN),))
+
+    formula = reading.formula.transform(change, *TRIG)
+    if turned:
+        angle = format(float(turned[0].value), "g")
+        remark = Remark("unit", (f"{angle} is read as {angle}°: write the sign of degrees",))
+        yield replace(reading, formula=formula, remarks=(*reading.remarks, remark))
