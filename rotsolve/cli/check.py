@@ -1,0 +1,78 @@
+"""Check: `rotsolve check PROBLEM ANSWERS`: the answers of a student or of a class, marked."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from rotsolve.cli.options import Seed, Width, one_of
+from rotsolve.process import orderly, page_width
+
+PAGES = ("text", "markdown", "html", "json")  # of marked answers
+
+
+def pages_checked(value: str | None) -> str | None:
+    return one_of(PAGES, value)
+
+
+Problem = Annotated[
+    str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
+]
+Answers = Annotated[
+    str | None,
+    typer.Argument(metavar="[ANSWERS]", help="YAML or text of one student, or a class's .csv; - is standard input."),
+]
+Typed = Annotated[
+    list[str] | None,
+    typer.Option("--answer", "-a", metavar="TEXT", help="An answer, 'a = 2mg/(2m+M)'; may be repeated."),
+]
+Report = Annotated[
+    str | None,
+    typer.Option("--output", "-o", metavar="PATH", help="The folder of a class's report, or one page's file."),
+]
+Pages = Annotated[
+    str | None,
+    typer.Option(
+        "--format", "-f", metavar="|".join(PAGES), callback=pages_checked, help="[default: text; of a report, html]"
+    ),
+]
+Number = Annotated[
+    int | None, typer.Option("--variant", metavar="K", min=1, help="The variant of papers that name none.")
+]
+Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
+
+
+def check(
+    problem: Problem,
+    answers: Answers = None,
+    typed: Typed = None,
+    output: Report = None,
+    format: Pages = None,
+    variant: Number = None,
+    variants: Count = None,
+    seed: Seed = 1,
+    width: Width = None,
+) -> None:
+    """Mark the answers of a student or of a class.
+
+    \b
+    Examples:
+      rotsolve check problems/pulleys/block-on-disc.yaml --answer "a = 2mg/(2m+M)"
+      rotsolve check problems/pulleys/block-on-disc.yaml ada.txt --variant 7
+      rotsolve check problems/pulleys/block-on-disc.yaml class.csv -o report
+
+    \b
+    Exit codes:
+      0  all right
+      1  something wrong or undecided, or a row that could not be marked
+      2  a bad problem, bad answers, or wrong usage
+    """
+    from rotsolve.grading.course.command import Request, run
+
+    if (answers is None) == (not typed):
+        raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
+    chosen = (output, format, variant, variants, seed, width or page_width(output))
+    with orderly():
+        code = run(Request(problem, answers or "", tuple(typed or ()), *chosen))
+    raise typer.Exit(code)

@@ -1,0 +1,41 @@
+"""Options: what several commands take, and how their values are checked."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+Output = Annotated[
+    str | None, typer.Option("--output", "-o", metavar="FILE", help="Write to a file: all of it, or nothing.")
+]
+Digits = Annotated[int, typer.Option(metavar="N", min=1, max=50, help="Significant digits, each one certified.")]
+Settings = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
+]
+Width = Annotated[
+    int | None,
+    typer.Option(metavar="N", min=50, max=400, help="Columns of text. [default: the terminal's, at most 120]"),
+]
+Seed = Annotated[int, typer.Option(metavar="S", min=0, help="Other variants; the same number gives the same ones.")]
+
+
+def one_of(choices: tuple[str, ...], value: str | None) -> str | None:
+    """The value if it is one of the choices; a usage error that lists them otherwise."""
+    if value is None or value in choices:
+        return value
+    raise typer.BadParameter(f"{value!r} is not one of {', '.join(choices)}")
+
+
+def read_settings(pairs: list[str]) -> dict[str, str]:
+    """`m=3kg` as {'m': '3kg'}; a name set twice or a pair without `=` is a usage error."""
+    settings: dict[str, str] = {}
+    for pair in pairs:
+        name, equals, value = (part.strip() for part in pair.partition("="))
+        if not (name and equals and value):
+            raise typer.BadParameter(f"{pair!r} is not of the form NAME=VALUE, as in m=3kg", param_hint="'--set'")
+        if name in settings:
+            raise typer.BadParameter(f"{name!r} is set twice", param_hint="'--set'")
+        settings[name] = value
+    return settings

@@ -1,0 +1,140 @@
+"""Solve: `rotsolve solve FILES…`: scenes and their derivations."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings
+from rotsolve.process import orderly, page_width
+from rotsolve.render import FORMATS, format_of_file
+
+LAWS = ("newton", "energy", "angular-momentum")
+STAGES = ("facts", "equations", "plan")
+NAMES = tuple(item.name for item in FORMATS)
+
+
+def law_checked(value: str | None) -> str | None:
+    return one_of(LAWS, value)
+
+
+def format_checked(value: str | None) -> str | None:
+    return one_of(NAMES, value)
+
+
+def stage_checked(value: str | None) -> str | None:
+    return one_of(STAGES, value)
+
+
+def moment_checked(text: str | None) -> str | None:
+    """The time as it is written, if it is one."""
+    from rotsolve.scene.moment import read_moment
+
+    try:
+        return None if text is None else read_moment(text).text
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="'--at'") from None
+
+
+def limit_checked(text: str | None) -> float | None:
+    """The time limit in seconds."""
+    from rotsolve.scene.moment import read_seconds
+
+    try:
+        return None if text is None else read_seconds(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint="'--time-limit'") from None
+
+
+Files = Annotated[
+    list[str],
+    typer.Argument(
+        metavar="FILES...", help="Scenes, folders, or patterns such as 'page/*.yaml'; - reads one from standard input."
+    ),
+]
+Law = Annotated[
+    str | None,
+    typer.Option(metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"),
+]
+Layout = Annotated[
+    str | None,
+    typer.Option(
+        "--format",
+        "-f",
+        metavar="|".join(NAMES),
+        callback=format_checked,
+        help="Output format. [default: by the name of -o, or text]",
+    ),
+]
+At = Annotated[
+    str | None, typer.Option(metavar="t=TIME", help="The value of functions of time at this moment, as t=2s.")
+]
+Show = Annotated[
+    str | None,
+    typer.Option(metavar="|".join(STAGES), callback=stage_checked, help="Print this stage instead of the derivation."),
+]
+Timing = Annotated[
+    bool, typer.Option("--profile", help="Say on standard error where the time went, and what was skipped.")
+]
+Jobs = Annotated[int, typer.Option("--jobs", "-j", metavar="N", min=1, help="Solve so many files at a time.")]
+TimeLimit = Annotated[
+    str | None, typer.Option(metavar="TIME", help="Give up a file that takes longer, as 10s. [default: none]")
+]
+
+
+def solve(
+    files: Files,
+    law: Law = None,
+    format: Layout = None,
+    output: Output = None,
+    digits: Digits = 4,
+    settings: Settings = None,
+    at: At = None,
+    show: Show = None,
+    width: Width = None,
+    jobs: Jobs = 1,
+    time_limit: TimeLimit = None,
+    profile: Timing = False,
+) -> None:
+    """Solve scenes, and print the derivation of each.
+
+    \b
+    Examples:
+      rotsolve solve problems/pulleys/block-on-disc.yaml
+      rotsolve solve problems/pulleys/block-on-disc.yaml --law energy
+      rotsolve solve problems/pulleys/block-on-disc.yaml --set m=3kg --digits 10
+      rotsolve solve problems/rolling -o answers.tex
+      rotsolve solve problems --jobs 4 --time-limit 10s
+      rotsolve solve problems/pulleys/block-on-disc.yaml --show equations
+
+    A page is printed as soon as all before it are. A file that fails, takes too long or ends its process neither stops
+    nor hides the others: its message goes to standard error, and the exit code is that of the worst file.
+    """
+    from rotsolve.run import Request, run
+
+    if show and format not in (None, "text"):
+        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    if profile and (jobs > 1 or time_limit):
+        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
+    by_name = format_of_file(output) if output and not show else None
+    chosen = format or (by_name.name if by_name else "text")
+    if width is None:
+        width = page_width(output)
+    request = Request(
+        tuple(files),
+        law=law,
+        format=chosen,
+        output=output,
+        digits=digits,
+        settings=read_settings(settings or []),
+        show=show,
+        width=width,
+        at=moment_checked(at),
+        jobs=jobs,
+        time_limit=limit_checked(time_limit),
+        profile=profile,
+    )
+    with orderly():
+        code = run(request)
+    raise typer.Exit(code)
