@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -11,10 +12,14 @@ from msgspec.structs import replace
 from rotsolve.core.faults import Unsolvable
 from rotsolve.grading.course.examiner import HIGHEST, Judge, NotMarked
 from rotsolve.grading.course.report.page import Task
+from rotsolve.inquiry.validity import ROOT
 from rotsolve.pipeline import solve_problem
 from rotsolve.scene.read import read_source
 
 if TYPE_CHECKING:
+    from rotsolve.core.derivation import Answer
+    from rotsolve.grading.marking.explaining import Wrong
+    from rotsolve.grading.mistakes import Mistake, WrongAnswers
     from rotsolve.keys.variants import Variant
     from rotsolve.keys.working import Worked
     from rotsolve.solution import Solution
@@ -27,6 +32,7 @@ class Judges:
         self.seed, self.count = seed, count
         self.problem = read_source(scene)
         self.solution = solve_problem(self.problem)
+        self._wrong: WrongAnswers | None = None
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
 
     @property
@@ -53,7 +59,31 @@ class Judges:
             raise NotMarked(error.fault.message) from None
         if worked is None:
             raise NotMarked("there are no variants that can be used")
-        return judge_of(self.varied(worked))
+        solution = self.varied(worked)
+        return judge_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
+
+    @cached_property
+    def smooth(self) -> bool:
+        """Whether no number decides what slips or holds, so that the problem with a mistake in it is solved alike for all numbers."""
+        validity = self.solution.trace.validity
+        return validity is not None and not set(validity().decided) - {ROOT}
+
+    def alike(self, solution: Solution) -> bool:
+        """Whether the formulas of a variant are those of the problem, so that those of its mistakes are too."""
+        own, others = ([answer.closed for answer in one.derivation.answers] for one in (self.solution, solution))
+        return own == others and None not in own and self.smooth
+
+    def wrong_for(self, solution: Solution) -> Wrong:
+        """The answers to a variant with a mistake; the scene is solved with each mistake once for all variants."""
+
+        def wrong() -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
+            if self._wrong is None:
+                from rotsolve.grading.mistakes import WrongAnswers
+
+                self._wrong = WrongAnswers(self.problem)
+            return self._wrong.with_values(solution.problem.values)
+
+        return wrong
 
     def varied(self, worked: Worked) -> Solution:
         """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
@@ -62,8 +92,8 @@ class Judges:
         return replace(worked.like, problem=problem, derivation=derivation)
 
 
-def judge_of(solution: Solution) -> Judge:
+def judge_of(solution: Solution, wrong: Wrong | None = None) -> Judge:
     """What marks answers to a solved scene."""
     from rotsolve.grading.marking.judge import Judge
 
-    return Judge(solution)
+    return Judge(solution, wrong)

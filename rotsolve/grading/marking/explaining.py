@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -28,6 +28,9 @@ ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
 LEAST = 2  # figures of a number that may name a mistake
 
 
+Wrong = Callable[[], "Iterator[tuple[Mistake, Mapping[str, Answer]]]"]
+
+
 class Mistaken(Struct, frozen=True):
     """The answers of the scene with one mistake in it."""
 
@@ -38,8 +41,9 @@ class Mistaken(Struct, frozen=True):
 class Explaining:
     """Finds the mistakes behind wrong answers; the scene is solved with each of them once, as far as they are needed."""
 
-    def __init__(self, letters: Letters) -> None:
+    def __init__(self, letters: Letters, wrong: Wrong | None = None) -> None:
         self.letters = letters
+        self._wrong = wrong  # where the mistakes of the scene are solved for other numbers already
         self._rest: Iterator[tuple[Mistake, Mapping[str, Answer]]] | None = None
         self._solved: list[Mistaken] = []
         self._roundings: dict[Formula, tuple[Rounded, ...]] = {}
@@ -51,7 +55,7 @@ class Explaining:
         if self._rest is None:
             from rotsolve.grading.mistakes import wrong_answers  # a right answer needs none of them
 
-            self._rest = iter(wrong_answers(self.letters.problem))
+            self._rest = iter(wrong_answers(self.letters.problem) if self._wrong is None else self._wrong())
         for mistake, answers in self._rest:
             self._solved.append(Mistaken(mistake, answers))
             yield self._solved[-1]

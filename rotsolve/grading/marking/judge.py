@@ -14,7 +14,7 @@ from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.comparing.units import measured
 from rotsolve.grading.marking.circles import circles
-from rotsolve.grading.marking.explaining import Explaining
+from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import Letters, Target, targets_of
 from rotsolve.grading.marking.texts import Judged, Texts
@@ -26,15 +26,15 @@ from rotsolve.solution import Solution
 
 
 class Judge:
-    """Judges answers to the questions of one solved scene."""
+    """Judges answers to the questions of one solved scene; `wrong` gives its answers with a mistake, where they are known already."""
 
-    def __init__(self, solution: Solution) -> None:
+    def __init__(self, solution: Solution, wrong: Wrong | None = None) -> None:
         self.letters = Letters.of(solution)
         self.domain = Domain.of(solution)
         self.texts = Texts(self.letters)
         self.targets = {target.name: target for target in targets_of(self.letters, self.same, self.close)}
         self.following = Following(self.letters, self.same)
-        self.explaining = Explaining(self.letters)
+        self.explaining = Explaining(self.letters, wrong)
         self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
         self._own: dict[tuple[str, str], Own | None] = {}
         self._explained: dict[tuple[str, str], Judged] = {}

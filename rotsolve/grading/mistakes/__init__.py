@@ -2,6 +2,16 @@
 
 from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.grading.mistakes.table import MISTAKES, Kind, mistakes_in, with_mistake, wrong_answers
+from rotsolve.grading.mistakes.table import MISTAKES, Kind, WrongAnswers, mistakes_in, with_mistake, wrong_answers
 
-__all__ = ["MISTAKES", "Change", "Kind", "Mistake", "Scene", "mistakes_in", "with_mistake", "wrong_answers"]
+__all__ = [
+    "MISTAKES",
+    "Change",
+    "Kind",
+    "Mistake",
+    "Scene",
+    "WrongAnswers",
+    "mistakes_in",
+    "with_mistake",
+    "wrong_answers",
+]

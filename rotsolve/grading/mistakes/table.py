@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.mistakes.differing import alike
 from rotsolve.grading.mistakes.kinds import angles, energies, forces, inertias, misread
@@ -73,19 +74,53 @@ def mistakes_in(scene: Scene) -> Iterator[Mistake]:
     return (mistake for kind in MISTAKES for mistake in kind.mistakes(scene))
 
 
-def wrong_answers(problem: Problem) -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
-    """Every mistake that changes an answer, with the answers that it gives, solved one after the other as they are asked for.
+Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
+
+
+class WrongAnswers:
+    """The mistakes of a problem with the answers that they give, solved one after the other as they are asked for, each once.
 
     Of mistakes of one kind that give the same answers, only the first.
     """
-    scene = Scene(problem)
-    for kind in MISTAKES:
-        given: list[Mapping[str, Answer]] = []
-        for mistake in kind.mistakes(scene):
-            answers = scene.with_mistake(mistake)
-            if answers is not None and not any(alike(answers, other) for other in given):
-                given.append(answers)
-                yield mistake, answers
+
+    def __init__(self, problem: Problem) -> None:
+        self.scene = Scene(problem)
+        self._found: list[Wrong] = []
+        self._rest = self._solved()
+
+    def __iter__(self) -> Iterator[Wrong]:
+        place = 0
+        while place < len(self._found) or self._another():
+            yield self._found[place]
+            place += 1
+
+    def with_values(self, values: Mapping[str, Formula]) -> Iterator[Wrong]:
+        """The same for other numbers of the givens; nothing is solved again."""
+        for mistake, answers in self:
+            changed = self.scene.with_values(mistake, answers, values)
+            if changed is not None:
+                yield mistake, changed
+
+    def _another(self) -> bool:
+        """Find one more, if there is one."""
+        following = next(self._rest, None)
+        if following is not None:
+            self._found.append(following)
+        return following is not None
+
+    def _solved(self) -> Iterator[Wrong]:
+        for kind in MISTAKES:
+            given: list[Mapping[str, Answer]] = []
+            for mistake in kind.mistakes(self.scene):
+                answers = self.scene.with_mistake(mistake)
+                if answers is not None and not any(alike(answers, other) for other in given):
+                    given.append(answers)
+                    yield mistake, answers
+
+
+def wrong_answers(problem: Problem) -> Iterator[Wrong]:
+    """Every mistake that changes an answer of a problem, with the answers that it gives."""
+    return iter(WrongAnswers(problem))
 
 
 def with_mistake(problem: Problem, mistake: Mistake) -> Mapping[str, Answer] | None:

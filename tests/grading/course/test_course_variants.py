@@ -102,3 +102,35 @@ def test_the_variant_on_the_command_line(command: Command, words: tuple[str, str
     Path("bob.txt").write_text("\n".join(lines), encoding="utf-8")
     assert command("bob.txt", "--variant", "2", *words).code == code
     assert "variant 2" in command("bob.txt", "--variant", "2", *words).out
+
+
+@pytest.mark.parametrize("scene", [WINCH, SLOPE], ids=["one way", "rolls or slips"])
+def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
+    command: Command, scene: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """They are solved once for all variants; solving each anew says the same."""
+    Path("scene.yaml").write_text(scene, encoding="utf-8")
+    from rotsolve.grading.course.judges import Judges
+    from rotsolve.grading.mistakes import wrong_answers
+    from rotsolve.keys.variants import worked_variants
+    from rotsolve.scene.read import read_file
+
+    rows = []
+    for variant, worked in worked_variants(read_file("scene.yaml"), 30, 7):
+        wrong = [answers["a"].value for _, answers in wrong_answers(worked.problem) if "a" in answers]
+        numbers = [value.float for value in wrong if value is not None]
+        rows += [
+            [f"S{variant.number}", str(variant.number), f"{numbers[place % len(numbers)]:.5g} m/s²"]
+            for place in (0, 3, 5)
+        ]
+    shared = remarks(command, rows)
+    monkeypatch.setattr(Judges, "alike", lambda judges, solution: False)
+    assert remarks(command, rows) == shared
+    assert sum("it looks as if" in said for said in shared) > 50
+
+
+def remarks(command: Command, rows: list[list[str]]) -> list[str]:
+    """What is said of the answers of a class."""
+    marks(command, rows, ["a"])
+    with Path("report", "marks.csv").open(encoding="utf-8", newline="") as stream:
+        return [row["remarks"] for row in csv.DictReader(stream)]
