@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.certified.ball import Certified, decimal_text, evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.ball import Certified, Precision, decimal_text, evaluate
+from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
 from rotsolve.algebra.notation.parse import parse
@@ -216,3 +216,19 @@ def test_a_number_is_told_from_a_near_one_by_a_finer_ball() -> None:
     exact = evaluate(parse("sqrt(2)*sqrt(8)"), {})
     assert Certified(exact.ball, exact.refine, lambda value: bool(asked.append(value))).figures(30)[1] == 30
     assert asked == [4]  # what is a short number is still tested
+
+
+@pytest.mark.parametrize("speed", ["6.2e-18", "1e-9", "1e-3", "1"])
+def test_the_time_of_a_swing_however_small(speed: str) -> None:
+    """t = ∫ dθ/ω from the lowest place to the turning point is K(k²)/ω₁, k = ω₀/(2 ω₁), which is ½ π/ω₁ for small ones.
+
+    Where the precision told no sign of the integrand, the ball was that of the negative number; and it took seconds.
+    """
+    values = {"i": f("0.002"), "d": f("0.0054"), "w": f(speed)}
+    swing = Integral(parse("sqrt(i/(2*d*cos(x) - 2*d + i*w^2))"), "x", ZERO, parse("acos(1 - i*w^2/(2*d))"))
+    true = evaluate(parse("ellipk(i*w^2/(4*d))*sqrt(i/d)"), values, digits=40)
+    assert evaluate(swing, values, digits=30).figures(30) == true.figures(30)
+    for bits in (40, 77, 154, 308):
+        with Precision(bits):
+            ball = RealBalls(values)(swing)
+        assert not ball.is_finite() or ball.overlaps(true.ball)

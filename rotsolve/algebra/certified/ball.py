@@ -83,44 +83,53 @@ class Certified(Struct, frozen=True):
     def figures(self, digits: int) -> tuple[str, int]:
         """The number to as many of these digits as can be certified, and how many these are; 0 with what is known of it, sure or not."""
         ball, wanted = self.ball, max(digits + 6, 15)
+        finest: list[Ball] = []
+
+        def is_exactly(number: Fraction) -> bool:
+            """Whether this is a number that lies in its ball: most are told apart by a finer one, where exact algebra may take minutes."""
+            if not finest:
+                finest.append(self._finer(digits + FINER))
+            low, high = ends(finest[0])
+            return low <= number <= high and self.equals(number)
+
         for _ in range(ROUNDS):
-            text = self._settled(ball, digits)
+            text = settled(ball, digits, is_exactly)
             if text is not None:
                 return text, digits
             wanted *= 2
-            finer = self.refine(wanted)
+            finer = self._finer(wanted)
             if finer.rel_accuracy_bits() <= ball.rel_accuracy_bits():
                 break  # it is known no better
             ball = finer
         for fewer in range(digits - 1, 0, -1):
-            text = self._settled(ball, fewer)
+            text = settled(ball, fewer, is_exactly)
             if text is not None:
                 return text, fewer
         return decimal_text(ball.mid(), digits=UNSURE), 0
 
-    def _settled(self, ball: Ball, digits: int) -> str | None:
-        """The text on which both ends of a ball agree, an exact tie rounded away from zero; None where they do not."""
-        low, high = ends(ball)
-        if low == high == 0:
-            return "0"
-        if low * high <= 0:
-            return None
-        first, last = rounded(low, digits), rounded(high, digits)
-        if first == last:
-            candidate = value_of(first, digits)
-            exact = low <= candidate <= high and self._is(candidate, ball)
-            return written(*first, digits, exact)
-        tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
-        if low <= tie <= high and self._is(tie, ball):
-            return written(*rounded(tie, digits), digits, False)
-        return None
+    def _finer(self, digits: int) -> Ball:
+        """A ball of so many digits; the one that is known where there is none."""
+        try:
+            return self.refine(digits)
+        except Undefined:
+            return self.ball
 
-    def _is(self, number: Fraction, ball: Ball) -> bool:
-        """Whether this is a number that lies in its ball: most are told apart by a finer one, where exact algebra may take minutes."""
-        if ball.is_exact():
-            return True
-        low, high = ends(self.refine(int(ball.rel_accuracy_bits() / BITS_PER_DIGIT) + FINER))
-        return low <= number <= high and self.equals(number)
+
+def settled(ball: Ball, digits: int, is_exactly: Callable[[Fraction], bool]) -> str | None:
+    """The text on which both ends of a ball agree, an exact tie rounded away from zero; None where they do not."""
+    low, high = ends(ball)
+    if low == high == 0:
+        return "0"
+    if low * high <= 0:
+        return None
+    first, last = rounded(low, digits), rounded(high, digits)
+    if first == last:
+        candidate = value_of(first, digits)
+        return written(*first, digits, low <= candidate <= high and is_exactly(candidate))
+    tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
+    if low <= tie <= high and is_exactly(tie):
+        return written(*rounded(tie, digits), digits, False)
+    return None
 
 
 def ends(ball: Ball) -> tuple[Fraction, Fraction]:

@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.flints import acb, context
-from rotsolve.algebra.formula import Call, Formula, Integral, Number
+from rotsolve.algebra.flints import acb, arb, context
+from rotsolve.algebra.formula import Call, Formula, Integral, Number, Symbol
 
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.balls import Ball, RealBalls
@@ -30,6 +30,17 @@ def radicand(node: Integral) -> Formula | None:
     return None if any(node.variable in part.symbols() for part in roots) else found
 
 
+def in_half_angles(inside: Formula, variable: str) -> Formula:
+    """The formula with 1 − 2 sin²(x/2) for cos x: of a small swing, cos x − 1 + ½ φ² would be as wide as x, not as its square."""
+    calls = {part for part in inside.walk(Call) if isinstance(part, Call) and variable in part.symbols()}
+    cosine = Call("cos", (Symbol(variable),))
+    if calls != {cosine}:
+        return inside
+    half = Symbol(f"{variable}/2")
+    known = simplify(inside.transform(lambda node: 1 - 2 * half * half if node == cosine else node))
+    return known.substitute({half.name: Call("sin", (HALF * Symbol(variable),))})
+
+
 def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
     """The integral where its radicand vanishes exactly at one end or both; None where it does at neither."""
     inside = radicand(node)
@@ -40,7 +51,11 @@ def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
     if not any(rest):
         return None
     middle = HALF * (node.lower + node.upper)
-    sign = 1 if balls(node.integrand.substitute({node.variable: middle})) > 0 else -1
+    between = balls(node.integrand.substitute({node.variable: middle}))
+    if not (between > 0 or between < 0):
+        return arb.nan()  # the precision does not tell its sign yet
+    sign = 1 if between > 0 else -1
+    inside = in_half_angles(inside, node.variable)
     if all(rest):
         return sign * (
             _from_end(node, inside, ends[0], middle, balls) - _from_end(node, inside, ends[1], middle, balls)
