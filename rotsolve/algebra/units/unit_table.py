@@ -73,7 +73,7 @@ _ROWS: tuple[tuple[Dimension, dict[str, str]], ...] = (  # name -> factor to SI
     (ANGLE, {"rad": "1", "mrad": "0.001"}),
     (VOLUME, {"L": "0.001", "mL": "1e-6"}),
     (VELOCITY, {"mph": "0.44704"}),
-    (FORCE, {"N": "1", "mN": "0.001", "kN": "1000", "MN": "1e6", "dyn": "1e-5"}),
+    (FORCE, {"N": "1", "mN": "0.001", "µN": "1e-6", "kN": "1000", "MN": "1e6", "dyn": "1e-5"}),
     (FORCE, {"lbf": "4.4482216152605", "kgf": "9.80665"}),
     (ENERGY, {"J": "1", "mJ": "0.001", "kJ": "1000", "MJ": "1e6", "GJ": "1e9", "erg": "1e-7"}),
     (ENERGY, {"cal": "4.184", "kcal": "4184", "Wh": "3600", "kWh": "3600000", "eV": "1.602176634e-19"}),
@@ -94,7 +94,12 @@ UNITS: dict[str, Unit] = {
     for dimension, names in rows
     for name, scale in names.items()
 }
-UNITS |= {"°": UNITS["deg"], "μm": UNITS["µm"], "μs": UNITS["µs"]}  # the Greek letter beside the micro sign
+UNITS |= {
+    "°": UNITS["deg"],
+    "μm": UNITS["µm"],
+    "μs": UNITS["µs"],
+    "μN": UNITS["µN"],
+}  # the Greek letter beside the micro sign
 
 AMBIGUOUS = {  # what is refused, and what to write
     "hp": "write hp_textbook (746 W), hp_mechanical (745.69987158227022 W) or hp_metric (735.5 W)",
@@ -105,7 +110,7 @@ AMBIGUOUS = {  # what is refused, and what to write
 MEANT = {  # words that people write, for the suggestion
     "kilogram": "kg", "kilograms": "kg", "kgs": "kg", "gram": "g", "grams": "g", "gm": "g", "tonne": "t", "ton": "t",
     "meter": "m", "meters": "m", "metre": "m", "metres": "m", "feet": "ft", "foot": "ft", "inch": "in", "mile": "mi",
-    "um": "µm", "us": "µs", "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minute": "min", "minutes": "min",
+    "um": "µm", "us": "µs", "uN": "µN", "sec": "s", "secs": "s", "second": "s", "seconds": "s", "minute": "min", "minutes": "min",
     "hr": "h", "hrs": "h", "hour": "h", "hours": "h", "days": "day", "yr": "year", "years": "year",
     "newton": "N", "newtons": "N", "joule": "J", "joules": "J", "watt": "W", "watts": "W", "hertz": "Hz",
     "degree": "deg", "degrees": "deg", "radian": "rad", "radians": "rad", "rads": "rad", "turns": "turn",

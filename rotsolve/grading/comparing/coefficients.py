@@ -1,17 +1,21 @@
-"""Coefficients: formulas in which numbers of givens are put in, `g/3` for ⅔ g sin θ with θ = 30°, or which have a rounded coefficient."""
+"""Coefficients: formulas in which numbers of letters are put in, `g/3` for ⅔ g sin θ with θ = 30°, or which have a rounded coefficient."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from fractions import Fraction
+from functools import partial
+from itertools import islice, product
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import Formula, Number
+from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
 from rotsolve.grading.comparing.numbers import number_of
 
 USUAL = Fraction(
     1, 100
 )  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
+ROUNDED = Fraction(1, 400)  # the share by which a number put in for a letter may differ from it
+MOST_WAYS = 32  # in which the numbers of a formula may be letters
 LEAST = 2  # figures of a number that may be rounded
 
 
@@ -33,7 +37,10 @@ def stands_in(value: Formula, typed: Formula) -> bool:
     except Undefined:
         return False
     numbers = [node.value for node in typed.walk(Number) if isinstance(node, Number)]
-    return known is not None and any(abs(float(number) - known.float) <= USUAL * abs(known.float) for number in numbers)
+    if known is None:
+        return False
+    close = Fraction(known.float)
+    return any(abs(number - close) <= USUAL * abs(close) for number in numbers)
 
 
 def has_decimal(typed: Formula) -> bool:
@@ -52,3 +59,28 @@ def is_decimal(value: Fraction) -> bool:
         return False
     digits = value.numerator * 10 ** max(twos, fives) // value.denominator
     return len(str(abs(digits)).rstrip("0")) >= LEAST
+
+
+def with_letters(typed: Formula, numbers: Mapping[str, float]) -> Iterator[tuple[Formula, tuple[str, ...]]]:
+    """A formula with letters for the numbers that they have, m₁ (g + a) for m₁ (9.81 + a), in all ways, and which letters these are."""
+    found = {node.value for node in typed.walk(Number) if isinstance(node, Number)}
+    letters = {value: named(abs(value), numbers) for value in sorted(found)}
+    choices = [[(value, ""), *((value, name) for name in names)] for value, names in letters.items() if names]
+    for chosen in islice(product(*choices), MOST_WAYS):
+        put = {value: Symbol(name) for value, name in chosen if name}
+        if put:
+            yield typed.transform(partial(lettered, put), Number), tuple(symbol.name for symbol in put.values())
+
+
+def named(value: Fraction, numbers: Mapping[str, float]) -> list[str]:
+    """The letters that have a number, perhaps rounded."""
+    known = {name: Fraction(number) for name, number in numbers.items() if number}
+    return [name for name, number in known.items() if abs(value - number) <= ROUNDED * abs(number)]
+
+
+def lettered(put: Mapping[Fraction, Symbol], node: Formula) -> Formula:
+    """The letter for a number, with its sign."""
+    letter = put.get(node.value) if isinstance(node, Number) else None
+    if letter is None or not isinstance(node, Number):
+        return node
+    return Negative(letter) if node.value < 0 else letter

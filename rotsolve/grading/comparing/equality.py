@@ -17,16 +17,22 @@ if TYPE_CHECKING:
     from rotsolve.solution import Solution
 
 REFERENCES = 256  # that a domain remembers
+NOTHING = Fraction(1, 10**20)  # a share by which equal formulas may differ in balls
 LARGEST = 20_000  # terms that a formula may have when it is multiplied out
 
 
 class Domain:
     """The region of a scene with its points; what a reference is there is worked out once."""
 
-    def __init__(self, region: Region) -> None:
+    def __init__(self, region: Region, own: bool = False) -> None:
         self.region = region
-        self.points = points_of(region)
+        self.points = points_of(region, own)
         self._references: dict[Formula, Reference] = {}
+
+    @cached_property
+    def own(self) -> Domain:
+        """The part of the domain in which all letters have the signs of the scene's numbers, and angles their quadrant."""
+        return Domain(self.region, own=True)
 
     @classmethod
     def of(cls, solution: Solution) -> Domain:
@@ -122,6 +128,16 @@ def same(left: Formula, right: Formula, domain: Domain) -> bool | None:
     if undefined and undefined == tried:
         return False
     return reference.is_exactly(left) if not tried else None
+
+
+def same_here(left: Formula, right: Formula, domain: Domain) -> bool:
+    """Whether both formulas are equal for the signs that the scene's numbers have, as sin(θ/2) and √(1 − cos θ)/√2 for θ > 0.
+
+    Their squares, or these squared, are proved to be equal, and at every point they have one sign.
+    """
+    if left.holds(Integral) or right.holds(Integral) or not close(left, right, domain.own, NOTHING):
+        return False
+    return any(domain.reference(right**power).is_exactly(left**power) for power in (2, 4))
 
 
 def close(left: Formula, right: Formula, domain: Domain, share: Fraction) -> bool:

@@ -1,12 +1,14 @@
 """Points: random values of a scene's letters at which formulas are compared, always the same ones.
 
 They lie round the scene's own numbers: what is positive stays so, R > r stays so where the numbers have it so, and no bound on which
-the closed forms rest is broken. A letter that may have either sign has both.
+the closed forms rest is broken. A letter that may have either sign has both; at the scene's own points it has the sign of its number, and
+an angle stays within its quadrant, so that √(1 − cos² θ) is sin θ.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from math import pi
 from random import Random
 from typing import TYPE_CHECKING
 
@@ -34,19 +36,22 @@ SPREAD = 1.0  # values are from half to twice the scene's
 NEAREST = 0.01
 TYPICAL, TYPICAL_ANGLE = 2.0, 0.7  # of a letter without a number; its values differ more
 WIDER = 2.0
+QUARTER = pi / 2
 
 Point = Mapping[str, Ball]
 
 
 class Letter(Struct, frozen=True):
-    """A letter that may have any value near its own number; `order` says what it is compared with: letters of one dimension keep the
-    order that their numbers have."""
+    """A letter that may have any value near its own number, the size of which is `number`; `order` says what it is compared with:
+    letters of one dimension keep the order that their numbers have. `quadrant` holds the ends of that of an angle, as sizes."""
 
     name: str
     number: float
     signed: bool
     known: bool
     order: Dimension | None
+    negative: bool = False
+    quadrant: tuple[float, float] | None = None
 
 
 class Region(Struct, frozen=True):
@@ -96,17 +101,22 @@ def _letter(given: Given, values: Mapping[str, Formula], positive: frozenset[str
     signed = given.name not in positive
     if given.value is None:
         return Letter(given.name, TYPICAL_ANGLE if is_angle(given) else TYPICAL, signed, False, None)
-    number = abs(evaluate(given.value, values, digits=6).float)
-    return Letter(given.name, number or 1.0, signed, True, None if signed else given.dimension)
+    value = evaluate(given.value, values, digits=6).float
+    number = abs(value)
+    quadrant = None
+    if number and is_angle(given):
+        low = number // QUARTER * QUARTER
+        quadrant = (low, low + QUARTER)
+    return Letter(given.name, number or 1.0, signed, True, None if signed else given.dimension, value < 0, quadrant)
 
 
-def points_of(region: Region) -> tuple[Point, ...]:
-    """Values for all letters at several points; none where no such point is found."""
+def points_of(region: Region, own: bool = False) -> tuple[Point, ...]:
+    """Values for all letters at several points, `own` ones with the scene's signs; none where no such point is found."""
     random, spread = Random(SEED), SPREAD
     found: list[Point] = []
     while len(found) < POINTS and spread > NEAREST:
         for _ in range(TRIES):
-            point = _point(region, random, spread)
+            point = _point(region, random, spread, own)
             if point is not None:
                 found.append(point)
                 break
@@ -115,9 +125,9 @@ def points_of(region: Region) -> tuple[Point, ...]:
     return tuple(found)
 
 
-def _point(region: Region, random: Random, spread: float) -> Point | None:
+def _point(region: Region, random: Random, spread: float, own: bool) -> Point | None:
     """Values of all letters, None where a bound is broken."""
-    numbers = {letter.name: _number(letter, random, spread) for letter in region.letters}
+    numbers = {letter.name: _number(letter, random, spread, own) for letter in region.letters}
     with Precision(BITS):
         point: dict[str, Ball] = {name: arb(number) for name, number in _ordered(region, numbers).items()}
         balls = RealBalls({}, bound=point)
@@ -134,10 +144,15 @@ def _point(region: Region, random: Random, spread: float) -> Point | None:
     return point
 
 
-def _number(letter: Letter, random: Random, spread: float) -> float:
+def _number(letter: Letter, random: Random, spread: float, own: bool) -> float:
     power = random.uniform(-1, 1) * spread * (1 if letter.known else WIDER)
-    sign = -1 if letter.signed and random.random() < 0.5 else 1
-    return float(sign * letter.number * 2.0**power)
+    size = float(letter.number * 2.0**power)
+    if own:
+        if letter.quadrant is not None and not letter.quadrant[0] < size < letter.quadrant[1]:
+            low, high = letter.quadrant
+            size = low + (high - low) * random.uniform(0.1, 0.9)
+        return -size if letter.negative else size
+    return -size if letter.signed and random.random() < 0.5 else size
 
 
 def _ordered(region: Region, numbers: dict[str, float]) -> dict[str, float]:

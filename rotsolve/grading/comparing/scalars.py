@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
 from functools import cached_property
 from math import floor, log10
@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.ball import Certified, rounded
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.comparing.coefficients import USUAL, has_decimal, put_in
+from rotsolve.grading.comparing.coefficients import USUAL, has_decimal, put_in, with_letters
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
@@ -24,6 +24,7 @@ from rotsolve.scene import marks
 from rotsolve.scene.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
+EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
 LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
@@ -35,7 +36,7 @@ class Scalar(Struct, frozen=True, dict=True):
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
     has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
-    `dimensions` are those of the letters that an answer may hold.
+    `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units.
     """
 
     closed: Formula | None
@@ -47,6 +48,7 @@ class Scalar(Struct, frozen=True, dict=True):
     close: Close
     values: dict[str, Formula]
     dimensions: dict[str, Dimension]
+    numbers: Mapping[str, float]
     direction: str = ""
     positive: str = ""
     directed: bool = False
@@ -228,25 +230,45 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
 
 
 def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool) -> Finding | None:
-    """The finding for a formula that is right with numbers of givens put in, or but for a rounded coefficient; else None.
+    """The finding for a formula that is right with numbers of letters put in, or but for a rounded coefficient; else None.
 
     One that does not measure what is asked (`fits`) has lost the units of its numbers.
     """
+    finding = put_in_for_missing(formula, asked, fits) or put_in_beside(formula, asked)
+    return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
+
+
+def put_in_for_missing(formula: Formula, asked: Scalar, fits: bool) -> Finding | None:
+    """The finding where the numbers of the letters that a formula lacks make the closed form equal to it."""
     closed = asked.closed
     reduced = None if closed is None else put_in(closed, formula, asked.values, fits)
     if closed is None or reduced is None:
         return None
     missing = sorted(closed.symbols() - formula.symbols())
-    listed = [word for name in missing for word in (", ", Symbol(name))][1:]
-    put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if missing else ("right",)
-    if not missing or not asked.same(formula, reduced):
-        share = asked.marking.tolerance.share or USUAL
-        if not has_decimal(formula) or not asked.close(formula, reduced, share):
-            return None
-        put = (*put, ", but a number in it is rounded")
-    exact = asked.marking.form == marks.EXACT
-    finding = found(RIGHT, "numbers", *put, flaws=(marks.FORM,) if exact else ())
-    return finding if fits else lacking_unit(finding, asked.unit, asked)
+    holds = asked.same(formula, reduced) if missing else False
+    if holds is None:  # sin 35° and its like, which exact algebra does not know
+        holds = asked.close(formula, reduced, EXACTLY)
+    if holds:
+        return with_numbers(asked, missing)
+    if has_decimal(formula) and asked.close(formula, reduced, asked.marking.tolerance.share or USUAL):
+        return with_numbers(asked, missing, rounded=True)
+    return None
+
+
+def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
+    """The finding where a formula is right with letters in place of their numbers."""
+    for meant, names in with_letters(formula, asked.numbers):
+        if asked.closed is not None and not of_other_dimension(meant, asked) and asked.same(meant, asked.closed):
+            return with_numbers(asked, sorted(names))
+    return None
+
+
+def with_numbers(asked: Scalar, names: list[str], *, rounded: bool = False) -> Finding:
+    """What is said of a right formula in which there are numbers of these letters."""
+    listed = [word for name in names for word in (", ", Symbol(name))][1:]
+    put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if names else ("right",)
+    said = (*put, ", but a number in it is rounded") if rounded else put
+    return found(RIGHT, "numbers", *said, flaws=(marks.FORM,) if asked.marking.form == marks.EXACT else ())
 
 
 def worked_out(formula: Formula, asked: Scalar) -> Finding:

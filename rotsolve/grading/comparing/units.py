@@ -42,6 +42,8 @@ def measured(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = Fals
         return Measured(fault=Remark("dimension", (other_dimension(typed, dimension),)))
     if dimension.matches(FREQUENCY):
         return of_rate(typed, wanted, dimension)
+    if hertz(typed) and dimension.angle and not dimension.matches(FREQUENCY):
+        return Measured(fault=Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",)))
     if turns and typed.dimension == ANGLE:
         if counts_turns(typed):
             return Measured(ONE_UNIT)

@@ -13,7 +13,7 @@ from rotsolve.grading.course.handing.table import Entry, read_table
 from rotsolve.grading.course.judges import Judges
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
 from rotsolve.grading.course.report.results import Course, Result
-from rotsolve.grading.course.report.summary import overview, summary_page
+from rotsolve.grading.course.report.summary import doubtful_variants, overview, summary_page, without_column
 from rotsolve.grading.course.request import ALL_RIGHT, BAD, NOT_ALL_RIGHT, Request
 from rotsolve.grading.course.showing import layout_named
 from rotsolve.grading.course.showing.text import lines
@@ -86,7 +86,7 @@ def report(course: Course, request: Request) -> int:
         failed = write_report(course, folder, pages, tell)
     if not failed:
         papers = [result.marked for result in course.results if result.marked is not None]
-        for paragraph in overview(course, papers):
+        for paragraph in (*overview(course, papers), *without_column(course), *doubtful_variants(course)):
             print(TEXT.words(paragraph.words))
         print(f"The summary is {folder / f'{SUMMARY}{pages.suffix}'}, the marks are in {folder / MARKS}.")
     return failed

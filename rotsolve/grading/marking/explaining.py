@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import ONE, Formula, Symbol
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.comparing.coefficients import put_in
 from rotsolve.grading.comparing.finding import Finding, found
@@ -26,6 +26,7 @@ ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
 FAR = 0.1  # the share by which no number of two figures is rounded
 ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
 LEAST = 2  # figures of a number that may name a mistake
+ENOUGH = 3  # figures of a number that may be the answer to another question
 
 
 Wrong = Callable[[], "Iterator[tuple[Mistake, Mapping[str, Answer]]]"]
@@ -67,7 +68,23 @@ class Explaining:
         if named is not None:
             words = ("rounded too early: this is what comes with ", *named)
             return found(WRONG, "rounding", *words, flaws=(marks.ROUNDING,))
-        return self.mistake_of_number(name, typed, asked) or self.roughly(typed, asked)
+        other = self.another(name, typed, asked)
+        return other or self.mistake_of_number(name, typed, asked) or self.roughly(typed, asked)
+
+    def another(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
+        """The answer to another question, given for this one."""
+        if typed.figures is not None and typed.figures < ENOUGH:
+            return None
+        for answer in self.letters.solution.derivation.answers:
+            alike = answer.name != name and answer.unit == asked.unit and not answer.components
+            if (
+                alike
+                and answer.value is not None
+                and typed.unit in (None, asked.unit)
+                and rounds_to(typed, answer.value)
+            ):
+                return found(WRONG, "mistake", "it is the value of ", Symbol(answer.name))
+        return None
 
     def roundings(self, asked: Scalar) -> tuple[Rounded, ...]:
         """The answer with one number rounded too early."""
@@ -120,6 +137,9 @@ class Explaining:
             if number is not None and rough is not None and abs(number.float - rough) > ROUGHLY * abs(rough):
                 continue  # most are told apart by their numbers
             fits = not of_other_dimension(formula, asked)
+            missing = answer.closed.symbols() - formula.symbols()
+            if any(asked.values.get(name) == ONE for name in missing):
+                continue  # what is 1 can be left out of any formula
             wrong = put_in(answer.closed, formula, asked.values, fits)
             if wrong is not None and asked.same(formula, wrong):
                 return told(one.mistake)

@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.grading.comparing.equality import Domain, close, same
+from rotsolve.grading.comparing.equality import Domain, close, same, same_here
 from rotsolve.grading.comparing.finding import found
 from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import lacking_unit
@@ -17,7 +19,7 @@ from rotsolve.grading.marking.circles import circles
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
 from rotsolve.grading.marking.target import Letters, Target, targets_of
-from rotsolve.grading.marking.texts import Judged, Texts
+from rotsolve.grading.marking.texts import CHAIN, Judged, Texts
 from rotsolve.grading.marking.working import Working
 from rotsolve.grading.reading.records import FORMULA, NUMBER
 from rotsolve.grading.verdict import WRONG, Marked, Paper, Part, Verdict
@@ -75,7 +77,7 @@ class Judge:
         followed = self._followed.get(key)
         if followed is not None:
             return followed, True
-        if one.finding.remarks:
+        if any(remark.kind != CHAIN for remark in one.finding.remarks):
             return one, False
         if key[:2] not in self._explained:
             self._explained[key[:2]] = self._explain(target, one)
@@ -108,7 +110,9 @@ class Judge:
                 finding = self.explaining.number(target.name, typed, asked)
             elif reading.kind == FORMULA:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
-        return one if finding is None else Judged(reading, finding, one.read_as)
+        if finding is None:
+            return one
+        return Judged(reading, replace(finding, remarks=(*finding.remarks, *one.finding.remarks)), one.read_as)
 
     def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
@@ -139,15 +143,21 @@ class Judge:
         return close(left, right, self.domain, share)
 
     def same(self, left: Formula, right: Formula) -> bool | None:
-        """Whether two formulas are equal in the scene's domain; the right one is the reference. None also where one has no value."""
+        """Whether two formulas are equal in the scene's domain, or for the signs of its numbers; the right one is the reference.
+
+        None also where one has no value.
+        """
         try:
-            return same(left, right, self.domain)
+            everywhere = same(left, right, self.domain)
+            return everywhere or same_here(left, right, self.domain) or everywhere
         except (Undefined, ZeroDivisionError):
             return None
 
 
 def unsolved(one: Judged, others: frozenset[str]) -> Judged:
     """The finding for an answer that is told by others, and they by it."""
+    if not others:
+        return Judged(one.reading, found(WRONG, "form", "the answer speaks of itself"), one.read_as)
     listed = [word for name in sorted(others) for word in (", ", Symbol(name))][1:]
     finding = found(WRONG, "form", "nothing is solved: it is told by ", *listed, ", and that by this answer")
     return Judged(one.reading, finding, one.read_as)

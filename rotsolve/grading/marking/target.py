@@ -12,7 +12,8 @@ from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
-from rotsolve.core.registry import SPOKEN, TIME
+from rotsolve.core.registry import SEPARATOR, SPOKEN, TIME
+from rotsolve.grading.comparing.numbers import number_of
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
@@ -20,6 +21,8 @@ from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.marks import Marking, marking_of
 from rotsolve.scene.model import Choice, Find, Problem
 from rotsolve.solution import Solution
+
+CONSTANT = f"inertia{SEPARATOR}"  # how the keys of moments of inertia begin
 
 
 class Target(Struct, frozen=True):
@@ -94,6 +97,11 @@ class Letters(Struct, frozen=True, dict=True):
         """The letters that the laws print."""
         return frozenset(name for name, key in self.meanings.keys.items() if not any(mark in key for mark in SPOKEN))
 
+    @cached_property
+    def constants(self) -> frozenset[str]:
+        """The letters of moments of inertia that the laws print: those are the bodies' own, whatever moves."""
+        return frozenset(name for name in self.printed if self.meanings.keys[name].startswith(CONSTANT))
+
     def meaning(self, name: str) -> Formula | None:
         """The closed form of a letter that is no given."""
         closed = self.closed.get(name)
@@ -113,6 +121,17 @@ class Letters(Struct, frozen=True, dict=True):
     def meant(self, typed: Formula) -> Formula:
         """A typed formula with the running time under its own name."""
         return typed.substitute({self.meanings.time: Symbol(TIME)}) if self.runs else typed
+
+    @cached_property
+    def numbers(self) -> dict[str, float]:
+        """The numbers of givens and answers in SI units, as far as they have one."""
+        found = {name: number_of(value, {}) for name, value in self.values.items()}
+        numbers = {name: value.float for name, value in found.items() if value is not None}
+        for answer in self.solution.derivation.answers:
+            factor = number_of((answer.unit or ONE_UNIT).factor, {})
+            if answer.value is not None and factor is not None and not answer.components:
+                numbers[answer.name] = answer.value.float * factor.float
+        return numbers
 
     @cached_property
     def dimensions(self) -> dict[str, Dimension]:
@@ -158,6 +177,7 @@ def scalar(
         *compare,
         letters.values,
         letters.dimensions,
+        letters.numbers,
         answer.direction,
         answer.positive,
         directed,

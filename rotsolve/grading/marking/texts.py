@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from msgspec import Struct
 from msgspec.structs import replace
 
@@ -15,10 +17,13 @@ from rotsolve.grading.marking.target import Letters, Target
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
 from rotsolve.grading.reading.chains import members
 from rotsolve.grading.reading.records import NUMBER, WORD
+from rotsolve.grading.reading.wording import bare
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
 from rotsolve.scene.marks import FORM
 
 LONGEST_ECHO = 400  # characters of a line that is said back
+CHAIN = "chain"  # the kind of a remark on the way to an answer
+NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
 
 class Judged(Struct, frozen=True):
@@ -45,12 +50,13 @@ class Texts:
         return known
 
     def _judge(self, target: Target, text: str) -> Judged:
-        if not text.strip():
+        if NOTHING.fullmatch(text):
             return Judged(None, found(WRONG, "empty", "not answered"))
         if target.word:
             return Judged(None, word_judged(text, target))
         if is_direction(said(text)):
             return Judged(None, direction_judged(said(text), target))
+        text = bare(text, self.letters.givens)
         chain = members(text, self.names(target.name)) if target.rows == 1 else ()
         if chain:
             return chained([self._value(target, member) for member in chain], chain)
@@ -78,22 +84,21 @@ class Texts:
 
         others = read_quantities(line, self.names(target.name), self.letters.dimensions)
         if best.reading is None:
-            others = (*others, *self._with_laws(line, target.name))
+            try:
+                others = (*others, *self._with_laws(line, target.name))
+            except AnswerError as error:  # knows more letters, so that it blames the right one
+                best = unread(error)
         if not others:
             return best
         other = self._best(target, text, directed(others, direction))
         return other if best.reading is None or rank(other.finding) < rank(best.finding) else best
 
     def _with_laws(self, line: str, asked: str) -> tuple[Reading, ...]:
-        """The readings of a line with letters that only the laws print, I for the moment of inertia, in terms of the givens."""
-        names = Names(self.letters.givens | self.letters.printed, self.letters.told, asked)
-        try:
-            readings = read_answer(line, names)
-        except AnswerError:
-            return ()
+        """The readings of a line with letters that no motion has to be solved for, I for the moment of inertia, in terms of the givens."""
+        names = Names(self.letters.givens | self.letters.constants, self.letters.told, asked)
         return tuple(
             replace(reading, written=reading.text, formula=formula)
-            for reading in readings
+            for reading in read_answer(line, names)
             if reading.formula is not None and (formula := self.letters.spelled_out(reading.formula)) is not None
         )
 
@@ -101,9 +106,9 @@ class Texts:
         """By the reading that makes the line right, else by the likeliest one."""
         tried = [(reading, self._read(target, reading)) for reading in readings]
         reading, finding = min(tried, key=lambda item: rank(item[1]))
-        plain = reading is readings[0] and reading.kind == NUMBER and finding.outcome == RIGHT
+        plain = reading is readings[0] and reading.kind == NUMBER  # a number with its unit, as it stands there
         echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO and not plain else ""
-        return Judged(reading, finding, echo)
+        return Judged(reading, finding, "" if echo == said(text) else echo)
 
     def _read(self, target: Target, reading: Reading) -> Finding:
         """The finding for one reading."""
@@ -136,7 +141,7 @@ def chained(found_in: list[Judged], chain: tuple[str, ...]) -> Judged:
     finding = last.finding
     if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
         return Judged(
-            None, found(UNDECIDED, "chain", "what stands between the signs of equality does not belong together")
+            None, found(UNDECIDED, CHAIN, "what stands between the signs of equality does not belong together")
         )
     if finding.right and any(one.finding.right and FORM not in one.finding.flaws for one in earlier):
         flaws = tuple(flaw for flaw in finding.flaws if flaw != FORM)
@@ -150,7 +155,7 @@ def chained(found_in: list[Judged], chain: tuple[str, ...]) -> Judged:
             start, end = len(member) - len(member.lstrip()), len(member.rstrip())
             words = f"`{member.strip()}` {'is right' if one.finding.right else 'is another value'}"
             return replace(
-                last, finding=replace(finding, remarks=(*finding.remarks, Remark("chain", (words,), start, end)))
+                last, finding=replace(finding, remarks=(*finding.remarks, Remark(CHAIN, (words,), start, end)))
             )
     return replace(last, finding=finding)
 

@@ -16,7 +16,7 @@ from rotsolve.algebra.certified.ball import Certified, Undefined, evaluate
 from rotsolve.algebra.certified.balls import RealBalls
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum
+from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of, together
 from rotsolve.grading.comparing.scalars import Same
@@ -96,7 +96,12 @@ class Working:
         if holds is not False:
             return Finding(outcome_of(holds))
         unitless = one_is_a_number(left, right) or DECIMAL.search(text)  # numbers lost their units when they were read
-        return (None if unitless else self.misfit(left, right)) or self.mistake(left, right) or Finding(WRONG)
+        return (
+            (None if unitless else self.misfit(left, right))
+            or self.sign(left, right)
+            or self.mistake(left, right)
+            or Finding(WRONG)
+        )
 
     def identical(self, left: Formula, right: Formula) -> bool:
         """Whether two sides are the same whatever their letters stand for: most differ where each letter has some number of its own."""
@@ -125,7 +130,7 @@ class Working:
     def holds(self, left: Formula, right: Formula, text: str) -> bool | None:
         """Whether an equation holds on the scene's solution: exactly, or in its decimals."""
         sides = [self.told(side) for side in (left, right)]
-        held = self.same(sides[0] - sides[1], ZERO)
+        held = self.same(sides[0] - sides[1], ZERO) or self.same(*sides)
         if held is True or (held is None and self.is_law(left - right)):
             return True
         if DECIMAL.search(text) or one_is_a_number(left, right):
@@ -190,6 +195,15 @@ class Working:
         dimensions = {name: dimension for name, dimension in found.items() if dimension is not None}
         return dimensions if len(dimensions) == len(found) else None
 
+    def sign(self, left: Formula, right: Formula) -> Finding | None:
+        """The term whose sign alone is wrong, where there are several: T in m g + T = m a."""
+        terms = [*terms_of(left), *(negate(term) for term in terms_of(right))]
+        for term in terms if len(terms) > 2 else ():
+            if self.same(self.told(left - right - term - term), ZERO):
+                shown = term.operand if isinstance(term, Negative) else term
+                return found(WRONG, "mistake", "it would hold with the other sign of ", shown)
+        return None
+
     def mistake(self, left: Formula, right: Formula) -> Finding | None:
         """The mistake with which the equation holds, where all its letters are givens or answers."""
         names = (left.symbols() | right.symbols()) - self.letters.givens
@@ -197,8 +211,8 @@ class Working:
             return None
         for one in self.explaining.mistaken():
             forms = {name: answer.closed for name, answer in one.answers.items() if name in names}
-            if None in forms.values() or not forms:
-                continue
+            if not forms or any(form is None or form == ZERO for form in forms.values()):
+                continue  # where a force is nothing, many a line holds
             put = {name: form for name, form in forms.items() if form is not None}
             sides = [self.told(side.substitute(put)) for side in (left, right)]
             if self.same(*sides):

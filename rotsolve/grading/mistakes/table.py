@@ -46,6 +46,7 @@ MISTAKES: tuple[Kind, ...] = (
     Kind("diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters),
     Kind("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
     Kind("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
+    Kind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
     Kind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
     Kind(
         "momentum kept", "momentum is taken as conserved in a blow though a support pushes too", energies.momentum_kept
@@ -57,13 +58,12 @@ MISTAKES: tuple[Kind, ...] = (
     Kind("mass for weight", "m is put for m g", forces.no_weight),
     Kind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
     Kind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
+    Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
     Kind("radius left out", "the radius is left out of a torque", forces.no_radius),
     Kind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
-    Kind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
     Kind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
     Kind("start from rest", "a velocity at the start is left out", misread.from_rest),
     Kind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.exchanged),
-    Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
     Kind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
     Kind("units not converted", "cm is put in as m, g as kg", misread.units),
 )

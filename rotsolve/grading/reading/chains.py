@@ -4,9 +4,16 @@ from __future__ import annotations
 
 import re
 
+from rotsolve.algebra.notation.tokens import FormulaError
+from rotsolve.grading.reading.grammar.tokens import tokens_of
 from rotsolve.grading.reading.names import Names
+from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut
 
 EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
+_LEADS = re.compile(
+    rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;"
+)  # signs between members
+_IN_BRACKETS = re.compile(r"(?P<formula>.*\S)\s+\((?P<value>[≈\s]*[-+−]?\d[^()]*)\)\s*$")  # 3/5 g sin β (2.49 m/s²)
 _NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
 _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
 _SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
@@ -21,9 +28,9 @@ def members(text: str, names: Names) -> tuple[str, ...]:
     A name in front that is the one asked for is no member. What tells another name, or is an equation with the asked one in it, is no
     chain of values, nor are several answers in one line.
     """
-    if text.count("=") < 1 and EQUALS.search(text) is None:
+    pieces = _pieces(text, names)
+    if len(pieces) < 2:
         return ()
-    pieces = _pieces(text)
     alone = _ALONE.fullmatch(pieces[0])
     if not pieces[0].strip(" $") or (alone and names.is_asked(alone[1].removesuffix("(t)").translate(_SET))):
         pieces = pieces[1:]
@@ -33,13 +40,33 @@ def members(text: str, names: Names) -> tuple[str, ...]:
     return tuple(pieces) if whole and not any(_NEXT_ANSWER.search(piece) for piece in pieces[:-1]) else ()
 
 
-def _pieces(text: str) -> list[str]:
-    """What stands between the signs of equality."""
+def _pieces(text: str, names: Names) -> list[str]:
+    """What stands between the signs of equality, those that lead from one value to the next, and a value in brackets behind a formula."""
     pieces, start = [], 0
-    for sign in EQUALS.finditer(text):
+    for sign in _LEADS.finditer(text):
+        if EQUALS.fullmatch(sign[0]) is None and _depth(text[start : sign.start()]):
+            continue  # ; in a vector, → between the ends of an integral
         pieces.append(" " * start + text[start : sign.start()])
         start = sign.end()
-    return [*pieces, " " * start + text[start:]]
+    last = " " * start + text[start:]
+    behind = _IN_BRACKETS.fullmatch(last)
+    if behind and any(char.isalpha() for char in behind["formula"]) and _is_value(behind["value"], names):
+        return [*pieces, behind["formula"], " " * behind.start("value") + behind["value"]]
+    return [*pieces, last]
+
+
+def _is_value(text: str, names: Names) -> bool:
+    """Whether a text is a number with a unit, which is not made of letters of the scene."""
+    try:
+        parts = cut(tokens_of(text.replace("≈", " ")))
+    except FormulaError:
+        return False
+    return parts.has_unit and could_be_number(parts) and not are_letters(parts.unit[:-1], names.letters)
+
+
+def _depth(text: str) -> int:
+    """How many brackets are open."""
+    return sum((char in "([{") - (char in ")]}") for char in text)
 
 
 def _holds(piece: str, names: Names) -> bool:

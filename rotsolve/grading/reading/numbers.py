@@ -107,8 +107,9 @@ def _power_of_ten(tokens: list[Token]) -> str | None:
 
 
 def could_be_number(parts: Parts) -> bool:
-    """Whether a number stands in front of what can be a unit."""
-    return len(parts.number) > 1 and (not parts.has_unit or looks_like_unit(list(parts.unit)))
+    """Whether a number stands in front of what can be a unit; no bracket reaches from one into the other."""
+    depth = sum((token.kind in "([") - (token.kind in ")]") for token in parts.number[:-1])
+    return depth == 0 and len(parts.number) > 1 and (not parts.has_unit or looks_like_unit(list(parts.unit)))
 
 
 def are_letters(tokens: Iterable[Token], names: frozenset[str]) -> bool:

@@ -5,7 +5,7 @@ They are looked for where a line is not right as a formula in the letters of the
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 
 from msgspec.structs import replace
 
@@ -20,15 +20,16 @@ from rotsolve.grading.reading.grammar.formulas import HALF_TURN, Grammar, read_f
 from rotsolve.grading.reading.grammar.runs import meaning
 from rotsolve.grading.reading.names import Names
 from rotsolve.grading.reading.numbers import begins_with_letter, is_kind
-from rotsolve.grading.reading.read import line_of
+from rotsolve.grading.reading.read import Reader, line_of
 from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
-from rotsolve.grading.reading.units import is_unit, looks_like_unit, read_unit, split
+from rotsolve.grading.reading.units import BASIC, is_unit, looks_like_unit, read_unit, split
 from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, noted
 from rotsolve.grading.verdict import Remark
 
 UNIT_MARK = "unit:"  # before the name of a unit where letters may be called the same
 TRIG = ("sin", "cos", "tan")
 BEFORE_UNIT = ("number", "fraction", "raised", ")", "]", "°", "symbol")
+MOST_DIGITS = 2  # of a power that is typed without a mark
 JOINS = ("/", "*", ".")
 COUNTING = ("Hz", "rev", "turn", "rpm")  # units that SI units do not stand for
 
@@ -44,9 +45,18 @@ def read_quantities(text: str, names: Names, dimensions: Dimensions) -> tuple[Re
         line = line_of(text, names)
         if line.word or line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):
             return ()
-        found = all_ways(lambda forks: _read(line.text, line.tokens, names, dimensions, forks), 3 * len(line.tokens))
     except FormulaError:
         return ()
+    found: list[Reading] = []
+    raised = with_powers(line.tokens)
+    ways: list[Callable[[Forks], Reading]] = [lambda forks: _read(line.text, raised, names, dimensions, forks)]
+    if raised != line.tokens:
+        ways.insert(0, lambda forks: Reader(replace(line, tokens=raised), forks).line())
+    for way in ways:
+        try:
+            found += all_ways(way, 3 * len(line.tokens))
+        except FormulaError:
+            continue
     found += [degrees for reading in list(found) for degrees in in_degrees(reading)]
     return tuple(replace(reading, direction=line.direction) for reading in found)
 
@@ -62,6 +72,31 @@ def _read(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, 
     return noted(reading, remarks)
 
 
+def is_likely(name: str) -> bool:
+    """Whether a run of letters is one of units in a formula: h, t and d are rather letters that the scene does not have."""
+    return is_unit(name) and (len(name) > 1 or name in BASIC)
+
+
+def with_powers(tokens: list[Token]) -> list[Token]:
+    """The tokens with the powers that were typed without a mark: m s-2 is m s^(-2), 4.9·10-3 is 4.9·10^(-3), 4.9 10^3 is 4.9·10^3."""
+    result: list[Token] = []
+    rest = list(tokens)
+    while rest:
+        token = rest.pop(0)
+        before = result[-1] if result else token
+        if token.text == "10" and before.kind == "number" and rest[0].kind in ("^", "raised"):
+            result.append(Token("*", "*", token.start, token.start))
+        result.append(token)
+        power = (token.kind == "name" and is_unit(token.text)) or (token.text == "10" and before.kind == "*")
+        close = len(rest) > 2 and token.end == rest[0].start and rest[0].end == rest[1].start
+        if power and close and rest[0].kind == "-" and rest[1].text.isdigit() and len(rest[1].text) <= MOST_DIGITS:
+            minus, digits = rest.pop(0), rest.pop(0)
+            end = digits.end
+            result += [Token("^", "^", token.end, token.end), Token("(", "(", token.end, token.end), minus, digits]
+            result.append(Token(")", ")", end, end))
+    return result
+
+
 # a unit behind a formula
 
 
@@ -72,7 +107,7 @@ def unit_behind(tokens: list[Token], letters: frozenset[str]) -> int:
     start = index = end - bracketed
     while index:
         token = tokens[index - 1]
-        if token.kind == "name" and is_unit(token.text):
+        if token.kind == "name" and is_likely(token.text):
             start = index = index - 1
             before = tokens[index - 1] if index else token
             if before.kind in JOINS and index > 1 and tokens[index - 2].kind in ("name", "raised"):
@@ -123,7 +158,7 @@ class QuantityGrammar(Grammar):
 
     def is_unit(self, token: Token) -> bool:
         """Whether a name is a unit: it is one by its spelling and its place, and no letter of the scene, or may be either."""
-        if not is_unit(token.text) or not self.behind_number():
+        if not is_likely(token.text) or not self.behind_number():
             return False
         if meaning(token.text, self.letters) is not None:
             return self.forks.choose(self.tokens[self.index - 1].end < token.start or self.in_unit())

@@ -16,6 +16,7 @@ from rotsolve.grading.reading.grammar.runs import REMEMBERED
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
 MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
+PER_SECOND = {"ms": ("m", "s"), "rads": ("rad", "s")}  # before a negative power
 _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
 
 
@@ -77,8 +78,8 @@ def _words(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
         hint = f": {AMBIGUOUS[name]}" if name in AMBIGUOUS else ""
         message = f"`{name}` has several definitions{hint}" if hint else f"unknown unit `{name}`"
         raise FormulaError(message, token.start, token.end, None if hint else suggest(name, UNITS))
-    if name == "ms" and _negative(token, tokens) and forks.choose(True):  # ms⁻² is m s⁻², seldom 1/ms²
-        found = ("m", "s")
+    if name in PER_SECOND and _negative(token, tokens) and forks.choose(True):  # ms⁻² is m s⁻², seldom 1/ms²
+        found = PER_SECOND[name]
     return _spread(found, token)
 
 

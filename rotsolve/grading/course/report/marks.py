@@ -56,7 +56,8 @@ def said(result: Result) -> str:
     """What is to be said of the row, then of each answer."""
     sentences = list(result.entry.remarks)
     for part in result.marked.parts if result.marked is not None else ():
-        sentences += [f"{part.name}: {release(TEXT.words(remark.words))}" for remark in part.verdict.remarks]
+        told = [remark for remark in part.verdict.remarks if remark.kind != "comma"]  # of a whole class that writes so
+        sentences += [f"{part.name}: {release(TEXT.words(remark.words))}" for remark in told]
     return "; ".join(sentences)
 
 

@@ -111,9 +111,7 @@ def commonest(course: Course, papers: list[Marked]) -> Iterator[Table | Paragrap
 
 def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
     """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
-    absent = [name for name in course.task.letters if name not in course.columns.answers]
-    if absent:
-        yield Paragraph((f"No column is named {', '.join(absent)}.",))
+    yield from without_column(course)
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
     yield from doubtful_variants(course)
@@ -124,6 +122,13 @@ def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
     ]
     if rows:
         yield Table(("line", "student", "what"), tuple(rows))
+
+
+def without_column(course: Course) -> Iterator[Paragraph]:
+    """Answers that no column holds."""
+    absent = [name for name in course.task.letters if name not in course.columns.answers]
+    if absent:
+        yield Paragraph((f"No column is named {', '.join(absent)}.",))
 
 
 def doubtful_variants(course: Course) -> Iterator[Paragraph]:
@@ -154,6 +159,9 @@ def oddities(course: Course, result: Result) -> Iterator[Words]:
     for part in result.marked.parts if result.marked is not None else ():
         if part.text and part.verdict.outcome == UNDECIDED:
             yield (*course.task.letter(part.name), f": can't decide on {part.text[:100]}")
+        for remark in part.verdict.remarks if right(part) else ():
+            if remark.kind == "chain":
+                yield (*course.task.letter(part.name), ": ", *remark.words, ", but the answer is right")
 
 
 def students(course: Course, targets: tuple[str, ...]) -> Table:

@@ -153,10 +153,15 @@ def unmoved(equation: Equation) -> Equation:
 def shapes(scene: Scene) -> Made:
     """Another factor of the table: m R² for ½ m R²."""
     bodies = list(every(scene.problem.bodies))
+    right = {body.name: body.inertia.formula for body in scene.bodies.values() if body.inertia is not None}
     for among, size in ((ROUND, radius), (LONG, length)):
         for factor, noun in among:
             told = with_factor(factor, size)
-            fitting = (body.name for body in bodies if size(body) is not None and not is_zero(told(body) - own(body)))
+            sized = [body for body in bodies if size(body) is not None]
+            about = {
+                body.name: (own(body), right.get(body.name, ZERO)) for body in sized
+            }  # about the centre, and about its axis
+            fitting = [body.name for body in sized if not any(is_zero(told(body) - one) for one in about[body.name])]
             for names, who in each_and_all(fitting):
                 yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, told))
     for names, who in each_and_all(body.name for body in bodies if isinstance(body.shape, Annulus)):

@@ -1,0 +1,37 @@
+"""Wording: what stands round a value and says nothing of it, as `about`, `± 0.01` or `with g = 9.81`; blanks take its place.
+
+So every other character keeps its column.
+"""
+
+from __future__ import annotations
+
+import re
+
+from rotsolve.algebra.notation.letters import spellings
+
+_ABOUT = re.compile(
+    r"(?P<before>^|[=≈:])\s*(?:ca|approx|approximately|about|roughly|circa)\b\.?(?=\s*[-+−]?[\d.√(\\])", re.IGNORECASE
+)
+_ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
+_IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|is\b)(?=\s*\S)")
+_CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
+_CLAUSE = re.compile(
+    r"(?:\s*[,;(]\s*|\s+(?:with|where|for|taking|using|and)\s+)+(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
+)
+
+
+def bare(text: str, givens: frozenset[str]) -> str:
+    """The line without words that say nothing of its value."""
+    if _ABOUT.search(text):
+        text = _ABOUT.sub(lambda match: match["before"] + blank(match[0][len(match["before"]) :]), text)
+    text = _ERROR.sub(lambda match: blank(match[0]), text)
+    text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
+    text = _CAPITAL.sub(lambda match: match[0].lower(), text)
+    clause = _CLAUSE.search(text)
+    if clause is not None and text[: clause.start()].strip() and not givens.isdisjoint(spellings(clause["name"])):
+        text = text[: clause.start()] + blank(clause[0])
+    return text
+
+
+def blank(words: str) -> str:
+    return " " * len(words)
