@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
+from functools import partial
+from itertools import islice
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ONE, Formula, Symbol
+from rotsolve.algebra.formula import ONE, Formula, Negative, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.comparing.coefficients import put_in
 from rotsolve.grading.comparing.finding import Finding, found
@@ -26,6 +28,7 @@ ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
 FAR = 0.1  # the share by which no number of two figures is rounded
 ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
 LEAST = 2  # figures of a number that may name a mistake
+MOST_TERMS = 12  # of a formula whose signs are turned
 ENOUGH = 3  # figures of a number that may be the answer to another question
 
 
@@ -127,6 +130,25 @@ class Explaining:
         return found(WRONG, "rounding", said, flaws=(marks.ROUNDING,))
 
     def formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
+        """What a wrong formula comes of; None where nothing tells."""
+        return self.mistake_of_formula(name, formula, asked) or self.sign(formula, asked)
+
+    def sign(self, formula: Formula, asked: Scalar) -> Finding | None:
+        """The term whose sign alone is wrong: a in m (g − a)."""
+        sums = [node for node in formula.walk(Sum) if isinstance(node, Sum)]
+        places = [(node, place) for node in sums for place in range(len(node.terms))]
+        for node, place in islice(places, MOST_TERMS):
+            terms = [negate(term) if index == place else term for index, term in enumerate(node.terms)]
+            other = Sum(tuple(terms))
+            if asked.closed is not None and asked.same(
+                formula.transform(partial(exchanged, node, other)), asked.closed
+            ):
+                term = node.terms[place]
+                shown = term.operand if isinstance(term, Negative) else term
+                return found(WRONG, "mistake", "it would be right with the other sign of ", shown)
+        return None
+
+    def mistake_of_formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake that gives a formula; None where none does."""
         number = number_of(formula, asked.values)
         for one in self.mistaken():
@@ -144,6 +166,10 @@ class Explaining:
             if wrong is not None and asked.same(formula, wrong):
                 return told(one.mistake)
         return None
+
+
+def exchanged(old: Formula, new: Formula, node: Formula) -> Formula:
+    return new if node == old else node
 
 
 def in_si(answer: Answer) -> float | None:

@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.mistakes.differing import alike
-from rotsolve.grading.mistakes.kinds import angles, energies, forces, inertias, misread
+from rotsolve.grading.mistakes.kinds import accelerations, angles, energies, forces, inertias, misread
 from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Scene
@@ -59,9 +59,11 @@ MISTAKES: tuple[Kind, ...] = (
     Kind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
     Kind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
     Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
+    Kind("mass at the end", "a hinged rod is taken as a point mass at its end", forces.mass_at_end),
     Kind("radius left out", "the radius is left out of a torque", forces.no_radius),
     Kind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
-    Kind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
+    Kind("centripetal force left out", "m v²/r is left out of Newton's second law", accelerations.no_centripetal),
+    Kind("centre at rest", "α r is left out of Newton's second law for the forces of a hinge", accelerations.at_rest),
     Kind("start from rest", "a velocity at the start is left out", misread.from_rest),
     Kind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.exchanged),
     Kind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),

@@ -7,12 +7,13 @@ import re
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.grading.reading.grammar.tokens import tokens_of
 from rotsolve.grading.reading.names import Names
-from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut
+from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut, is_kind, likely_number
 
 EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
 _LEADS = re.compile(
     rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;"
 )  # signs between members
+WORDS = ("s", ".", ",")  # how the leads end that are words
 _IN_BRACKETS = re.compile(r"(?P<formula>.*\S)\s+\((?P<value>[≈\s]*[-+−]?\d[^()]*)\)\s*$")  # 3/5 g sin β (2.49 m/s²)
 _NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
 _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
@@ -46,6 +47,8 @@ def _pieces(text: str, names: Names) -> list[str]:
     for sign in _LEADS.finditer(text):
         if EQUALS.fullmatch(sign[0]) is None and _depth(text[start : sign.start()]):
             continue  # ; in a vector, → between the ends of an integral
+        if sign[0][-1:] in WORDS and not any(char.isdigit() for char in text[sign.end() :]):
+            continue  # −8 N, i.e. left
         pieces.append(" " * start + text[start : sign.start()])
         start = sign.end()
     last = " " * start + text[start:]
@@ -61,7 +64,9 @@ def _is_value(text: str, names: Names) -> bool:
         parts = cut(tokens_of(text.replace("≈", " ")))
     except FormulaError:
         return False
-    return parts.has_unit and could_be_number(parts) and not are_letters(parts.unit[:-1], names.letters)
+    if not parts.has_unit or not could_be_number(parts):
+        return False
+    return not are_letters(parts.unit[:-1], names.letters) or (is_kind(parts.unit) and likely_number(parts))
 
 
 def _depth(text: str) -> int:

@@ -46,4 +46,13 @@ class Names(Struct, frozen=True, dict=True):
 
     def is_asked(self, typed: str) -> bool:
         """Whether a spelling means the quantity that is asked for: `ω₀` is omega0."""
-        return typed == self.asked or self.asked in spellings(typed)
+        if typed == self.asked or self.asked in spellings(typed):
+            return True
+        return typed not in self.letters and alike(typed, self.asked)
+
+
+def alike(typed: str, name: str) -> bool:
+    """Whether a spelling differs from a name in underlines or capitals alone, `Fx` for F_x, or is w for ω."""
+    if typed[:1] == "w" and name == f"omega{typed[1:]}":
+        return True
+    return len(typed) > 1 and typed.replace("_", "").casefold() == name.replace("_", "").casefold()

@@ -112,6 +112,8 @@ def after_name(text: str, names: Names) -> int:
     if not left or ((len(left) == 1 or timed) and names.is_asked(left[0].text)):
         return sign.end()
     start, end = left[0].start, left[-1].end
+    if names.is_asked(left[0].text) and "".join(token.text for token in left[1:]) in ("²", "^2", "^(2)"):
+        raise FormulaError(f"`{names.asked}` is asked for, not its square: take the root", start, end)
     raise FormulaError(f"`{names.asked}` is asked for, not `{text[start:end]}`", start, end, f"{names.asked} = …")
 
 

@@ -15,6 +15,8 @@ _ABOUT = re.compile(
 _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
 _IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
+_PER = re.compile(r"(?<=[A-Za-z²³])(?P<blank>\s+)(?P<word>per|squared|cubed)\b")  # metres per second squared
+_MARKS = {"per": "/", "squared": "^2", "cubed": "^3"}
 _CLAUSE = re.compile(
     r"(?:\s*[,;(]\s*|\s+(?:with|where|for|taking|using|and)\s+)+(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
 )
@@ -26,6 +28,7 @@ def bare(text: str, givens: frozenset[str]) -> str:
         text = _ABOUT.sub(lambda match: match["before"] + blank(match[0][len(match["before"]) :]), text)
     text = _ERROR.sub(lambda match: blank(match[0]), text)
     text = _IS.sub(lambda match: f"{match['name']}{'=':>{len(match['sign'])}}", text)
+    text = _PER.sub(lambda match: match["blank"] + _MARKS[match["word"]].ljust(len(match["word"])), text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)
     clause = _CLAUSE.search(text)
     if clause is not None and text[: clause.start()].strip() and not givens.isdisjoint(spellings(clause["name"])):

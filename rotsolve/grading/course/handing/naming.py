@@ -6,6 +6,7 @@ import re
 from collections.abc import Iterable
 
 from rotsolve.algebra.notation.letters import RUN, name_to_text, spellings
+from rotsolve.grading.reading.names import alike
 
 LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
 LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
@@ -25,16 +26,8 @@ def meant(name: str, asked: Iterable[str]) -> str | None:
     said = {plain, *spellings(plain)}
     printed = {name_to_text(text) for text in said}
     exactly = next((item for item in names if item in said or name_to_text(item) in printed), None)
-    return exactly or alike(plain, names)
-
-
-def alike(plain: str, names: tuple[str, ...]) -> str | None:
-    """The one name that differs in capitals and underlines alone, `Fx` for F_x, or is typed as w for ω; None where there are several."""
-    folded = plain.replace("_", "").casefold()
-    found = [name for name in names if name.replace("_", "").casefold() == folded and (len(plain) > 1 or name == plain)]
-    if plain.startswith("w") and not found:
-        found = [name for name in names if name == f"omega{plain[1:]}"]
-    return found[0] if len(found) == 1 else None
+    found = [item for item in names if alike(plain, item)]
+    return exactly or (found[0] if len(found) == 1 else None)
 
 
 def split(line: str) -> tuple[str, str] | None:

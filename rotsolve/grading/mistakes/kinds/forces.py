@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ENERGY, Equation
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
@@ -87,6 +88,26 @@ def weight_at_end(scene: Scene) -> Made:
         if held is not None and held.point in ("start", "end"):
             words = f"the weight of the {spoken(name)} was taken to act at its end"
             yield words, Change(altered=of_forces((name,), farther))
+
+
+def mass_at_end(scene: Scene) -> Made:
+    """I = m L² and the weight at L, of a rod that is hinged at its end."""
+    first = scene.moments[0].state
+    for name in each(name for name, body in scene.arrangement.bodies.items() if shape_of(body).word == "rod"):
+        held = scene.arrangement.pivot(name, first)
+        if held is not None and held.point in ("start", "end") and name in scene.bodies:
+            yield (
+                f"the {spoken(name)} was taken as a point mass at its end",
+                Change(altered=of_bodies((name,), gathered)),
+            )
+
+
+def gathered(body: BodyFacts, facts: Facts) -> BodyFacts:
+    """The body with its mass twice as far from its axis as its centre of mass is."""
+    far = body.cm + body.cm
+    formula = simplify(body.mass * far.dot(far))
+    forces = tuple(farther(force, body) for force in body.forces)
+    return replace(body, cm=far, inertia=Inertia(formula, formula, ""), forces=forces)
 
 
 def farther(force: Force, body: BodyFacts) -> Force:
@@ -235,32 +256,3 @@ def unsupported(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body as its weight and other pulls would move its centre of mass on its circle."""
     forces = tuple(force for force in body.forces if force.role != "reaction")
     return replace(body, forces=forces, axes=(direction_of(body.cm).turned(90),))
-
-
-# circles
-
-
-def no_centripetal(scene: Scene) -> Made:
-    """0 for m v²/r and m r ω² in Newton's second law."""
-    speeds = frozenset(speed for facts in scene.moments for body in facts.bodies for speed in speeds_of(body))
-    if speeds:
-        altered = Alteration(equation=lambda equation: uncurved(equation, speeds))
-        yield "the acceleration towards the centre of the circle was left out", Change(altered=altered)
-
-
-def speeds_of(body: BodyFacts) -> Iterator[Formula]:
-    """The letters of its speeds, where its centre of mass goes round in a circle."""
-    if body.cm.parts or body.motion.bend is not None:
-        rates = [body.motion.spin, *(size for size, _ in body.motion.velocity.parts)]
-        yield from (Symbol(name) for rate in rates for name in rate.symbols())
-
-
-def uncurved(equation: Equation, speeds: Collection[Formula]) -> Equation:
-    """Newton's second law without the squares of speeds."""
-    if not equation.label.startswith("Newton's second law"):
-        return equation
-
-    def change(node: Formula) -> Formula:
-        return ZERO if isinstance(node, Power) and node.base in speeds else node
-
-    return replace(equation, left=equation.left.transform(change), right=equation.right.transform(change))

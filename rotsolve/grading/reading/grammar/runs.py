@@ -65,8 +65,10 @@ def fault(token: Token, names: frozenset[str]) -> FormulaError:
     )
     known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
-    if meaning(strange.text, names) is not None or len(strange.text) > MOST_STRANGE:
-        strange = token  # a function in the midst of a run, or a word
+    if known and len(strange.text) > MOST_STRANGE and run.isalpha():  # a word
+        return UnknownName(f"unknown name `{run}`", token.start, token.end)
+    if meaning(strange.text, names) is not None:  # a function in the midst of a run
+        strange = token
     try:
         resolve(strange, names, (), split=True)
     except UnknownName as error:
