@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from pathlib import Path
 
 import pytest
 from hypothesis import example, given, settings
@@ -11,7 +12,12 @@ from hypothesis import strategies as st
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Paper
+from rotsolve.pipeline import solve
+
+PROBLEM = Path(__file__).resolve().parents[2] / "problems" / "pulleys" / "block-on-disc.yaml"
 
 GIVENS = ["m", "m1", "M", "g", "R", "r", "L", "h", "k", "v", "theta", "omega", "omega0", "t", "F", "I"]
 NAMES = Names.of(GIVENS, ["a"], asked="a")
@@ -150,3 +156,41 @@ def agree(one: Formula, other: Formula) -> bool | None:
         return equal(one, other)
     except (ZeroDivisionError, ValueError):
         return None
+
+
+WORDY = (
+    " (" * 290,
+    ", " * 280 + "g = 9",
+    "( , ; ( " * 70 + "g = 9",
+    "with " * 110 + "g = 9",
+    "2 m " * 140,
+    "5 kg*" * 110 + "2 m",
+    "1 + " * 140 + "9.81",
+    "9.81 + " * 80 + "m",
+    "10-3*" * 110 + "1",
+    "a = " * 140,
+    "a = " + "3 = " * 140 + "4.36 m/s²",
+    "→ " * 290,
+    "2g → " * 110 + "2 g",
+    "about " * 90 + "3",
+    "3 " + "± 1" * 190,
+    "sin(30) + " * 55 + "g",
+    "\n" * 500 + "3",
+    "g (2 m) " * 70,
+)
+
+
+@pytest.mark.parametrize("text", [*HOSTILE, *WORDY], ids=range(len(HOSTILE) + len(WORDY)))
+def test_no_line_keeps_the_judge(judge: Judge, text: str) -> None:
+    """Every way to read and to explain a line ends soon, and in a verdict."""
+    began = time.process_time()
+    (part,) = (part for part in judge.mark(Paper("one", {"a": text})).parts if part.name == "a")
+    assert part.verdict.outcome in (RIGHT, WRONG, UNDECIDED)
+    assert time.process_time() - began < 1.5  # most take milliseconds
+
+
+@pytest.fixture(scope="module")
+def judge() -> Judge:
+    found = Judge(solve(PROBLEM))
+    found.mark(Paper("one", {"a": "2 g"}))  # its mistakes are solved once
+    return found

@@ -5,22 +5,20 @@ from __future__ import annotations
 import re
 
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.grading.reading.grammar.tokens import tokens_of
+from rotsolve.grading.reading.grammar.tokens import MAX_LENGTH, tokens_of
 from rotsolve.grading.reading.names import Names
 from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut, is_kind, likely_number
 
 EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
-_LEADS = re.compile(
-    rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;"
-)  # signs between members
+# what stands between members
+_LEADS = re.compile(rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;")
 WORDS = ("s", ".", ",")  # how the leads end that are words
 _IN_BRACKETS = re.compile(r"(?P<formula>.*\S)\s+\((?P<value>[≈\s]*[-+−]?\d[^()]*)\)\s*$")  # 3/5 g sin β (2.49 m/s²)
 _NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
 _ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
 _SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
-_NEXT_ANSWER = re.compile(
-    rf"(?:[,;\n]|\band\b|\bund\b|&|\\\\)\s*\$?\s*{_NAME}\s*$"
-)  # `a = 3 m/s², T` before another `=`
+# `a = 3 m/s², T` before another `=`
+_NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\band\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
 
 
 def members(text: str, names: Names) -> tuple[str, ...]:
@@ -29,7 +27,7 @@ def members(text: str, names: Names) -> tuple[str, ...]:
     A name in front that is the one asked for is no member. What tells another name, or is an equation with the asked one in it, is no
     chain of values, nor are several answers in one line.
     """
-    pieces = _pieces(text, names)
+    pieces = _pieces(text, names) if len(text) <= MAX_LENGTH else []
     if len(pieces) < 2:
         return ()
     alone = _ALONE.fullmatch(pieces[0])

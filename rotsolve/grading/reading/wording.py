@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 
 from rotsolve.algebra.notation.letters import spellings
+from rotsolve.grading.reading.grammar.tokens import MAX_LENGTH
 
 _ABOUT = re.compile(
     r"(?P<before>^|[=≈:])\s*(?:ca|approx|approximately|about|roughly|circa)\b\.?(?=\s*[-+−]?[\d.√(\\])", re.IGNORECASE
@@ -18,12 +19,14 @@ _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?!
 _PER = re.compile(r"(?<=[A-Za-z²³])(?P<blank>\s+)(?P<word>per|squared|cubed)\b")  # metres per second squared
 _MARKS = {"per": "/", "squared": "^2", "cubed": "^3"}
 _CLAUSE = re.compile(
-    r"(?:\s*[,;(]\s*|\s+(?:with|where|for|taking|using|and)\s+)+(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
+    r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
 )
 
 
 def bare(text: str, givens: frozenset[str]) -> str:
-    """The line without words that say nothing of its value."""
+    """The line without words that say nothing of its value; one that is too long for any stays as it is."""
+    if len(text) > MAX_LENGTH:
+        return text
     if _ABOUT.search(text):
         text = _ABOUT.sub(lambda match: match["before"] + blank(match[0][len(match["before"]) :]), text)
     text = _ERROR.sub(lambda match: blank(match[0]), text)
@@ -31,8 +34,9 @@ def bare(text: str, givens: frozenset[str]) -> str:
     text = _PER.sub(lambda match: match["blank"] + _MARKS[match["word"]].ljust(len(match["word"])), text)
     text = _CAPITAL.sub(lambda match: match[0].lower(), text)
     clause = _CLAUSE.search(text)
-    if clause is not None and text[: clause.start()].strip() and not givens.isdisjoint(spellings(clause["name"])):
-        text = text[: clause.start()] + blank(clause[0])
+    before = "" if clause is None else text[: clause.start()].rstrip(" ,;")
+    if clause is not None and before and not givens.isdisjoint(spellings(clause["name"])):
+        text = before.ljust(len(text))
     return text
 
 
