@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from fractions import Fraction
+from functools import cache
 
 from msgspec import Struct
 
@@ -172,6 +173,7 @@ def unit_power(unit: str, exponent: Exponent) -> str:
     return unit + superscripted(whole.numerator) if whole.denominator == 1 else f"{unit}^({whole})"
 
 
+@cache
 def describe(dimension: Dimension, *, article: bool = False) -> str:
     """Words for messages: `force (N)`, with `article=True` `a force (N)`."""
     kind = kind_of(dimension)

@@ -241,7 +241,7 @@ def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool) -> Finding | 
 def put_in_for_missing(formula: Formula, asked: Scalar, fits: bool) -> Finding | None:
     """The finding where the numbers of the letters that a formula lacks make the closed form equal to it."""
     closed = asked.closed
-    reduced = None if closed is None else put_in(closed, formula, asked.values, fits)
+    reduced = None if closed is None else put_in(closed, formula, asked.values, asked.numbers, fits)
     if closed is None or reduced is None:
         return None
     missing = sorted(closed.symbols() - formula.symbols())
@@ -250,7 +250,7 @@ def put_in_for_missing(formula: Formula, asked: Scalar, fits: bool) -> Finding |
         holds = asked.close(formula, reduced, EXACTLY)
     if holds:
         return with_numbers(asked, missing)
-    if has_decimal(formula) and asked.close(formula, reduced, asked.marking.tolerance.share or USUAL):
+    if has_decimal(formula) and asked.close(formula, reduced, asked.marking.tolerance.share or Fraction(USUAL)):
         return with_numbers(asked, missing, rounded=True)
     return None
 

@@ -162,7 +162,7 @@ class Explaining:
             missing = answer.closed.symbols() - formula.symbols()
             if any(asked.values.get(name) == ONE for name in missing):
                 continue  # what is 1 can be left out of any formula
-            wrong = put_in(answer.closed, formula, asked.values, fits)
+            wrong = put_in(answer.closed, formula, asked.values, asked.numbers, fits)
             if wrong is not None and asked.same(formula, wrong):
                 return told(one.mistake)
         return None

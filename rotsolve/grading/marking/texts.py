@@ -82,7 +82,7 @@ class Texts:
             return best
         from rotsolve.grading.reading.quantities import read_quantities  # a right answer seldom needs it
 
-        others = read_quantities(line, self.names(target.name), self.letters.dimensions)
+        others = read_quantities(line, self.names(target.name), self.letters.dimensions, best.reading is not None)
         if best.reading is None:
             try:
                 others = (*others, *self._with_laws(line, target.name))
@@ -104,7 +104,11 @@ class Texts:
 
     def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
         """By the reading that makes the line right, else by the likeliest one."""
-        tried = [(reading, self._read(target, reading)) for reading in readings]
+        tried: list[tuple[Reading, Finding]] = []
+        for reading in readings:
+            tried.append((reading, self._read(target, reading)))
+            if rank(tried[-1][1]) == 0:
+                break
         reading, finding = min(tried, key=lambda item: rank(item[1]))
         plain = reading is readings[0] and reading.kind == NUMBER  # a number with its unit, as it stands there
         echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO and not plain else ""

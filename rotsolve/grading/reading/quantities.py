@@ -5,6 +5,7 @@ They are looked for where a line is not right as a formula in the letters of the
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterator, Mapping
 
 from msgspec.structs import replace
@@ -33,14 +34,18 @@ MOST_DIGITS = 2  # of a power that is typed without a mark
 JOINS = ("/", "*", ".")
 COUNTING = ("Hz", "rev", "turn", "rpm")  # units that SI units do not stand for
 
+_TELLS = re.compile(r"\d[.,]\d|°|\\circ|(?:sin|cos|tan)\s*\(?\s*\d|[\s\[(](?:m|kg|rad|N|J|W|s)(?![A-Za-z_])|-\d")
 Dimensions = Mapping[str, Dimension]
 
 
-def read_quantities(text: str, names: Names, dimensions: Dimensions) -> tuple[Reading, ...]:
+def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool = False) -> tuple[Reading, ...]:
     """The readings of a line with units within its formula or behind it, and with degrees for the arguments of sin, cos and tan.
 
-    `dimensions` are those of the letters. Nothing where there is no such reading.
+    `dimensions` are those of the letters; `known` says that the line is a formula in them, so that units in it are told by a decimal
+    number, a function of a number, or a gap in front of them. Nothing where there is no such reading.
     """
+    if known and _TELLS.search(text) is None:
+        return ()
     try:
         line = line_of(text, names)
         if line.word or line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):

@@ -60,9 +60,9 @@ def read_answer(text: str, names: Names) -> tuple[Reading, ...]:
 
 def told_apart(readings: list[Reading]) -> tuple[Reading, ...]:
     """The readings; where two have one echo, as those of `5 m`, it says which has the unit."""
-    texts = [reading.text for reading in readings] if len(readings) > 1 else []
-    if len(set(texts)) == len(texts):
+    if len({reading.has_units for reading in readings}) < 2:
         return tuple(readings)
+    texts = [reading.text for reading in readings]
     return tuple(
         replace(reading, written=f"{reading.text} (with {'units' if reading.has_units else 'letters'})")
         if texts.count(reading.text) > 1
