@@ -22,6 +22,7 @@ from report import machine, write_section
 from rotsolve import solve
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.core.registry import TIME
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target
 from rotsolve.process import GARBAGE
@@ -58,7 +59,8 @@ def subjects() -> Iterator[Subject]:
             closed = judge.letters.closed.get(answer.name)
             if closed is not None and closed.symbols():
                 unit = "" if answer.unit is None else answer.unit.text
-                yield Subject(closed, unit, judge, judge.targets[answer.name])
+                typed = closed.substitute({TIME: Symbol(judge.letters.meanings.time)})  # t, as it is printed
+                yield Subject(typed, unit, judge, judge.targets[answer.name])
 
 
 def mixed(formula: Formula, random: Random) -> Formula:

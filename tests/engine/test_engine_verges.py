@@ -144,7 +144,7 @@ find: {w: rod.angular_velocity at level}
 
 
 def test_an_integral_takes_bounded_work() -> None:
-    """A needle that swings through 1e-19 rad: the quadrature took minutes."""
+    """A needle that swings through 1e-19 rad, in a quarter of 2 π √(I/D): the quadrature took minutes, and found nothing."""
     start = time.process_time()
     solution = solve("""
 gravity: none
@@ -155,8 +155,7 @@ actions: {field: {couple: -D*sin(needle.rotation), on: needle}}
 states: {rest: {needle.angular_velocity: omega0}, back: {needle.rotation: largest}}
 find: {t: time from rest to back}
 """)
-    assert solution.answers["t"].value is None
-    assert "no finite value was found within the highest precision" in " ".join(str(solution).split())
+    assert solution.answers["t"].value == "7.904"
     assert time.process_time() - start < 20
 
 
