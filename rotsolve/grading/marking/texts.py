@@ -56,7 +56,7 @@ class Texts:
             return Judged(None, word_judged(text, target))
         if is_direction(said(text)):
             return Judged(None, direction_judged(said(text), target))
-        text = bare(text, self.letters.givens)
+        text = bare(text, self.names(target.name))
         chain = members(text, self.names(target.name)) if target.rows == 1 else ()
         if chain:
             return chained([self._value(target, member) for member in chain], chain)
