@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 import io
-import re
 from collections.abc import Iterable, Iterator
 from typing import Any
 
@@ -15,11 +14,10 @@ from rotsolve.keys.working import Worked
 from rotsolve.render.json import answer_data, given_data
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
+from rotsolve.run.spreadsheet import harmless
 
 PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
-NUMBER = re.compile(r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
-ACTIVE = ("=", "+", "-", "@", "\t", "\r")  # a spreadsheet takes what begins so for a formula
 
 
 def plain(worked: Worked) -> Statement:
@@ -94,10 +92,5 @@ def table(columns: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")
     writer.writerow(columns)
-    writer.writerows(tuple(map(cell, row)) for row in rows)
+    writer.writerows(tuple(map(harmless, row)) for row in rows)
     return stream.getvalue()
-
-
-def cell(value: str) -> str:
-    """A text that no spreadsheet takes for a formula: an apostrophe stands before what could be one and is no number."""
-    return f"'{value}" if value.startswith(ACTIVE) and not NUMBER.fullmatch(value) else value

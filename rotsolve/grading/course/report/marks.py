@@ -11,8 +11,8 @@ from rotsolve.grading.course.report.results import Course, Result
 from rotsolve.grading.verdict import Marked
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
+from rotsolve.run.spreadsheet import harmless
 
-FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠", "−")  # with these a cell begins that is worked out
 POINT = {";": ","}  # the decimal point where semicolons separate
 
 
@@ -35,8 +35,8 @@ def marks_table(course: Course) -> str:
     )
     for result in course.results:
         numbers, remarks = figures(result.marked, names), said(result)
-        row = [str(result.entry.line), harmless(result.entry.student), harmless(result.variant)]
-        writer.writerow([*row, *(cell.replace(".", POINT.get(separator, ".")) for cell in numbers), harmless(remarks)])
+        row = [str(result.entry.line), kept(result.entry.student), kept(result.variant)]
+        writer.writerow([*row, *(cell.replace(".", POINT.get(separator, ".")) for cell in numbers), kept(remarks)])
     return (MARK if course.byte_order_mark else "") + text.getvalue()
 
 
@@ -61,7 +61,6 @@ def said(result: Result) -> str:
     return "; ".join(sentences)
 
 
-def harmless(text: str) -> str:
-    """The text as a spreadsheet keeps it: an apostrophe in front of what it would take for a formula."""
-    plain = " ".join(text.split())
-    return f"'{plain}" if plain.startswith(FORMULA) else plain
+def kept(text: str) -> str:
+    """A text in one line, with nothing in it that a spreadsheet would work out."""
+    return harmless(" ".join(text.split()))
