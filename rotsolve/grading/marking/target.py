@@ -119,8 +119,24 @@ class Letters(Struct, frozen=True, dict=True):
         return None if closed is None else in_letters(closed, names)
 
     def meant(self, typed: Formula) -> Formula:
-        """A typed formula with the running time under its own name."""
-        return typed.substitute({self.meanings.time: Symbol(TIME)}) if self.runs else typed
+        """A typed formula with the running time under its own name, and with bare letters at the state that is asked about."""
+        names = {bare: Symbol(name) for bare, name in self.bare.items()}
+        if self.runs:
+            names[self.meanings.time] = Symbol(TIME)
+        return typed.substitute(names) if names else typed
+
+    @cached_property
+    def bare(self) -> dict[str, str]:
+        """Letters that are printed with the name of a state alone, by the letter without it: ω for ω_end where something is asked at the
+        end, and nothing else is called so there."""
+        keys = {name: key.split(SEPARATOR) for name, key in self.meanings.keys.items()}
+        asked = {keys[name][-1] for name in self.answers if name in keys}
+        found: dict[str, list[str]] = {}
+        for name, key in keys.items():
+            head, _, state = name.partition("_")
+            if state and state == key[-1] and state in asked and head not in keys and head not in self.givens:
+                found.setdefault(head, []).append(name)
+        return {head: names[0] for head, names in found.items() if len(names) == 1}
 
     @cached_property
     def numbers(self) -> dict[str, float]:

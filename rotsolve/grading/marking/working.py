@@ -67,7 +67,7 @@ class Working:
     @cached_property
     def names(self) -> Names:
         """The letters that a line may hold: those of the scene, and those that its laws print."""
-        return Names(self.letters.givens | self.letters.printed, self.answers)
+        return Names(self.letters.givens | self.letters.printed | frozenset(self.letters.bare), self.answers)
 
     # one equation
 
