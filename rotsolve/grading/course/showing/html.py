@@ -15,6 +15,7 @@ from rotsolve.render.prose import HTML
 LONGEST = 500  # characters of a student's text that are shown
 STYLE = """\
 code { font: .95em/1.4 "DejaVu Sans Mono", Menlo, Consolas, monospace; overflow-wrap: anywhere; }
+td:not(.remark) > code { display: block; width: max-content; max-width: 32em; }
 mark { background: #fff3a3; border-bottom: 2px solid #c80; }
 th { text-align: left; padding: .25em .6em .25em 0; border-bottom: 1px solid #bbb; font-weight: normal; color: #555; }
 td.verdict, td.marks { white-space: nowrap; padding-left: 1em; }
