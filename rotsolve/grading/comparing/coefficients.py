@@ -7,12 +7,23 @@ from fractions import Fraction
 from functools import partial
 from itertools import islice, product
 
+from msgspec import Struct
+
 from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
 
 USUAL = 1 / 100  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
 ROUNDED = 1 / 400  # the share by which a number put in for a letter may differ from it
 MOST_WAYS = 32  # in which the numbers of a formula may be letters
+MOST_PLACES = 40  # of a decimal that may be rounded
 LEAST = 2  # figures of a number that may be rounded
+
+
+class Put(Struct, frozen=True):
+    """A formula and its closed form, both with the numbers of the letters that do not stand in the formula."""
+
+    typed: Formula
+    closed: Formula
+    missing: tuple[str, ...]
 
 
 def put_in(
@@ -32,6 +43,21 @@ def put_in(
     return closed.substitute({name: values[name] for name in missing})
 
 
+def put_in_both(
+    closed: Formula, typed: Formula, values: Mapping[str, Formula], answers: Mapping[str, Formula]
+) -> Put | None:
+    """A formula with numbers and letters of other answers, T + (2 kg) a/2, written out in givens; None where it is no such formula."""
+    others = {name: answers[name] for name in typed.symbols() - values.keys() if name in answers}
+    if not others:
+        return None
+    written = typed.substitute(others)
+    missing = (written.symbols() | closed.symbols()) - typed.symbols()
+    if not missing or not missing <= values.keys():
+        return None
+    put = {name: values[name] for name in missing}
+    return Put(written.substitute(put), closed.substitute(put), tuple(sorted(missing)))
+
+
 def numbers_in(typed: Formula) -> frozenset[Fraction]:
     """The different numbers that stand in a formula."""
     return frozenset(node.value for node in typed.walk(Number) if isinstance(node, Number))
@@ -42,6 +68,16 @@ def has_decimal(typed: Formula) -> bool:
     return any(is_decimal(value) for value in numbers_in(typed))
 
 
+def rounding(typed: Formula) -> float:
+    """The share by which a formula may be off because its decimals are rounded: a unit of the last figure of each."""
+    return sum(float(Fraction(1, 10 ** places(value)) / abs(value)) for value in numbers_in(typed) if is_decimal(value))
+
+
+def places(value: Fraction) -> int:
+    """The decimal places of a number that has so many and no more."""
+    return next(count for count in range(MOST_PLACES) if (value * 10**count).denominator == 1)
+
+
 def is_decimal(value: Fraction) -> bool:
     """Whether a number is a decimal fraction with so many figures."""
     rest, twos, fives = value.denominator, 0, 0
@@ -49,7 +85,7 @@ def is_decimal(value: Fraction) -> bool:
         rest, twos = rest // 2, twos + 1
     while rest % 5 == 0:
         rest, fives = rest // 5, fives + 1
-    if rest > 1 or value.denominator == 1:
+    if rest > 1 or value.denominator == 1 or max(twos, fives) >= MOST_PLACES:
         return False
     digits = value.numerator * 10 ** max(twos, fives) // value.denominator
     return len(str(abs(digits)).rstrip("0")) >= LEAST

@@ -13,7 +13,15 @@ from rotsolve.algebra.certified.ball import Certified, rounded
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.comparing.coefficients import USUAL, has_decimal, put_in, with_letters
+from rotsolve.grading.comparing.coefficients import (
+    USUAL,
+    has_decimal,
+    numbers_in,
+    put_in,
+    put_in_both,
+    rounding,
+    with_letters,
+)
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
@@ -36,7 +44,8 @@ class Scalar(Struct, frozen=True, dict=True):
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
     has another; a `directed` one has a sign by convention. `turns` says that it counts turns.
-    `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units.
+    `dimensions` are those of the letters that an answer may hold, `numbers` theirs in SI units; `answers` are the closed
+    forms of all answers.
     """
 
     closed: Formula | None
@@ -49,6 +58,7 @@ class Scalar(Struct, frozen=True, dict=True):
     values: dict[str, Formula]
     dimensions: dict[str, Dimension]
     numbers: Mapping[str, float]
+    answers: Mapping[str, Formula]
     direction: str = ""
     positive: str = ""
     directed: bool = False
@@ -221,7 +231,7 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
     if holds is None:
         return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = "" if measured else of_other_dimension(formula, asked)
-    partly = partly_numeric(formula, asked, fits=not misfit)
+    partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
     if partly is not None or misfit:
         return partly or found(WRONG, "dimension", misfit)
     if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
@@ -229,12 +239,14 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
     return Finding(WRONG)
 
 
-def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool) -> Finding | None:
+def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: bool = False) -> Finding | None:
     """The finding for a formula that is right with numbers of letters put in, or but for a rounded coefficient; else None.
 
     One that does not measure what is asked (`fits`) has lost the units of its numbers.
     """
     finding = put_in_for_missing(formula, asked, fits) or put_in_beside(formula, asked)
+    if finding is None and fits:
+        finding = put_in_with_answers(formula, asked, measured)
     return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
 
 
@@ -250,8 +262,31 @@ def put_in_for_missing(formula: Formula, asked: Scalar, fits: bool) -> Finding |
         holds = asked.close(formula, reduced, EXACTLY)
     if holds:
         return with_numbers(asked, missing)
-    if has_decimal(formula) and asked.close(formula, reduced, asked.marking.tolerance.share or Fraction(USUAL)):
-        return with_numbers(asked, missing, rounded=True)
+    if has_decimal(formula):
+        share = min(Fraction(rounding(formula)), asked.marking.tolerance.share or Fraction(USUAL))
+        if asked.close(formula, reduced, share) and is_near(formula, asked, share):
+            return with_numbers(asked, missing, rounded=True)
+    return None
+
+
+def is_near(formula: Formula, asked: Scalar, share: Fraction) -> bool:
+    """Whether a formula is within a share of the answer for the scene's own numbers, where it has one for them."""
+    number = number_of(formula, asked.values)
+    if number is None or asked.sought is None:
+        return True
+    value = asked.sought.in_unit(asked.sought.si)
+    return abs(number.float - value.float) <= share * abs(value.float)
+
+
+def put_in_with_answers(formula: Formula, asked: Scalar, measured: bool) -> Finding | None:
+    """The finding where numbers stand beside letters of other answers: both are written out in givens, with the same numbers put in."""
+    some = measured or bool(numbers_in(formula))  # 1 kg has left no number
+    both = None if asked.closed is None or not some else put_in_both(asked.closed, formula, asked.values, asked.answers)
+    if both is None:
+        return None
+    holds = asked.same(both.typed, both.closed)
+    if holds or (holds is None and asked.close(both.typed, both.closed, EXACTLY)):
+        return found(RIGHT, "numbers", "right with numbers put in", flaws=exactness(asked))
     return None
 
 
@@ -268,7 +303,12 @@ def with_numbers(asked: Scalar, names: list[str], *, rounded: bool = False) -> F
     listed = [word for name in names for word in (", ", Symbol(name))][1:]
     put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if names else ("right",)
     said = (*put, ", but a number in it is rounded") if rounded else put
-    return found(RIGHT, "numbers", *said, flaws=(marks.FORM,) if asked.marking.form == marks.EXACT else ())
+    return found(RIGHT, "numbers", *said, flaws=exactness(asked))
+
+
+def exactness(asked: Scalar) -> tuple[str, ...]:
+    """The flaw of numbers where a formula is wanted."""
+    return (marks.FORM,) if asked.marking.form == marks.EXACT else ()
 
 
 def worked_out(formula: Formula, asked: Scalar) -> Finding:

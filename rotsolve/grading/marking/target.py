@@ -194,6 +194,7 @@ def scalar(
         letters.values,
         letters.dimensions,
         letters.numbers,
+        letters.closed,
         answer.direction,
         answer.positive,
         directed,

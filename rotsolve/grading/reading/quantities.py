@@ -32,9 +32,11 @@ TRIG = ("sin", "cos", "tan")
 BEFORE_UNIT = ("number", "fraction", "raised", ")", "]", "°", "symbol")
 MOST_DIGITS = 2  # of a power that is typed without a mark
 JOINS = ("/", "*", ".")
-COUNTING = ("Hz", "rev", "turn", "rpm")  # units that SI units do not stand for
+COUNTING = ("Hz",)  # units that SI units do not stand for
 
-_TELLS = re.compile(r"\d[.,]\d|°|\\circ|(?:sin|cos|tan)\s*\(?\s*\d|[\s\[(](?:m|kg|rad|N|J|W|s)(?![A-Za-z_])|-\d")
+_TELLS = re.compile(
+    r"\d[.,]\d|°|\\circ|(?:sin|cos|tan)\s*\(?\s*\d|[\s\[(](?:m|kg|rad|N|J|W|s)(?![A-Za-z_])|\d\s+[a-z]+[)\]]|-\d"
+)
 Dimensions = Mapping[str, Dimension]
 
 
@@ -163,8 +165,13 @@ class QuantityGrammar(Grammar):
 
     def is_unit(self, token: Token) -> bool:
         """Whether a name is a unit: it is one by its spelling and its place, and no letter of the scene, or may be either."""
-        if not is_likely(token.text) or not self.behind_number():
-            return False
+        closed = (
+            self.tokens[self.index + 1].kind in CLOSING
+            and self.index > 0
+            and self.tokens[self.index - 1].kind == "number"
+        )
+        if not (is_likely(token.text) or (closed and is_unit(token.text))) or not self.behind_number():
+            return False  # (500 g) is a mass
         if meaning(token.text, self.letters) is not None:
             return self.forks.choose(self.tokens[self.index - 1].end < token.start or self.in_unit())
         return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.letters)

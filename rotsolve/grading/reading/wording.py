@@ -15,7 +15,7 @@ _ABOUT = re.compile(
     r"(?P<before>^|[=≈:])\s*(?:ca|approx|approximately|about|roughly|circa)\b\.?(?=\s*[-+−]?[\d.√(\\])", re.IGNORECASE
 )
 _ERROR = re.compile(r"(?:±|\\pm|\+/-)\s*[\d.,]+(?:[eE][-+]?\d+)?")
-_IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|is\b)(?=\s*\S)")
+_IS = re.compile(r"^(?P<name>\s*\\?[^\W\d_][\w{}\\]*\s*)(?P<sign>:(?!=)|(?<=\s)is\b)(?=\s*\S)")
 _CAPITAL = re.compile(r"(?<![A-Za-z_\\])(?:SIN|COS|TAN|SQRT|Sin|Cos|Tan|Sqrt)(?![A-Za-z_])")
 _PER = re.compile(r"(?<=[A-Za-z²³])(?P<blank>\s+)(?P<word>per|squared|cubed)\b")  # metres per second squared
 _MARKS = {"per": "/", "squared": "^2", "cubed": "^3"}

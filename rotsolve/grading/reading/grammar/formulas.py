@@ -100,6 +100,8 @@ class Grammar(Parser):
         while self.starts_factor():
             function, close = self.at_function(), self.tight()
             in_run = len(below) > 1 and close and not function
+            if len(below) == 1 and not close and self.tokens[self.index - 1].kind in (")", "]"):
+                break  # a/(b) c has its bracket
             if not in_run and not self.forks.choose(not fraction and not function and (close or spaced)):
                 break
             below.append(self.factor())
