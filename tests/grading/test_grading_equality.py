@@ -16,7 +16,7 @@ import rotsolve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_latex, to_text
-from rotsolve.grading.comparing.equality import Domain, same
+from rotsolve.grading.comparing.formulas.equality import Domain, same
 from rotsolve.grading.reading import Names, read_answer
 from rotsolve.solution import Solution
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import TIME
-from rotsolve.grading.comparing.equality import Domain, same
+from rotsolve.grading.comparing.formulas.equality import Domain, same
 from rotsolve.grading.reading import Names, read_answer
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").glob("*/*.yaml"))

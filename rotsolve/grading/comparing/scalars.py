@@ -1,4 +1,4 @@
-"""Scalars: one number or formula held against the one that is asked: value, unit, figures, direction, form."""
+"""Scalars: what is asked for, and a number held against it: value, unit, figures, direction, form."""
 
 from __future__ import annotations
 
@@ -10,29 +10,18 @@ from math import floor, log10
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, rounded
-from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.comparing.coefficients import (
-    USUAL,
-    has_decimal,
-    numbers_in,
-    put_in,
-    put_in_both,
-    rounding,
-    with_letters,
-)
 from rotsolve.grading.comparing.finding import Finding, found, outcome_of
 from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
 from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
-from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
 from rotsolve.scene import marks
 from rotsolve.scene.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
-EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
 LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes
 
 Same = Callable[[Formula, Formula], "bool | None"]
@@ -76,21 +65,6 @@ class Scalar(Struct, frozen=True, dict=True):
             return None
         known = self.closed if self.closed is not None and self.closed.symbols() <= self.values.keys() else None
         return Sought(known, self.values, self.value, self.unit, self.dimension)
-
-
-def judged(reading: Reading, asked: Scalar) -> Finding:
-    """The finding for one reading."""
-    if reading.kind == NUMBER and reading.formula is not None:
-        return number_judged(Typed(reading.formula, reading.figures, reading.unit), reading.direction, asked)
-    if reading.kind == FORMULA and reading.formula is not None:
-        meant = None if reading.unit is None else measured(reading.unit, asked.unit, asked.dimension, asked.turns)
-        if meant is not None and meant.fault is not None:
-            return Finding(WRONG, (meant.fault,))
-        return formula_judged(reading.formula, asked, measured=meant is not None)
-    return found(WRONG, "form", f"{'a formula' if asked.sought is None else 'a number or a formula'} is asked for")
-
-
-# numbers
 
 
 def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
@@ -214,121 +188,3 @@ def powers(typed: Typed, value: Certified) -> Iterator[int]:
         for nearby in (power, power - 1, power + 1):
             if 0 < abs(nearby) <= POWERS:
                 yield nearby
-
-
-# formulas
-
-
-def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -> Finding:
-    """The finding for a formula; `measured` says that units in it tell what it measures, and that this is what is asked for."""
-    if asked.closed is None:
-        return worked_out(formula, asked)
-    holds = asked.same(formula, asked.closed)
-    if holds:
-        if asked.marking.form == marks.NUMBER and asked.sought is not None:
-            return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
-        return Finding(RIGHT)
-    if holds is None:
-        return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
-    misfit = "" if measured else of_other_dimension(formula, asked)
-    partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
-    if partly is not None or misfit:
-        return partly or found(WRONG, "dimension", misfit)
-    if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
-        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
-    return Finding(WRONG)
-
-
-def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: bool = False) -> Finding | None:
-    """The finding for a formula that is right with numbers of letters put in, or but for a rounded coefficient; else None.
-
-    One that does not measure what is asked (`fits`) has lost the units of its numbers.
-    """
-    finding = put_in_for_missing(formula, asked, fits) or put_in_beside(formula, asked)
-    if finding is None and fits:
-        finding = put_in_with_answers(formula, asked, measured)
-    return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
-
-
-def put_in_for_missing(formula: Formula, asked: Scalar, fits: bool) -> Finding | None:
-    """The finding where the numbers of the letters that a formula lacks make the closed form equal to it."""
-    closed = asked.closed
-    reduced = None if closed is None else put_in(closed, formula, asked.values, asked.numbers, fits)
-    if closed is None or reduced is None:
-        return None
-    missing = sorted(closed.symbols() - formula.symbols())
-    holds = asked.same(formula, reduced) if missing else False
-    if holds is None:  # sin 35° and its like, which exact algebra does not know
-        holds = asked.close(formula, reduced, EXACTLY)
-    if holds:
-        return with_numbers(asked, missing)
-    if has_decimal(formula):
-        share = min(Fraction(rounding(formula)), asked.marking.tolerance.share or Fraction(USUAL))
-        if asked.close(formula, reduced, share) and is_near(formula, asked, share):
-            return with_numbers(asked, missing, rounded=True)
-    return None
-
-
-def is_near(formula: Formula, asked: Scalar, share: Fraction) -> bool:
-    """Whether a formula is within a share of the answer for the scene's own numbers, where it has one for them."""
-    number = number_of(formula, asked.values)
-    if number is None or asked.sought is None:
-        return True
-    value = asked.sought.in_unit(asked.sought.si)
-    return abs(number.float - value.float) <= share * abs(value.float)
-
-
-def put_in_with_answers(formula: Formula, asked: Scalar, measured: bool) -> Finding | None:
-    """The finding where numbers stand beside letters of other answers: both are written out in givens, with the same numbers put in."""
-    some = measured or bool(numbers_in(formula))  # 1 kg has left no number
-    both = None if asked.closed is None or not some else put_in_both(asked.closed, formula, asked.values, asked.answers)
-    if both is None:
-        return None
-    holds = asked.same(both.typed, both.closed)
-    if holds or (holds is None and asked.close(both.typed, both.closed, EXACTLY)):
-        return found(RIGHT, "numbers", "right with numbers put in", flaws=exactness(asked))
-    return None
-
-
-def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
-    """The finding where a formula is right with letters in place of their numbers."""
-    for meant, names in with_letters(formula, asked.numbers):
-        if asked.closed is not None and not of_other_dimension(meant, asked) and asked.same(meant, asked.closed):
-            return with_numbers(asked, sorted(names))
-    return None
-
-
-def with_numbers(asked: Scalar, names: list[str], *, rounded: bool = False) -> Finding:
-    """What is said of a right formula in which there are numbers of these letters."""
-    listed = [word for name in names for word in (", ", Symbol(name))][1:]
-    put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if names else ("right",)
-    said = (*put, ", but a number in it is rounded") if rounded else put
-    return found(RIGHT, "numbers", *said, flaws=exactness(asked))
-
-
-def exactness(asked: Scalar) -> tuple[str, ...]:
-    """The flaw of numbers where a formula is wanted."""
-    return (marks.FORM,) if asked.marking.form == marks.EXACT else ()
-
-
-def worked_out(formula: Formula, asked: Scalar) -> Finding:
-    """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
-    number = number_of(formula, asked.values)
-    if asked.sought is None or number is None:
-        return found(outcome_of(None), "equality", "there is no closed form to compare it with")
-    value = Typed(formula.substitute(asked.values))
-    return valued(value, asked.sought.si, "", asked, asked.sought) or Finding(WRONG)
-
-
-def of_other_dimension(formula: Formula, asked: Scalar) -> str:
-    """What is said of a formula that measures something else; '' where it does not, or where that is not known."""
-    if not formula.symbols() <= asked.dimensions.keys():
-        return ""
-    try:
-        found_dimension = dimension_of(formula, asked.dimensions)
-    except DimensionError as error:
-        return f"its parts do not fit together: {error.message}"
-    if found_dimension.matches(asked.dimension):
-        return ""
-    here, wanted = describe(found_dimension, article=True), describe(asked.dimension, article=True)
-    return f"it measures {here}, but {wanted} is asked for"

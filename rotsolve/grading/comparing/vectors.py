@@ -10,7 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import ZERO
 from rotsolve.grading.comparing.finding import Finding, found, together
-from rotsolve.grading.comparing.scalars import Scalar, judged
+from rotsolve.grading.comparing.readings import judged
+from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import RIGHT, WRONG
 from rotsolve.scene.marks import Tolerance

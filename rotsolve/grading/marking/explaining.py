@@ -12,11 +12,12 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula, Negative, Sum, Symbol, negate
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.comparing.coefficients import put_in
 from rotsolve.grading.comparing.finding import Finding, found
+from rotsolve.grading.comparing.formulas.coefficients import numbers_stand, put_in
+from rotsolve.grading.comparing.formulas.formula import of_other_dimension
 from rotsolve.grading.comparing.numbers import Typed, near, number_of, rounds_to
 from rotsolve.grading.comparing.rounding import Rounded, rounded_answers, rounded_early, spread
-from rotsolve.grading.comparing.scalars import Scalar, of_other_dimension
+from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.marking.target import Letters
 from rotsolve.grading.verdict import WRONG
 from rotsolve.scene import marks
@@ -158,12 +159,11 @@ class Explaining:
             rough = in_si(answer)
             if number is not None and rough is not None and abs(number.float - rough) > ROUGHLY * abs(rough):
                 continue  # most are told apart by their numbers
-            fits = not of_other_dimension(formula, asked)
-            missing = answer.closed.symbols() - formula.symbols()
-            if any(asked.values.get(name) == ONE for name in missing):
+            both = put_in(answer.closed, formula, asked.values, {})
+            if both is None or any(asked.values[name] == ONE for name in both.missing):
                 continue  # what is 1 can be left out of any formula
-            wrong = put_in(answer.closed, formula, asked.values, asked.numbers, fits)
-            if wrong is not None and asked.same(formula, wrong):
+            fits = not of_other_dimension(formula, asked) or numbers_stand(formula, both.missing, asked.numbers)
+            if fits and asked.same(both.typed, both.closed):
                 return told(one.mistake)
         return None
 

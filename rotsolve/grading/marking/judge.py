@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.grading.comparing.equality import Domain, close, same, same_here
 from rotsolve.grading.comparing.finding import found
+from rotsolve.grading.comparing.formulas.equality import Domain, close, same, same_here
 from rotsolve.grading.comparing.numbers import Typed
 from rotsolve.grading.comparing.scalars import lacking_unit
 from rotsolve.grading.comparing.units import measured

@@ -134,7 +134,13 @@ class Letters(Struct, frozen=True, dict=True):
         found: dict[str, list[str]] = {}
         for name, key in keys.items():
             head, _, state = name.partition("_")
-            if state and state == key[-1] and state in asked and head not in keys and head not in self.givens:
+            if (
+                state
+                and state == key[-1]
+                and state in asked
+                and head not in keys
+                and head not in self.givens | self.told
+            ):
                 found.setdefault(head, []).append(name)
         return {head: names[0] for head, names in found.items() if len(names) == 1}
 

@@ -9,15 +9,15 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.grading.comparing.finding import Finding, found
-from rotsolve.grading.comparing.scalars import judged
+from rotsolve.grading.comparing.readings import judged
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
 from rotsolve.grading.comparing.vectors import vector_judged
 from rotsolve.grading.marking.matrices import read_matrix
 from rotsolve.grading.marking.target import Letters, Target
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
-from rotsolve.grading.reading.chains import members
+from rotsolve.grading.reading.lines.chains import members
+from rotsolve.grading.reading.lines.wording import bare
 from rotsolve.grading.reading.records import NUMBER, WORD
-from rotsolve.grading.reading.wording import bare
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
 from rotsolve.scene.marks import FORM
 

@@ -15,10 +15,10 @@ from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, dimension_of, kind_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import MEANT, UNITS, Unit
-from rotsolve.grading.reading.commas import with_points
 from rotsolve.grading.reading.grammar.forks import Forks, all_ways
 from rotsolve.grading.reading.grammar.formulas import HALF_TURN, Grammar, read_formula
 from rotsolve.grading.reading.grammar.runs import meaning
+from rotsolve.grading.reading.lines.commas import with_points
 from rotsolve.grading.reading.names import Names
 from rotsolve.grading.reading.numbers import begins_with_letter, is_kind
 from rotsolve.grading.reading.read import Reader, line_of

@@ -9,12 +9,12 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.tokens import FormulaError, Token
-from rotsolve.grading.reading.chains import EQUALS
-from rotsolve.grading.reading.commas import with_points
-from rotsolve.grading.reading.directions import direction_behind
 from rotsolve.grading.reading.grammar.forks import Forks, all_ways
 from rotsolve.grading.reading.grammar.formulas import read_formula
 from rotsolve.grading.reading.grammar.tokens import tokens_of
+from rotsolve.grading.reading.lines.chains import EQUALS
+from rotsolve.grading.reading.lines.commas import with_points
+from rotsolve.grading.reading.lines.directions import direction_behind
 from rotsolve.grading.reading.names import Names
 from rotsolve.grading.reading.numbers import (
     Parts,

@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.reading.commas import with_points
 from rotsolve.grading.reading.grammar.forks import Forks
+from rotsolve.grading.reading.lines.commas import with_points
 from rotsolve.grading.reading.numbers import are_letters
 from rotsolve.grading.reading.records import NUMBER, VECTOR, Reading
 from rotsolve.grading.reading.units import looks_like_unit, read_unit

@@ -134,3 +134,31 @@ def remarks(command: Command, rows: list[list[str]]) -> list[str]:
     marks(command, rows, ["a"])
     with Path("report", "marks.csv").open(encoding="utf-8", newline="") as stream:
         return [row["remarks"] for row in csv.DictReader(stream)]
+
+
+def test_papers_that_tell_no_variant_are_pointed_out(command: Command) -> None:
+    Path("scene.yaml").write_text(WINCH, encoding="utf-8")
+    Path("class.csv").write_text("name,variant,a\nAda,1,2mg/(2m+M)\nBob,,2mg/(2m+M)\n", encoding="utf-8")
+    ran = command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
+    assert "Papers that tell no variant: Bob. They were marked with the numbers of the problem itself." in ran.out
+    assert "No column is named alpha, T." in ran.out
+    Path("class.csv").write_text("name,a\nAda,2mg/(2m+M)\n", encoding="utf-8")
+    ran = command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
+    assert "No paper tells its variant. They were marked with the numbers of the problem itself." in ran.out
+
+
+def test_a_seed_that_can_not_be_that_of_the_sheets_is_pointed_out(command: Command) -> None:
+    Path("scene.yaml").write_text(WINCH, encoding="utf-8")
+    rows = "".join(f"S{number},{number},{number + 50}.5 m/s²\n" for number in range(1, 6))
+    Path("class.csv").write_text(f"name,variant,a\n{rows}", encoding="utf-8")
+    ran = command("class.csv", "--variants", "30", "--seed", "7", "-o", "report")
+    assert "No paper with a variant has a right number: is 7 the seed of the sheets?" in ran.out
+
+
+def test_a_right_answer_behind_another_value_is_to_be_looked_at(command: Command) -> None:
+    Path("scene.yaml").write_text(WINCH, encoding="utf-8")
+    Path("class.csv").write_text("name,a\nAda,a = m g = 2mg/(2m+M)\nBob,g = 9.8\n", encoding="utf-8")
+    command("class.csv", "-o", "report", "-f", "markdown")
+    text = Path("report/summary.md").read_text(encoding="utf-8")
+    looked_at = text.partition("To be looked at")[2]
+    assert "is another value, but the answer is right" in looked_at and "can't decide on g = 9.8" in looked_at

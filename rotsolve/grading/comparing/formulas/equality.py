@@ -10,8 +10,8 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula, Integral
-from rotsolve.grading.comparing.forms import Yardstick, extent
-from rotsolve.grading.comparing.points import BITS, Point, Region, points_of, region_of
+from rotsolve.grading.comparing.formulas.forms import Yardstick, extent
+from rotsolve.grading.comparing.formulas.points import BITS, Point, Region, points_of, region_of
 
 if TYPE_CHECKING:
     from rotsolve.solution import Solution

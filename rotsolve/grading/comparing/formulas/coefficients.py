@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from functools import partial
 from itertools import islice, product
@@ -19,7 +19,7 @@ LEAST = 2  # figures of a number that may be rounded
 
 
 class Put(Struct, frozen=True):
-    """A formula and its closed form, both with the numbers of the letters that do not stand in the formula."""
+    """A formula and its closed form, written in givens, both with the numbers of the letters that do not stand in the formula."""
 
     typed: Formula
     closed: Formula
@@ -27,35 +27,26 @@ class Put(Struct, frozen=True):
 
 
 def put_in(
-    closed: Formula, typed: Formula, values: Mapping[str, Formula], numbers: Mapping[str, float], fits: bool
-) -> Formula | None:
-    """A closed form with the numbers of the letters that are missing in a formula. Where the formula does not measure what the closed
-    form does (`fits`), these numbers must stand in it, as 9.81 in m·9.81/4, or be worked into a decimal; None where they are not."""
-    missing = closed.symbols() - typed.symbols()
-    if not missing <= values.keys():
-        return None
-    if not missing:
-        return closed
-    if not fits and not has_decimal(typed):
-        found = numbers_in(typed)
-        if not all(any(named(value, {name: numbers.get(name, 0)}, USUAL) for value in found) for name in missing):
-            return None
-    return closed.substitute({name: values[name] for name in missing})
-
-
-def put_in_both(
     closed: Formula, typed: Formula, values: Mapping[str, Formula], answers: Mapping[str, Formula]
 ) -> Put | None:
-    """A formula with numbers and letters of other answers, T + (2 kg) a/2, written out in givens; None where it is no such formula."""
-    others = {name: answers[name] for name in typed.symbols() - values.keys() if name in answers}
-    if not others:
-        return None
-    written = typed.substitute(others)
+    """The numbers that a formula has in place of letters put into both sides: T + (2 kg) a/2, where `answers` tell T and a by givens.
+
+    None where a letter has no number.
+    """
+    written = typed.substitute({name: answers[name] for name in typed.symbols() - values.keys() if name in answers})
     missing = (written.symbols() | closed.symbols()) - typed.symbols()
-    if not missing or not missing <= values.keys():
+    if not missing <= values.keys():
         return None
     put = {name: values[name] for name in missing}
     return Put(written.substitute(put), closed.substitute(put), tuple(sorted(missing)))
+
+
+def numbers_stand(typed: Formula, missing: Iterable[str], numbers: Mapping[str, float]) -> bool:
+    """Whether a formula that has lost its units can have the numbers of letters in it: they stand there, or are worked into a decimal."""
+    found = numbers_in(typed)
+    return has_decimal(typed) or all(
+        any(named(value, {name: numbers.get(name, 0)}, USUAL) for value in found) for name in missing
+    )
 
 
 def numbers_in(typed: Formula) -> frozenset[Fraction]:
