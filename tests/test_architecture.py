@@ -18,7 +18,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("scene.words", "scene.keys", "scene.marks", "scene.model"),
     ("elements",),
     ("motion",),
-    ("principles",),
+    ("laws",),
     ("plan",),
     ("solver",),
     ("inquiry",),

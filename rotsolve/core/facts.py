@@ -1,4 +1,4 @@
-"""Facts: what a free-body diagram shows. Elements state them, principles read them; neither knows the other.
+"""Facts: what a free-body diagram shows. Elements state them, laws read them; neither knows the other.
 
 Signs: torques, angular velocities and angular accelerations in facts are counterclockwise positive; `Motion.sense` turns them
 into the sense that the scene declares. Vectors are in the plane, headings counterclockwise from the rightward horizontal.

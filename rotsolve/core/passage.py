@@ -1,4 +1,4 @@
-"""Passage and Encounter: what principles read about a phase of motion, and about an event that takes no time."""
+"""Passage and Encounter: what laws read about a phase of motion, and about an event that takes no time."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ def in_midst(key: str) -> bool:
 class Registry(Struct):
     """All quantities that were spoken of, by key, and the values that states fix.
 
-    The only mutable thing of a run: elements and principles ask for letters here while they write.
+    The only mutable thing of a run: elements and laws ask for letters here while they write.
     """
 
     quantities: dict[str, Quantity] = field(default_factory=dict)

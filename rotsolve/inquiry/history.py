@@ -20,15 +20,12 @@ from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states import Fixed, Statements
+from rotsolve.laws import energy, groups, newton, rules
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.principles import constraints, driven, energy, newton, power
-from rotsolve.principles import rotation as turning
-from rotsolve.principles.momentum.rate import rate_of_angular_momentum
-from rotsolve.principles.steady import steady_rotation
 from rotsolve.profile import staged
 from rotsolve.scene.model import Condition, Path, State, Term
 
@@ -159,10 +156,10 @@ class History(Struct, dict=True):
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
-                from rotsolve.principles.momentum import collision
+                from rotsolve.laws import momentum
 
                 altered = self.arrangement.alteration
-                laws = collision.through_event if altered is None or altered.event is None else altered.event
+                laws = momentum.through_event if altered is None or altered.event is None else altered.event
                 yield from laws(self.encounters[interval.name], interval.name)
         yield from self._elongations()
         yield from self._grips()
@@ -181,7 +178,7 @@ class History(Struct, dict=True):
                 if item.name in said and isinstance(item, (Touch, Rubbing)):
                     rule = item.grip_rule(self.instant(state.name))
                     if rule is not None:
-                        yield constraints.written(rule, rule.velocity, state.name)
+                        yield rules.rule_equation(rule, rule.velocity, state.name)
 
     def section(self, state: str) -> str:
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""
@@ -191,47 +188,44 @@ class History(Struct, dict=True):
     def _at(self, state: str) -> Iterator[Equation]:
         """Newton's laws, the rules and the definitions at a state, and the rates of energy and angular momentum."""
         facts, section = self.facts(state), self.section(state)
-        yield from turning.moments_of_inertia(facts, section)
+        yield from newton.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
-        yield from turning.law_of_rotation(facts, section)
-        yield from turning.balance_of_torques(facts, section)
+        yield from newton.law_of_rotation(facts, section)
+        yield from newton.balance_of_torques(facts, section)
         if facts.cuts:
-            from rotsolve.principles import inside
-
-            yield from inside.of_pieces(facts, section)
-        yield from constraints.for_accelerations(facts, section)
-        yield from constraints.for_velocities(facts, state)
-        yield from driven.rates(facts, state)
-        yield from steady_rotation(facts, state)
+            yield from newton.of_pieces(facts, section)
+        yield from rules.for_accelerations(facts, section)
+        yield from rules.for_velocities(facts, state)
+        yield from rules.rates(facts, state)
+        yield from rules.steady_rotation(facts, state)
         virtual = self.facts(state, virtual=True)
         for group in groups_of(self.arrangement, facts, state):
-            yield from rate_of_angular_momentum(facts, group, section)
-            yield from power.rate(virtual, group, section)
+            yield from groups.rate_of_angular_momentum(facts, group, section)
+            yield from groups.rate(virtual, group, section)
 
     def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
         """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""
-        from rotsolve.principles import kinematics, separation
-        from rotsolve.principles.momentum import impulse
+        from rotsolve.laws import kinematics, momentum
 
         section = interval.name
         yield from energy.conservation(passage, section, self.leading_to(interval))
         yield from energy.works(passage, section)
         yield from kinematics.kinematics(passage, section)
-        yield from separation.separation(passage, section)
-        yield from impulse.impulses_over(passage, section)
-        yield from impulse.kept_over(passage, section)
-        yield from impulse.about_common_axes(passage, section)
-        yield from constraints.for_displacements(self.thought(interval.start), self.changes(passage), section)
+        yield from kinematics.separation(passage, section)
+        yield from momentum.impulses_over(passage, section)
+        yield from momentum.kept_over(passage, section)
+        yield from momentum.about_common_axes(passage, section)
+        yield from rules.for_displacements(self.thought(interval.start), self.changes(passage), section)
         if self.varies(interval) or self.arrangement.mentions.runs:
-            yield from turning.moments_of_inertia(passage.midst, section)
+            yield from newton.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
-            yield from turning.law_of_rotation(passage.midst, section)
-            yield from constraints.for_accelerations(passage.midst, section)
-            yield from constraints.for_velocities(passage.midst, section)
-            yield from driven.rates(passage.midst, section)
+            yield from newton.law_of_rotation(passage.midst, section)
+            yield from rules.for_accelerations(passage.midst, section)
+            yield from rules.for_velocities(passage.midst, section)
+            yield from rules.rates(passage.midst, section)
         if self.arrangement.mentions.runs:
             changes = self.changes(passage, running=True)
-            yield from constraints.for_displacements(self.thought(interval.start), changes, section)
+            yield from rules.for_displacements(self.thought(interval.start), changes, section)
 
     def leading_to(self, interval: Interval) -> list[Passage]:
         """The phases before one, back to the last event."""

@@ -19,8 +19,8 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import UP
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.inquiry.history import History
+from rotsolve.laws import energy
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.principles import energy
 from rotsolve.scene.model import Problem, State
 
 Readings = Callable[[Path], tuple[History, ...]]

@@ -11,9 +11,9 @@ from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import is_negative
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.laws.energy import potential
+from rotsolve.laws.momentum import over_time
 from rotsolve.motion.encounters import participants
-from rotsolve.principles.energy import potential
-from rotsolve.principles.momentum.impulse import over_time
 from rotsolve.scene.model import Path
 
 

@@ -22,10 +22,10 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.roots.numbers import rough, side_of
+from rotsolve.laws.groups import one_motion
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
-from rotsolve.principles.power import one_motion
 
 RATES = ("velocity|", "angular_velocity|")
 TRIALS = 27  # ways in which contacts may stick and slip that are tried

@@ -201,7 +201,7 @@ class OfElements(Moment, frozen=True):
 
 def _plain(part: Formula) -> Formula:
     """A product of two factors with minus signs that cancel left out."""
-    from rotsolve.principles.power import unsigned_product
+    from rotsolve.laws.groups import unsigned_product
 
     if isinstance(part, Product) and len(part.factors) == 2:
         return unsigned_product(*part.factors)

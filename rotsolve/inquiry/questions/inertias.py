@@ -17,14 +17,13 @@ from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.laws import inertia
+from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
+from rotsolve.laws.integration import NotSliced, mass
 from rotsolve.motion.bodies.frame import locate, rise
 from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.motion.bodies.spread import Spread
 from rotsolve.motion.positive import positive_letters
-from rotsolve.principles.inertia import moments
-from rotsolve.principles.inertia.centre import Told, centre
-from rotsolve.principles.inertia.integration import NotSliced, mass
-from rotsolve.principles.inertia.pieces import Unknown, arm_of
 from rotsolve.scene.model import Path, PointRef, Term
 
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
@@ -65,12 +64,12 @@ class OfInertias(Moment, frozen=True):
         if path.quantity == "inertia_tensor":
             spread = self._spread(path.owner, term)
             entry = path.component or "zz"
-            known = moments.perpendicular(spread) if entry == "zz" else None
-            return known or moments.by_symmetry(spread, entry) or moments.moment(spread, entry)
+            known = inertia.perpendicular(spread) if entry == "zz" else None
+            return known or inertia.by_symmetry(spread, entry) or inertia.moment(spread, entry)
         told = self._moment_of_inertia(path, term)
         if path.quantity == "gyration":
             spread = self._spread(path.owner, term)
-            return moments.gyration(spread, told)
+            return inertia.gyration(spread, told)
         return told
 
     def _centre(self, path: Path, term: Term | None) -> Told:
@@ -93,14 +92,14 @@ class OfInertias(Moment, frozen=True):
             plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or self._held(path.owner)
             if facts is not None and at_reference and plain and not spread.integrates:
                 return Told(facts.letter, "")
-            return self._perpendicular(path, term, spread) or moments.moment(spread, "zz")
+            return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
         if isinstance(along, str) and along not in ENTRY_OF:
             raise NotYet(
                 f"`along {along}` is no axis of a moment of inertia", help="write `along x`, `y`, `z` or an angle"
             )
         if isinstance(along, str):
-            return moments.moment(spread, ENTRY_OF[along])
-        return moments.along(spread, heading(along or ZERO))
+            return inertia.moment(spread, ENTRY_OF[along])
+        return inertia.along(spread, heading(along or ZERO))
 
     def _held(self, name: str) -> bool:
         """Whether a hinge or axle holds the body, so that the laws of the scene speak of its moment of inertia."""
@@ -112,7 +111,7 @@ class OfInertias(Moment, frozen=True):
             return None
         asked = {self._bare(other) for find in self.instant.arrangement.problem.finds for other in find.terms}
         across = {self._bare(replace(term, path=path, along=axis)) for axis in "xy"}
-        return moments.perpendicular(spread) if across <= asked else None
+        return inertia.perpendicular(spread) if across <= asked else None
 
     def _spread(self, name: str, term: Term | None) -> Spread:
         """The pieces of a body and the point about which is asked."""
@@ -195,7 +194,7 @@ class OfInertias(Moment, frozen=True):
         if all(piece.shape.word == "particle" for piece in spread.pieces):
             terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
             return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))
-        told = moments.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])
+        told = inertia.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])
         return Told(multiply(told.formula, spin), f"angular momentum along {axis}, I_{axis}z ω", (), told.definitions)
 
 

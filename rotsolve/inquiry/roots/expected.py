@@ -14,7 +14,7 @@ from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.roots.numbers import Numbers
-from rotsolve.principles.power import one_motion
+from rotsolve.laws.groups import one_motion
 from rotsolve.scene.model import Given
 
 RATES = ("velocity|", "angular_velocity|")

@@ -15,7 +15,7 @@ from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.questions import NotYet
-from rotsolve.principles import power
+from rotsolve.laws import groups
 
 PLACES = ("elongation", "angle")  # what balance decides
 SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
@@ -25,11 +25,11 @@ EXTREMES = (Fraction(1), Fraction(1000), Fraction(1, 1000))  # values of letters
 
 def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formula]) -> tuple[str, Formula] | None:
     """The letter of the one angle that balance decides by itself, and its stable value; None where springs have a say in it."""
-    supplies = [term for body in still.bodies if body.name in group for term in power.supply(body)]
-    rates, allowed = power.freedom(still, group, supplies)
+    supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
+    rates, allowed = groups.freedom(still, group, supplies)
     if rates and allowed is None:
         raise NotYet(f"{', '.join(f'`{name}`' for name in sorted(group))} {SEVERAL_WAYS}")
-    balance = power.drive(still, group)
+    balance = groups.drive(still, group)
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
     drive = balance[0] - balance[1]
@@ -52,7 +52,7 @@ def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formu
 def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
     """How fast an angle grows, counterclockwise, when the group's one free rate is 1."""
     grown = next(rate for body in still.bodies if body.name in group for rate in rate_of(angle, body))
-    rates, allowed = power.freedom(still, group, [grown])
+    rates, allowed = groups.freedom(still, group, [grown])
     assert allowed is not None
     free = next(name for name in rates if allowed.get(name) is None)
     return differentiate(grown.substitute(allowed), free)

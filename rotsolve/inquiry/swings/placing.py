@@ -14,12 +14,12 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import PLACES, SEVERAL_WAYS, stable_angle
 from rotsolve.inquiry.swings.swing import Swing, displacements, moving, places, rates
+from rotsolve.laws import groups
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.followed import swings
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of
-from rotsolve.principles import power
 from rotsolve.scene.model import Term
 
 
@@ -53,8 +53,8 @@ class Placing(Struct, frozen=True):
         body = self.leading(moments.near, group, term.path.owner)
         bodies = free_bodies(moving(moments.near))
         members = [body for body in bodies.bodies if body.name in group]
-        terms = [term for body in members for term in (*power.gain(body), *power.supply(body))]
-        if power.freedom(bodies, group, terms)[1] is None:
+        terms = [term for body in members for term in (*groups.gain(body), *groups.supply(body))]
+        if groups.freedom(bodies, group, terms)[1] is None:
             raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
         return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
 

@@ -17,7 +17,7 @@ from rotsolve.inquiry.answers import NoAnswer
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import sign
 from rotsolve.inquiry.swings.swing import Swing
-from rotsolve.principles.oscillation import (
+from rotsolve.laws.oscillation import (
     approximations,
     harmonic,
     holds_at_any_size,

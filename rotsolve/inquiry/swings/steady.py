@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.swings.equilibrium import sign
-from rotsolve.principles import power
+from rotsolve.laws import groups
 
 Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts at its state
 
@@ -39,7 +39,7 @@ def standing(name: str, states: Iterable[str], history: History) -> Iterator[Sta
 def stable_roots(name: str, roots: Sequence[Formula], history: History, values: Mapping[str, Formula]) -> list[int]:
     """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
     for body, angle, facts in (*on_shaft(name, history), *balanced(name, history)):
-        balance = power.drive(facts, frozenset((body.name,)))
+        balance = groups.drive(facts, frozenset((body.name,)))
         if balance is not None:
             slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)
             back = signed(slope, body.motion.sense)

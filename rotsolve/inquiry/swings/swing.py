@@ -19,11 +19,9 @@ from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, heading
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.laws import groups, newton, rules
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints, newton, power
-from rotsolve.principles import rotation as turning
-from rotsolve.principles.momentum.rate import rate_of_angular_momentum
 
 PLACES = ("elongation" + SEPARATOR, "angle" + SEPARATOR)
 HARMONIC = " harmonic"  # ends the key of the section in which the harmonic motion is written
@@ -163,24 +161,24 @@ class Swing(Struct, frozen=True, dict=True):
         if self.found:
             facts = self.within(free_bodies(self.rest))
             yield from newton.second_law(facts, self.balanced)
-            yield from turning.law_of_rotation(facts, self.balanced)
-            yield from rate_of_angular_momentum(facts, self.group, self.balanced)
-            yield from power.power(self.still, self.group, self.balanced)
+            yield from newton.law_of_rotation(facts, self.balanced)
+            yield from groups.rate_of_angular_momentum(facts, self.group, self.balanced)
+            yield from groups.power(self.still, self.group, self.balanced)
 
     def equations(self) -> Iterator[Equation]:
         """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
         yield from self.balance()
         facts, section = self.within(free_bodies(self.near)), self.section
-        yield from turning.moments_of_inertia(facts, section)
+        yield from newton.moments_of_inertia(facts, section)
         yield from newton.second_law(facts, section)
-        yield from turning.law_of_rotation(facts, section)
-        yield from constraints.for_accelerations(facts, section)
+        yield from newton.law_of_rotation(facts, section)
+        yield from rules.for_accelerations(facts, section)
         changes = displacements(self.rest, self.near)
         for rule in self.within(self.still).rules:
             left, right = (side.substitute(changes) for side in rule.velocity)
-            yield constraints.written(rule, (left, right), section)
-        yield from rate_of_angular_momentum(facts, self.group, section)
-        yield from power.power(free_bodies(moving(self.near)), self.group, section)
+            yield rules.rule_equation(rule, (left, right), section)
+        yield from groups.rate_of_angular_momentum(facts, self.group, section)
+        yield from groups.power(free_bodies(moving(self.near)), self.group, section)
 
     def within(self, facts: Facts) -> Facts:
         """The facts of the bodies that swing together."""

@@ -13,10 +13,10 @@ from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.states import Fixed, Statements
+from rotsolve.laws.rules import rule_equation
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints
 from rotsolve.scene.model import Condition
 
 
@@ -55,7 +55,7 @@ class Beginning(Struct, frozen=True):
         for item in self.instant.arrangement.connections(self.instant.state):
             rule = item.grip_rule(self.instant) if item.name in said and isinstance(item, (Touch, Rubbing)) else None
             rules += [rule] if rule is not None else []
-        written = [constraints.written(rule, rule.velocity, self.instant.state) for rule in rules]
+        written = [rule_equation(rule, rule.velocity, self.instant.state) for rule in rules]
         stated = [equation for equation, _ in self.stated if equation.section == self.instant.state]
         return (*written, *stated)
 

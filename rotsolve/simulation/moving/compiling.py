@@ -23,11 +23,10 @@ from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.states import Fixed
 from rotsolve.inquiry.states.drives import prescribe
 from rotsolve.inquiry.swings.swing import rates
+from rotsolve.laws import newton, rules
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.principles import constraints, driven, newton
-from rotsolve.principles import rotation as turning
 from rotsolve.simulation.moving.beginning import Beginning, beginning
 from rotsolve.simulation.moving.consistent import check_rules
 from rotsolve.simulation.moving.course import Course, Variable
@@ -259,7 +258,7 @@ class Compiler(Struct, dict=True):
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
         letters = [speed for name in bodies for speed, _ in self._pairs(moment, name)]
         names = {letter.name for letter in letters if isinstance(letter, Symbol) and SEPARATOR in letter.name}
-        equations = (*constraints.for_velocities(facts, ""), *driven.rates(facts, ""))
+        equations = (*rules.for_velocities(facts, ""), *rules.rates(facts, ""))
         rows = self._rows((item.left - item.right for item in equations), names)
         free: list[str] = []
 
@@ -315,9 +314,9 @@ class Compiler(Struct, dict=True):
         }
         written = [
             *newton.second_law(facts, ""),
-            *turning.law_of_rotation(facts, ""),
-            *constraints.for_accelerations(facts, ""),
-            *driven.rates(facts, ""),
+            *newton.law_of_rotation(facts, ""),
+            *rules.for_accelerations(facts, ""),
+            *rules.rates(facts, ""),
         ]
         laws = []
         for law in written:

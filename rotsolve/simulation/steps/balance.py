@@ -16,7 +16,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
-from rotsolve.principles import energy
+from rotsolve.laws import energy
 from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch
 from rotsolve.simulation.tape.series import BALLS, FLOATS, Expansion

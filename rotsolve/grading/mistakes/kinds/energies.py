@@ -19,7 +19,7 @@ from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Change
 from rotsolve.inquiry.planning import SECOND_CHOICE
-from rotsolve.principles.momentum import collision
+from rotsolve.laws import momentum
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
@@ -141,7 +141,7 @@ def elastic(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
     if encounter.restitution is not None:
         _, approach, separation = encounter.restitution
-        yield from collision.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
+        yield from momentum.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
         return
     before = [term for meeting in encounter.meetings for term in kinetic(meeting, after=False)]
     after = [term for meeting in encounter.meetings for term in kinetic(meeting, after=True)]
@@ -173,9 +173,9 @@ def unsupported(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The momenta of an event without the impulse of the support."""
     for group in encounter.groups:
         members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
-        momenta = collision.linear(members, blows_from_outside(encounter), section, tuple(sorted(group)))
+        momenta = momentum.linear(members, blows_from_outside(encounter), section, tuple(sorted(group)))
         yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
-    yield from collision.rebound(encounter, section)
+    yield from momentum.rebound(encounter, section)
 
 
 def blows_from_outside(encounter: Encounter) -> list[Force]:
@@ -187,6 +187,6 @@ def in_event(name: str, laws: Laws) -> Laws:
     """Other laws for one event of a scene."""
 
     def changed(encounter: Encounter, section: str) -> Iterator[Equation]:
-        return laws(encounter, section) if section == name else collision.through_event(encounter, section)
+        return laws(encounter, section) if section == name else momentum.through_event(encounter, section)
 
     return changed

@@ -1,4 +1,4 @@
-"""Kinematics over a phase: constant acceleration, acceleration as a function of time, and of the angle or place."""
+"""Kinematics over a phase: constant acceleration, acceleration as a function of time, of the place, or of the speed alone."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
+LETTERS = {"turn": ("ω", "α", "θ"), "line": ("v", "a", "x")}
 CHANGE = {"turn": "angle turned", "line": "displacement"}
 
 
@@ -119,3 +120,38 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
     else:
         over = "angle" if travel.kind == "turn" else "way"
         yield equation(gained, integral, f"Newton's law summed over the {over}", travel, section, NEWTON, 5)
+
+
+def separation(passage: Passage, section: str) -> Iterator[Equation]:
+    """The separated equations of every travel with whose rate or place the forces of its group vary."""
+    for travel in passage.travels:
+        if travel.leads and travel.pace == "rate" and isinstance(travel.moving, Symbol):
+            yield from by_rate(travel, travel.moving.name, passage, section)
+        elif travel.leads and travel.pace == "position" and isinstance(travel.coordinate, Symbol):
+            yield from along_the_way(travel, travel.coordinate.name, passage, section)
+
+
+def by_rate(travel: Travel, rate: str, passage: Passage, section: str) -> Iterator[Equation]:
+    """t = ∫ dω/α and θ = ∫ ω dω/α from the first speed to the last."""
+    limits = (rate, travel.before, travel.after)
+    rate_letter, acceleration, place = LETTERS[travel.kind]
+    words = f"separating the variables, dt = d{rate_letter}/{acceleration}"
+    yield equation(passage.duration, Integral(ONE / travel.acceleration, *limits), words, travel, section, cost=3)
+    words = f"separating the variables, d{place} = {rate_letter} d{rate_letter}/{acceleration}"
+    yield equation(
+        travel.change, Integral(travel.moving / travel.acceleration, *limits), words, travel, section, cost=3
+    )
+
+
+def along_the_way(travel: Travel, place: str, passage: Passage, section: str) -> Iterator[Equation]:
+    """½ ω² − ½ ω₁² = ∫ α dθ up to any place, and t = ∫ dθ/ω."""
+    assert travel.start is not None and travel.end is not None
+    start, end = (signed(value, travel.sense) for value in (travel.start, travel.end))
+    gained = HALF * square(travel.moving) - HALF * square(travel.before)
+    pushed = Integral(signed(travel.acceleration, travel.sense), place, start, Symbol(place))
+    rate, acceleration, letter = LETTERS[travel.kind]
+    words = f"speed at any place, {rate} d{rate} = {acceleration} d{letter}"
+    yield equation(gained, pushed, words, travel, section, cost=3)
+    slowness = ONE / signed(travel.moving, travel.sense)
+    words = f"separating the variables, dt = d{letter}/{rate}"
+    yield equation(passage.duration, Integral(slowness, place, start, end), words, travel, section, cost=3)

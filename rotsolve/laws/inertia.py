@@ -13,11 +13,22 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
+from rotsolve.laws.centre_of_mass import (
+    Told,
+    about_axis,
+    apart,
+    arm_of,
+    distance_words,
+    entry_of,
+    from_centre,
+    noun,
+    piece_masses,
+    plain,
+    sum_of_squares,
+)
+from rotsolve.laws.integration import INDICES, NotSliced, by_integration, mass
 from rotsolve.motion.bodies.rigid import MINUS, Piece
 from rotsolve.motion.bodies.spread import Spread
-from rotsolve.principles.inertia.centre import Told, from_centre, piece_masses, plain
-from rotsolve.principles.inertia.integration import INDICES, NotSliced, by_integration, mass
-from rotsolve.principles.inertia.pieces import about_axis, apart, arm_of, distance_words, entry_of, noun, sum_of_squares
 
 HALF = Number(Fraction(1, 2))
 

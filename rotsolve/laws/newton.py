@@ -1,0 +1,231 @@
+"""Newton's laws at one moment: Σ F = m a and Σ τ = I α of every body, and of every piece that is cut free; what defines I."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.facts import BodyFacts, Cut, Facts, Force, Inertia, signed, square
+from rotsolve.core.vectors.heading import Heading, Vector
+from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
+from rotsolve.motion.bodies.rigid import tidy
+
+
+def second_law(facts: Facts, section: str) -> Iterator[Equation]:
+    """Σ F = m a of the centre of mass, component by component; equilibrium where it does not accelerate."""
+    for body in facts.bodies:
+        for axis in body.axes if not body.changing else ():  # what moves within it has an acceleration of its own
+            equation = along(body, axis, section)
+            if equation is not None:
+                yield equation
+
+
+def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
+    """The component along one axis; None where nothing acts along it."""
+    if (
+        body.motion.kind == "line"
+        and axis != body.motion.heading
+        and not any(force.role == "normal" for force in body.forces)
+    ):
+        return None  # whatever holds it on its line takes what acts across
+    forces = [force.vector.along(axis) for force in body.forces]
+    acceleration = body.centre_acceleration.along(axis)
+    response = multiply(body.mass, acceleration) if body.mass != ZERO else ZERO
+    if isinstance(body.mass, Sum):
+        response = simplify(response)  # of joined bodies the common mass cancels in the place of the centre of mass
+    if all(force == ZERO for force in forces) and response == ZERO:
+        return None
+    left, right = law(forces, response)
+    return Equation(
+        left,
+        right,
+        f"Newton's second law, {spoken(body.name)}{axis_words(body, axis)}",
+        section,
+        NEWTON,
+        3,
+        bodies=(body.name,),
+    )
+
+
+def axis_words(body: BodyFacts, axis: Heading) -> str:
+    """Which component is meant, where the law has more than one."""
+    if body.along:
+        return f", {body.along[body.axes.index(axis)]}"
+    if body.motion.bend is not None:
+        return ", along the circle" if axis == body.motion.heading else ", towards the centre"
+    names = {0: ", horizontally", 90: ", vertically"}
+    upright = names.get(int(axis.degrees % 360), "") if not axis.terms else ""
+    if body.motion.kind == "line" and not (upright and in_a_corner(body)):
+        path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
+        if axis == body.motion.heading:
+            across = [force for force in body.forces if force.role == "normal"]
+            return f", along the {path}" if across else ""
+        return f", across the {path}"
+    return upright
+
+
+def in_a_corner(body: BodyFacts) -> bool:
+    """Whether a body touches surfaces that face different ways, so that no one of them is the surface."""
+    normals = [force.vector for force in body.forces if force.role == "normal"]
+    return any(not is_zero(normals[0].cross(other)) for other in normals[1:])
+
+
+def net_force(body: BodyFacts, axis: Heading) -> Formula:
+    """m a along an axis."""
+    return multiply(body.mass, body.centre_acceleration.along(axis))
+
+
+def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
+    """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
+    for body in facts.bodies:
+        if body.motion.turns and not body.changing:
+            yield from rotation_of(body, section)
+
+
+def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
+    """Σ τ = I α of one body."""
+    left, right = law(torques(body), response(body))
+    if (left, right) != (ZERO, ZERO):
+        label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
+        yield Equation(left, right, label, section, NEWTON, 3, carried(body), bodies=(body.name,))
+
+
+def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
+    """Σ τ = 0 of a free body in equilibrium about each point where a contact acts: its force then has no arm."""
+    for body in facts.bodies:
+        rates = [size for size, _ in body.centre_acceleration.parts]
+        if (
+            body.motion.kind == "axis"
+            or not body.motion.turns
+            or any(rate != ZERO for rate in (*rates, body.motion.spin_rate))
+        ):
+            continue
+        points = dict.fromkeys((force.arm, force.owner) for force in body.forces if force.internal)
+        if len({arm for arm, _ in points}) < 2:
+            continue
+        for point, owner in points:
+            pushes = [torque_about(point, force) for force in body.forces]
+            left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
+            label = f"balance of torques, {spoken(body.name)} about its point of contact at {spoken(owner)}"
+            geometry = next(filter(None, (by_triangle(point, force) for force in body.forces)), ())
+            yield Equation(left, right, label, section, NEWTON, 3, geometry, bodies=(body.name,))
+
+
+def by_triangle(point: Vector, force: Force) -> Words:
+    """Where the root in a lever comes from: it is a side of a right-angled triangle, √(R² − (R − h)²)."""
+    arm = tidy(force.arm - point)
+    if len(arm.parts) != 1:
+        return ()
+    size = arm.parts[0][0]
+    lever, side = (
+        simplify(part, positive=size.symbols()) for part in (arm.cross(force.direction), arm.dot(force.direction))
+    )
+    lever = negate(lever) if is_negative(lever) else lever
+    if any(is_negative(term) and term.symbols() & size.symbols() for term in flat([side])):
+        side = simplify(negate(side))
+    if not has_any_root(lever) or has_any_root(side) or side == ZERO:
+        return ()
+    return ("arm ", sqrt(size**2 - side**2), " = ", lever)
+
+
+def has_any_root(value: Formula) -> bool:
+    return value.holds("sqrt")
+
+
+def torque_about(point: Vector, force: Force) -> Formula:
+    """F times its lever about a point, counterclockwise positive; the sizes of arms are positive."""
+    arm = tidy(force.arm - point)
+    lengths = {name for size, _ in arm.parts for name in size.symbols()}
+    lever = arm.cross(force.direction)
+    if all(is_negative(term) for term in flat([lever])):
+        return negate(force.size * multiplied_out(negate(lever), lengths))
+    return force.size * multiplied_out(positive_first([lever]), lengths)
+
+
+def torques(body: BodyFacts) -> list[Formula]:
+    """Torques about the reference, positive along the body's declared turn."""
+    sense = body.motion.sense
+    arms = [signed(force.torque, sense) for force in body.forces]
+    return [torque for torque in (*arms, *(signed(couple.torque, sense) for couple in body.couples)) if torque != ZERO]
+
+
+def response(body: BodyFacts) -> Formula:
+    """I α along the declared turn; of a body that is carried round an upright axis also Ω² ∫ x y dm."""
+    swept = ZERO if body.sweep is None else signed(body.sweep.moment, body.motion.sense)
+    if body.inertia is None or body.inertia.letter == ZERO:
+        return swept
+    return add(body.inertia.letter * signed(body.motion.spin_rate, body.motion.sense), swept)
+
+
+def carried(body: BodyFacts) -> Words:
+    """Why Ω² ∫ x y dm stands in the law of a body on a turning shaft."""
+    if body.sweep is None:
+        return ()
+    square_of_rate = square(body.sweep.rate)
+    return (
+        "every piece at x from the axis has the acceleration ",
+        square_of_rate,
+        " x towards it, together ",
+        square_of_rate,
+        " ∫ x y dm about the hinge",
+    )
+
+
+def about(body: BodyFacts) -> str:
+    """About which point, where it is not plainly the axle of a wheel."""
+    if body.motion.kind == "axis":
+        return " about the pivot" if body.cm.parts else ""
+    return " about the centre of mass"
+
+
+def moments_of_inertia(facts: Facts, section: str) -> Iterator[Equation]:
+    """I = …, for every body whose moment of inertia is not given as such."""
+    for body in facts.bodies:
+        inertia = body.inertia
+        if inertia is not None and inertia.letter not in (ZERO, inertia.formula):
+            yield definition(inertia, body.name, section)
+
+
+COST = 4  # above the laws for the whole rod, so that what is found at a cut stands where its diagram is
+
+
+def of_pieces(facts: Facts, section: str) -> Iterator[Equation]:
+    """m and I of every piece, Σ F = m a along and across the rod, and Σ τ = I α."""
+    for cut in facts.cuts:
+        body = cut.body
+        definitions = [cut.mass] if body.inertia is None else [cut.mass, body.inertia]
+        yield from (
+            definition(item, body.name, section) for item in definitions if item.letter not in (ZERO, item.formula)
+        )
+        for axis in body.axes:
+            equation = along(body, axis, section)
+            if equation is not None:
+                yield replace(equation, cost=COST)
+        turning = about_cut(cut, section) if still(cut) else rotation_of(body, section)
+        yield from (replace(equation, cost=COST) for equation in turning)
+
+
+def definition(item: Inertia, name: str, section: str) -> Equation:
+    defines = next(iter(item.letter.symbols()), "")
+    return Equation(item.letter, item.formula, item.label, section, "", 1, item.remark, defines, bodies=(name,))
+
+
+def still(cut: Cut) -> bool:
+    """Whether the rod does not accelerate."""
+    motion = cut.body.motion
+    return motion.spin_rate == ZERO and not any(size != ZERO for size, _ in motion.acceleration.parts)
+
+
+def about_cut(cut: Cut, section: str) -> Iterator[Equation]:
+    """Στ = 0 of a rod in equilibrium, about the cut, where compression and shear have no arm."""
+    body, sense = cut.body, cut.body.motion.sense
+    away = [force for force in body.forces if force.arm != cut.at]
+    torques: list[Formula] = [signed(torque_about(cut.at, force), sense) for force in away]
+    torques += [signed(couple.torque, sense) for couple in body.couples]
+    label = f"balance of torques about the cut, {spoken(body.name)}"
+    yield Equation(*law(torques, ZERO), label, section, NEWTON, 3, bodies=(body.name,))

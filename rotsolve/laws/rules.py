@@ -1,0 +1,101 @@
+"""Rules of motion: how strings, contacts, joints and drives tie rates together, given motions, and steady rotation."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.drive import TURNING
+from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.facts import Facts, GivenMotion, Rule, signed
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.writing import flat, is_negative, spoken
+
+
+def for_accelerations(facts: Facts, section: str) -> Iterator[Equation]:
+    """The rules for accelerations."""
+    for rule in facts.rules:
+        if rule.acceleration is not None:
+            yield rule_equation(rule, rule.acceleration, section)
+
+
+def for_velocities(facts: Facts, section: str) -> Iterator[Equation]:
+    """The rules for velocities."""
+    for rule in facts.rules:
+        yield rule_equation(rule, rule.velocity, section)
+
+
+def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str) -> Iterator[Equation]:
+    """The rules for displacements and angles turned, with `changes` put in for the rates; only where their coefficients never change."""
+    for rule in facts.rules:
+        if rule.linear:
+            left, right = (side.substitute(dict(changes)) for side in rule.velocity)
+            yield replace(rule_equation(rule, (left, right), section), family=KINEMATICS)
+
+
+def rule_equation(rule: Rule, sides: tuple[Formula, Formula], section: str) -> Equation:
+    """A rule as an equation; two sides that are both negative are turned round."""
+    if all(is_negative(term) for side in sides for term in flat([side])):
+        sides = negate(sides[0]), negate(sides[1])
+    return Equation(sides[0], sides[1], rule.label, section, "", 2, rule.remark, bodies=rule.bodies)
+
+
+def rates(facts: Facts, section: str) -> Iterator[Equation]:
+    """Rate and acceleration of every given motion, as derivatives in time."""
+    told = {(given.drive.body, given.drive.component, given.drive.word) for given in facts.given}
+    for given in facts.given:
+        functions = given.drive.rates()
+        for word, function in functions.items():
+            if (given.drive.body, given.drive.component, word) in told:
+                continue
+            left, right = given.letters[word], function.substitute({TIME: given.time})
+            if left != right and not is_zero(left - right):
+                label = f"{spoken(word)} {in_letters(given, word)}, {spoken(given.drive.body)}"
+                remark = chain(given, word, functions)
+                yield Equation(left, right, label, section, KINEMATICS, 1, remark, bodies=(given.drive.body,))
+
+
+def in_letters(given: GivenMotion, word: str) -> str:
+    """ω = dθ/dt, or v_x = dx/dt."""
+    words, axis = given.drive.words, given.drive.component
+    names = ("θ", "ω", "α") if words == TURNING else (axis, f"v_{axis}", f"a_{axis}") if axis else ("x", "v", "a")
+    k = words.index(word)
+    return f"{names[k]} = d{names[k - 1]}/dt"
+
+
+def chain(given: GivenMotion, word: str, functions: dict[str, Formula]) -> Words:
+    """θ = c t³, ω = 3 c t², α = 6 c t at t = t₁: the functions from the given one on, and when they are taken."""
+    drive, now = given.drive, given.time
+    upto = list(functions)[: list(functions).index(word) + 1]
+    said = upto if now != Symbol(TIME) else upto[:-1]
+    parts: list[str | Formula] = []
+    for name in said:
+        letter = "x" if name == "position" else BY_WORD[name].letter
+        indexed = Symbol(
+            "_".join(filter(None, (letter, drive.component))) if name != "position" else drive.component or letter
+        )
+        parts += [", " if parts else "", indexed, " = ", functions[name]]
+    if now != Symbol(TIME) and TIME in functions[word].symbols():
+        parts += [" at ", Symbol(TIME), " = ", now]
+    return tuple(part for part in parts if part != "")
+
+
+def steady_rotation(facts: Facts, section: str) -> Iterator[Equation]:
+    """T = 2π/ω of every body whose period is spoken of; where it is given, the body turns along its positive sense."""
+    for body in facts.bodies:
+        period, motion = body.period, body.motion
+        if period is None:
+            continue
+        spin = signed(motion.spin, motion.sense)
+        asked = isinstance(period, Symbol) and SEPARATOR in period.name
+        rate: Formula = Call("abs", (spin,)) if asked else spin
+        name = spoken(body.name)
+        yield Equation(
+            period, 2 * PI / rate, f"period of {name}, T = 2π/ω", section, KINEMATICS, 1, bodies=(body.name,)
+        )
+        yield Equation(motion.spin_rate, ZERO, f"{name} turns steadily", section, KINEMATICS, 1, bodies=(body.name,))

@@ -1,1 +1,0 @@
-"""Momentum and angular momentum: at an instant, over a phase, through an event."""
