@@ -17,11 +17,11 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.profile import counted, skipped, stage
-from rotsolve.scene.model import Moment, Problem
 from rotsolve.scene.read import read_source
 from rotsolve.solution import Solution, Trace
 
@@ -100,7 +100,7 @@ def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
 
-def moment(at: str | None) -> Moment | None:
+def moment(at: str | None) -> TimeValue | None:
     """The time at which functions of time are evaluated."""
     if at is None:
         return None

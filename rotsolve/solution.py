@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.inquiry.meanings import Meanings
     from rotsolve.inquiry.validity import Validity
-    from rotsolve.scene.model import Problem
+    from rotsolve.language.problem import Problem
 
 
 class Trace(Struct, frozen=True):

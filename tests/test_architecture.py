@@ -15,7 +15,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("profile",),
     ("algebra",),
     ("core",),
-    ("scene.words", "scene.keys", "scene.marks", "scene.model"),
+    ("language",),
     ("elements",),
     ("motion",),
     ("laws",),

@@ -21,7 +21,7 @@ from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.shapes import SHAPES
 from rotsolve.elements.surfaces import SURFACES
-from rotsolve.scene.keys import keys_of
+from rotsolve.language.keys import keys_of
 from trials.scene import Scene, changed, named
 
 Powers = tuple[int, int, int]  # of ten, for masses, lengths and times

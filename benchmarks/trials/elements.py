@@ -10,7 +10,7 @@ from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.shapes import SHAPES
-from rotsolve.scene.keys import Key, keys_of
+from rotsolve.language.keys import Key, keys_of
 from trials.case import Case
 from trials.draw import Draw
 from trials.scene import Scene, changed, read

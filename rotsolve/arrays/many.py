@@ -12,7 +12,7 @@ from rotsolve.core.registry import TIME
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
     from rotsolve.inquiry.validity import Validity
-    from rotsolve.scene.model import Given
+    from rotsolve.language.problem import Given
 
 
 def evaluate_many(

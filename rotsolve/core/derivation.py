@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
     from rotsolve.algebra.units.dimension import Dimension
     from rotsolve.algebra.units.unit_table import Unit
-    from rotsolve.scene.model import Given
+    from rotsolve.language.problem import Given
 
 Words = tuple["str | Formula", ...]
 

@@ -13,8 +13,8 @@ from rotsolve.core.vectors.directions import along_text
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
-from rotsolve.scene.keys import Element, key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import Element, key
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -6,8 +6,8 @@ from typing import ClassVar
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.actions import DIRECTIONS, Direction
-from rotsolve.scene.keys import Element, key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import Element, key
+from rotsolve.language.problem import PointRef
 
 
 class Event(Element, frozen=True):

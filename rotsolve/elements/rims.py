@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.shapes import Particle, Shape
-from rotsolve.scene.model import Body
+from rotsolve.language.problem import Body
 
 PARTICLE = Particle()
 

@@ -6,7 +6,7 @@ from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
-from rotsolve.scene.keys import Element, key
+from rotsolve.language.keys import Element, key
 
 
 class Surface(Element, frozen=True):

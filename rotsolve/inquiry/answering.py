@@ -19,7 +19,7 @@ from rotsolve.inquiry.finds import asked, entries
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.questions import NotYet, Unclear, resting
-from rotsolve.scene.model import Find
+from rotsolve.language.problem import Find
 
 
 def answer_all(inquiry: Inquiry, finds: Sequence[Find]) -> None:

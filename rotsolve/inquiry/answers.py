@@ -5,8 +5,8 @@ from __future__ import annotations
 from msgspec import Struct
 
 from rotsolve.inquiry.questions import Asked
+from rotsolve.language.problem import Find
 from rotsolve.plan import Shortage
-from rotsolve.scene.model import Find
 from rotsolve.solver import Found
 
 

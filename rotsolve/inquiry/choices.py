@@ -15,7 +15,7 @@ from rotsolve.inquiry.answers import Answered, Chosen, Compared, Verdict
 from rotsolve.inquiry.finds import asked
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import NotYet
-from rotsolve.scene.model import Choice, Find
+from rotsolve.language.problem import Choice, Find
 from rotsolve.solver import Found
 
 DIGITS = 50  # to which two numbers without a closed form are told apart

@@ -11,8 +11,8 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.inquiry.answers import Answered
 from rotsolve.inquiry.questions import Asked
+from rotsolve.language.problem import Given
 from rotsolve.plan import Planner
-from rotsolve.scene.model import Given
 from rotsolve.solver import Step
 
 

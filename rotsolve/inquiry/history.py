@@ -20,6 +20,7 @@ from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states import Fixed, Statements
+from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws import energy, groups, newton, rules
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_bodies
@@ -27,7 +28,6 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.profile import staged
-from rotsolve.scene.model import Condition, Path, State, Term
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.swings.swing import Swing

@@ -23,10 +23,10 @@ from rotsolve.inquiry.planning import FORCES, OF_ONE_MOMENT, Search, families_fo
 from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.roots.numbers import Numbers
 from rotsolve.inquiry.stepwise import Stepwise
+from rotsolve.language.problem import Find
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.profile import staged
-from rotsolve.scene.model import Find
 from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 if TYPE_CHECKING:

@@ -14,12 +14,12 @@ from rotsolve.keys.sheets import Sheet
 from rotsolve.keys.variants import worked_variants
 from rotsolve.keys.working import Worked
 from rotsolve.keys.writers import WRITERS, File
+from rotsolve.language.problem import Problem
 from rotsolve.run.advancing import advancing
 from rotsolve.run.attempt import failure
 from rotsolve.run.delivery import say, summary, write_file
 from rotsolve.run.request import BAD, SOLVED
 from rotsolve.run.scenes import PIPED, scenes
-from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 
 

@@ -14,8 +14,8 @@ from rotsolve.core.derivation import Answer
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.writing import spoken
 from rotsolve.keys.working import Worked
+from rotsolve.language.problem import Find, Given
 from rotsolve.render.voice import Voice
-from rotsolve.scene.model import Find, Given
 from rotsolve.scene.statement import parts, slots
 
 PATH = re.compile(r"[^\W\d]\w*(?:\.at\([^)]*\)|\.\w+)+")  # rod.end.speed

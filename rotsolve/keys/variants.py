@@ -12,8 +12,7 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Unsolvable
 from rotsolve.keys.shuffle import shuffled
 from rotsolve.keys.working import Unsuited, Worked, Working, side
-from rotsolve.scene.model import Problem
-from rotsolve.scene.variation import Variation
+from rotsolve.language.problem import Problem, Variation
 
 PATIENCE = 1000  # sets of values one after the other that can not be used, before it is given up
 

@@ -21,9 +21,9 @@ from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.validity import ROOT, SLIPS
+from rotsolve.language.problem import Given, Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures
-from rotsolve.scene.model import Given, Problem
 from rotsolve.scene.read import read_tree
 from rotsolve.scene.tree.nodes import Map, Node, compose
 from rotsolve.solution import Solution

@@ -5,8 +5,8 @@ from __future__ import annotations
 from rotsolve.elements.connections import Connection
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Cuts, Fixes, Grips, Removes
+from rotsolve.language.problem import Problem
 from rotsolve.motion.timeline import Timeline
-from rotsolve.scene.model import Problem
 
 
 def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:

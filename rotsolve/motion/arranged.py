@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
+from rotsolve.language.problem import Problem
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
-from rotsolve.scene.model import Problem
 
 
 def arranged(problem: Problem) -> Arrangement:

@@ -20,6 +20,7 @@ from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.events import Fixes, Joins
 from rotsolve.elements.surfaces import Surface
+from rotsolve.language.problem import Body, PointRef, Problem
 from rotsolve.motion.absence import absent, gripped
 from rotsolve.motion.bodies.frame import frame
 from rotsolve.motion.bodies.members import Member, rider, welded
@@ -27,7 +28,6 @@ from rotsolve.motion.bodies.owndata import Version, versions
 from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.timeline import Timeline, timeline
-from rotsolve.scene.model import Body, PointRef, Problem
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration

@@ -16,8 +16,8 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.varying import paths_in
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection
-from rotsolve.scene.keys import varying
-from rotsolve.scene.model import Path, Problem
+from rotsolve.language.keys import varying
+from rotsolve.language.problem import Path, Problem
 
 CLOCK = "the clock"  # in a tie: what can tell, or depends on, how long a motion takes
 EVERY = "all"  # the owner of a line that speaks of all bodies

@@ -21,6 +21,7 @@ from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
+from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
 from rotsolve.motion.bodies.frame import locate
 from rotsolve.motion.bodies.owndata import versions
 from rotsolve.motion.bodies.rigid import centre_of_mass, pieces, place, tidy
@@ -28,7 +29,6 @@ from rotsolve.motion.checks.admissible import check, on_axes
 from rotsolve.motion.checks.fits import check_holding, check_surfaces
 from rotsolve.motion.checks.sequence import check_sequence
 from rotsolve.motion.positive import positive_letters
-from rotsolve.scene.model import Body, Given, Part, PointRef, Problem
 
 
 class _Letters:

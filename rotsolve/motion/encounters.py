@@ -12,12 +12,12 @@ from rotsolve.elements.actions import pointing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.elements.rims import rim_radius
+from rotsolve.language.problem import PointRef
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.motion.freebody import free_body
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import PointRef
 
 HOLDING = (Fixes, Grips)
 

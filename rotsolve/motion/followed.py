@@ -9,7 +9,7 @@ from rotsolve.core.registry import COURSE, GENERIC
 from rotsolve.core.varying import paths_in
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes.shape import WHEEL
-from rotsolve.scene.keys import varying
+from rotsolve.language.keys import varying
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

@@ -16,12 +16,12 @@ from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.frame import ON_RIM, Frame, frame, locate
 from rotsolve.motion.bodies.rigid import direction_of, polar, tidy
 from rotsolve.motion.followed import followed
 from rotsolve.motion.running import value_now
-from rotsolve.scene.model import Body, PointRef
 
 
 class Instant(Struct, frozen=True, dict=True):

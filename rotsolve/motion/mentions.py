@@ -8,8 +8,8 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.quantity import INSIDE
+from rotsolve.language.problem import Path, Problem, points_of
 from rotsolve.motion.timeline import Timeline
-from rotsolve.scene.model import Path, Problem, points_of
 
 MEAN = ("mean", "speed")
 RUNNING = ("total", "largest", "smallest")  # what a quantity does on its way is asked

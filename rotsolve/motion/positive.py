@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Given
 
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 

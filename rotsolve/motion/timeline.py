@@ -8,7 +8,7 @@ from itertools import pairwise
 from msgspec import Struct
 
 from rotsolve.elements.events import Event
-from rotsolve.scene.model import Problem, State
+from rotsolve.language.problem import Problem, State
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
 

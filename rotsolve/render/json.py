@@ -17,7 +17,7 @@ from rotsolve.render.options import Options
 from rotsolve.render.voice import TEXT, certified, figures, machine_number, shown
 
 if TYPE_CHECKING:
-    from rotsolve.scene.model import Given
+    from rotsolve.language.problem import Given
 
 
 def body(derivation: Derivation, options: Options) -> str:

@@ -18,7 +18,7 @@ from rotsolve.render.layout import hold
 if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
     from rotsolve.algebra.units.unit_table import Unit
-    from rotsolve.scene.model import Given
+    from rotsolve.language.problem import Given
 
 WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
 POWER = r"(.*\d)(?:[eE]|\s*[·×]\s*10\^?)([-+−⁺⁻]?[\d⁰¹²³⁴⁵⁶⁷⁸⁹]+)"  # compiled where there is one

@@ -7,12 +7,12 @@ from typing import Any
 
 from rotsolve.core.quantity import QUANTITIES, QuantityKind
 from rotsolve.elements.shapes import SHAPES
-from rotsolve.scene.keys import Key, keys_of
+from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.clauses import CLAUSES
 from rotsolve.scene.phrase.phrases import MODIFIERS
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
-from rotsolve.scene.words import hint, quoted
 
 BEGIN = "<!-- generated from the tables: begin -->"
 END = "<!-- generated: end -->"

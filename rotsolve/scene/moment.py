@@ -5,18 +5,18 @@ from __future__ import annotations
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.scene.model import Moment
-from rotsolve.scene.words import quoted
+from rotsolve.language.problem import TimeValue
+from rotsolve.language.words import quoted
 
 
-def read_moment(text: str) -> Moment:
+def read_moment(text: str) -> TimeValue:
     """`t=2s`, or `2 s` alone. Raises ValueError for what is no time."""
     name, sign, written = (part.strip() for part in text.rpartition("="))
     if (sign and name not in ("t", "time")) or not written:
         raise ValueError(f"{quoted(text)} is no moment; write t=2s")
     found = read_time(written, text, "t=2s")
     number = written.removesuffix(found.unit.text).strip() if found.unit is not None else written
-    return Moment(f"{number} {found.unit.text}" if found.unit is not None else written, found.value)
+    return TimeValue(f"{number} {found.unit.text}" if found.unit is not None else written, found.value)
 
 
 def read_seconds(text: str) -> float:

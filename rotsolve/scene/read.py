@@ -7,12 +7,12 @@ import re
 from collections.abc import Mapping
 
 from rotsolve.core.faults import Fault, SceneError
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
+from rotsolve.language.words import quoted
 from rotsolve.scene.reader.sections import Sections
 from rotsolve.scene.reader.within import beyond_ends
 from rotsolve.scene.tree.nodes import BYTES, Node, compose
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 # what no text holds, and YAML's parser refuses
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 from rotsolve.elements.shapes import SHAPES
-from rotsolve.scene.keys import Key, keys_of
+from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
 from rotsolve.scene.phrase.choices import IS, WORD
 from rotsolve.scene.reader.elements import TABLES
-from rotsolve.scene.sections import BODY, DEDUCT, MARKING, PART, PHASE, SECTIONS
 from rotsolve.scene.values.scope import NAME
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}

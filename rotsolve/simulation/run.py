@@ -10,8 +10,8 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.language.problem import Problem
 from rotsolve.render.layout import page
-from rotsolve.scene.model import Problem
 from rotsolve.simulation.steps.balance import Drift, drift
 from rotsolve.simulation.steps.bounded import Reading, Stretch
 from rotsolve.simulation.steps.following import READING_BITS, Event

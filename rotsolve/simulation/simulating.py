@@ -10,9 +10,9 @@ from time import monotonic
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.language.problem import Problem
 from rotsolve.motion.arranged import arranged
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.scene.model import Problem
 from rotsolve.scene.moment import read_seconds
 from rotsolve.scene.read import read_source
 from rotsolve.simulation.moving.compiling import compiled

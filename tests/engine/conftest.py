@@ -33,10 +33,10 @@ from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
+from rotsolve.language.problem import Problem
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
 from rotsolve.motion.rubs import rubs
-from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 
 HERE = Path(__file__).resolve().parent

@@ -12,8 +12,8 @@ from msgspec.structs import replace
 from rotsolve import SceneError, Unsolvable, pipeline, solve
 from rotsolve.inquiry.compose.draft import drafts_of
 from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.block import asked_block, left_out
-from rotsolve.scene.model import Find, Problem
 from rotsolve.scene.read import read_file, read_text
 
 ROOT = Path(__file__).resolve().parents[2]

@@ -19,9 +19,9 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import UP
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.inquiry.history import History
+from rotsolve.language.problem import Problem, State
 from rotsolve.laws import energy
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.scene.model import Problem, State
 
 Readings = Callable[[Path], tuple[History, ...]]
 RATES = ("velocity", "angular_velocity")

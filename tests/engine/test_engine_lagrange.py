@@ -18,7 +18,7 @@ from sympy import cos, sin, symbols
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 HERE = Path(__file__).resolve().parent / "scenes"
 M, m, n, p, K, L, R, r, s, d, g, ell, I, J = symbols("M m n p K L R r s d g l I J", positive=True)  # noqa: E741

@@ -20,10 +20,10 @@ from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
+from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.pipeline import solve_problem
-from rotsolve.scene.model import Body, Problem
 
 ProblemOf = Callable[[Path], Problem]
 PAIRS = (("left", "right"), ("up", "down"), ("clockwise", "counterclockwise"))

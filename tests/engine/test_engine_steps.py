@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.registry import GENERIC, VIRTUAL
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 Number = Callable[[Formula, dict[str, float]], float]
 Nearby = Callable[[Problem, random.Random], dict[str, float]]

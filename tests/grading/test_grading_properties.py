@@ -19,9 +19,9 @@ from rotsolve.core.derivation import Answer
 from rotsolve.grading.comparing.numbers import Typed, near, within
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Paper, Part
+from rotsolve.language.marks import Tolerance
 from rotsolve.pipeline import solve
 from rotsolve.render.voice import TEXT
-from rotsolve.scene.marks import Tolerance
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 FILES = sorted(PROBLEMS.glob("*/*.yaml"))

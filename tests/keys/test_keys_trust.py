@@ -14,8 +14,8 @@ from rotsolve.algebra.formula import Number
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.keys.working import Unsuited, Working
+from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve
-from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file
 
 EVERY = int(os.environ.get("ROTSOLVE_TRUST_EVERY", "4"))

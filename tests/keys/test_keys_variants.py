@@ -14,8 +14,8 @@ from pages import FALL, PLAIN, ROOT, said
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.keys.variants import Variant, variants, worked_variants
+from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve, solve_problem
-from rotsolve.scene.model import Problem
 from rotsolve.scene.read import read_file, read_text
 
 VARYING = [file for file in sorted((ROOT / "problems").rglob("*.yaml")) if "\nvary:" in file.read_text("utf-8")]

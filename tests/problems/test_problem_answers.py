@@ -18,8 +18,8 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
+from rotsolve.language.problem import Published
 from rotsolve.pipeline import solve
-from rotsolve.scene.model import Published
 from rotsolve.scene.schema import json_schema
 from rotsolve.solution import AnswerView, Solution
 

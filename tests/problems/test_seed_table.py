@@ -27,8 +27,8 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer
+from rotsolve.language.problem import Given
 from rotsolve.pipeline import solve
-from rotsolve.scene.model import Given
 from rotsolve.scene.read import read_file
 from rotsolve.solution import AnswerView, Solution
 

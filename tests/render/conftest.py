@@ -13,7 +13,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.units.quantities import parse_quantity, parse_unit
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, ForceLine, LawLine, Move, Section, Words
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Given
 
 
 @dataclass(frozen=True)

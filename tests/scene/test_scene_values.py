@@ -7,7 +7,7 @@ import pytest
 from rotsolve.algebra.formula import PI, ZERO, Negative, Number, Quotient, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import ANGLE, LENGTH, MASS, NONE
-from rotsolve.scene.model import Problem, Term
+from rotsolve.language.problem import Problem, Term
 from rotsolve.scene.read import read_text
 
 SCENE = (

@@ -10,8 +10,8 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Couple, Force, Potential, Requirement, Rule, Turntable
 from rotsolve.core.vectors.heading import Heading
-from rotsolve.scene.keys import Element
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.keys import Element
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -10,7 +10,7 @@ from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import Couple, Force, signed
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -11,7 +11,7 @@ from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.elements.sides import rough
-from rotsolve.scene.model import PointRef
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

@@ -9,8 +9,8 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Turntable
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.supports import reaction
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

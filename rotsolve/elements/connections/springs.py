@@ -14,8 +14,8 @@ from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import apart, between, distance
 from rotsolve.elements.sides import rough
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -12,8 +12,8 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -9,7 +9,7 @@ from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.round import Annulus, Disc, Radii, Ring, walls
 from rotsolve.elements.shapes.shape import WHEEL, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 
 class Cylinder(Disc, frozen=True):

@@ -10,7 +10,7 @@ from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.elements.shapes import shoelace
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 
 class Rectangle(Shape, frozen=True):

@@ -13,7 +13,7 @@ from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 CARTESIAN, POLAR = ("x", "y"), ("r", "phi")
 UNSHAPED = Shape()

@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.shape import WHEEL, Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 Radii = tuple[tuple[str, Formula], ...]
 

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.slicing import Slicing
-from rotsolve.scene.keys import Element, key
+from rotsolve.language.keys import Element, key
 
 Place = tuple[Formula, Formula]
 WHEEL: tuple[str, ...] = ("center", "rim", "top", "bottom")

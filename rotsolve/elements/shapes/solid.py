@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.elements.shapes.shape import Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis, on_line
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 
 class Cone(Shape, frozen=True):

@@ -12,7 +12,7 @@ from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.elements.shapes.shape import Place, Shape, extent
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
-from rotsolve.scene.keys import key
+from rotsolve.language.keys import key
 
 
 class Particle(Shape, frozen=True):

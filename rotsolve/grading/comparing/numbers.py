@@ -16,7 +16,7 @@ from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import Unit, in_unit, unit_for
-from rotsolve.scene.marks import Tolerance
+from rotsolve.language.marks import Tolerance
 
 DIGITS = (15, 40, 120, 400)  # how closely both numbers are known, until they can be told apart
 BITS = 1600  # of precision in which they are compared

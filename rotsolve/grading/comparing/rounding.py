@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import PI, Constant, Formula, Number, Symbol
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Words
 from rotsolve.grading.comparing.numbers import Typed, near, number_of
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Given
 
 FEWER = (1, 2, 3)  # figures to which a given may have been rounded
 PIS = ("3.14", "22/7", "3.1", "3")

@@ -18,8 +18,8 @@ from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_
 from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
 from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
-from rotsolve.scene import marks
-from rotsolve.scene.marks import Marking
+from rotsolve.language import marks
+from rotsolve.language.marks import Marking
 
 POWERS = 9  # of ten: a factor that a prefix or a slip of the decimal point makes
 LEAST_FIGURES = 2  # a number with fewer says too little to be right as far as it goes

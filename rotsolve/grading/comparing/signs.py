@@ -6,7 +6,7 @@ import re
 
 from rotsolve.grading.comparing.finding import Finding, found
 from rotsolve.grading.verdict import RIGHT, WRONG
-from rotsolve.scene.marks import LENIENT, Marking
+from rotsolve.language.marks import LENIENT, Marking
 
 OPPOSITE = {
     "up": "down",

@@ -14,7 +14,7 @@ from rotsolve.grading.comparing.readings import judged
 from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, Reading
 from rotsolve.grading.verdict import RIGHT, WRONG
-from rotsolve.scene.marks import Tolerance
+from rotsolve.language.marks import Tolerance
 
 AXES = ("x", "y", "z")
 

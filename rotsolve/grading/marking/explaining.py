@@ -20,7 +20,7 @@ from rotsolve.grading.comparing.rounding import Rounded, rounded_answers, rounde
 from rotsolve.grading.comparing.scalars import Scalar
 from rotsolve.grading.marking.target import Letters
 from rotsolve.grading.verdict import WRONG
-from rotsolve.scene import marks
+from rotsolve.language import marks
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.mistake import Mistake

@@ -23,7 +23,7 @@ from rotsolve.core.derivation import Equality
 from rotsolve.grading.comparing.numbers import HALF, Typed, number_of
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.target import Letters
-from rotsolve.scene.marks import Tolerance
+from rotsolve.language.marks import Tolerance
 
 LONGEST = 32  # nodes of a closed form in which a given is eliminated
 MOST_FORMS = 4  # ways in which a letter is told by others

@@ -23,7 +23,7 @@ from rotsolve.grading.marking.texts import CHAIN, Judged, Texts
 from rotsolve.grading.marking.working import Working
 from rotsolve.grading.reading.records import FORMULA, NUMBER
 from rotsolve.grading.verdict import WRONG, Marked, Paper, Part, Verdict
-from rotsolve.scene import marks
+from rotsolve.language import marks
 from rotsolve.solution import Solution
 
 

@@ -17,9 +17,9 @@ from rotsolve.grading.comparing.numbers import number_of
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
+from rotsolve.language.marks import Marking, marking_of
+from rotsolve.language.problem import Choice, Find, Problem
 from rotsolve.motion.positive import positive_letters
-from rotsolve.scene.marks import Marking, marking_of
-from rotsolve.scene.model import Choice, Find, Problem
 from rotsolve.solution import Solution
 
 CONSTANT = f"inertia{SEPARATOR}"  # how the keys of moments of inertia begin

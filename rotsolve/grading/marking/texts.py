@@ -19,7 +19,7 @@ from rotsolve.grading.reading.lines.chains import members
 from rotsolve.grading.reading.lines.wording import bare
 from rotsolve.grading.reading.records import NUMBER, WORD
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
-from rotsolve.scene.marks import FORM
+from rotsolve.language.marks import FORM
 
 LONGEST_ECHO = 400  # characters of a line that is said back
 CHAIN = "chain"  # the kind of a remark on the way to an answer

@@ -25,7 +25,7 @@ from rotsolve.grading.marking.target import Letters
 from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
 from rotsolve.grading.reading.records import EQUATION
 from rotsolve.grading.verdict import UNDECIDED, WRONG, Line, Remark, Verdict
-from rotsolve.scene.marks import ALL, marking_of
+from rotsolve.language.marks import ALL, marking_of
 
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")

@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.alteration import Alteration
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 
 class Change(Struct, frozen=True):

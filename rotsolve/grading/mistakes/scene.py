@@ -21,10 +21,10 @@ from rotsolve.inquiry.friction import decide
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
+from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
-from rotsolve.scene.model import Find, Problem
 
 ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in

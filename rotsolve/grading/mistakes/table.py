@@ -13,7 +13,7 @@ from rotsolve.grading.mistakes.kinds import accelerations, angles, energies, for
 from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 
 class Kind(Struct, frozen=True):

@@ -17,7 +17,7 @@ from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.compose.result import Results, readable
 from rotsolve.inquiry.compose.states import state_words
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.scene.model import Moment, Problem
+from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.solver import Ref, Step
 
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM)  # the remarks of these laws are sentences of their own
@@ -26,7 +26,7 @@ SENTENCES = (ENERGY, ANGULAR_MOMENTUM)  # the remarks of these laws are sentence
 class Composer:
     """Turns what an inquiry found into a derivation."""
 
-    def __init__(self, inquiry: Inquiry, first: int = 1, at: Moment | None = None) -> None:
+    def __init__(self, inquiry: Inquiry, first: int = 1, at: TimeValue | None = None) -> None:
         self.inquiry = inquiry
         self.first = first  # number of the first equation
         self.history = inquiry.history

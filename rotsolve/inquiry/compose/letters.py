@@ -12,7 +12,7 @@ from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.inquiry.compose.diagrams import Diagrams
 from rotsolve.inquiry.compose.draft import Draft
 from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.scene.model import Body, Find
+from rotsolve.language.problem import Body, Find
 
 
 class Letters:

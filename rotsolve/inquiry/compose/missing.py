@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.writing import spoken
-from rotsolve.scene.model import Body, Given, Problem
+from rotsolve.language.problem import Body, Given, Problem
 
 
 def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:

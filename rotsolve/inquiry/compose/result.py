@@ -19,7 +19,7 @@ from rotsolve.inquiry.answers import Answered, Chosen
 from rotsolve.inquiry.compose.letters import Letters
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked, component
-from rotsolve.scene.model import ANY_TIME, Find, Moment
+from rotsolve.language.problem import ANY_TIME, Find, TimeValue
 from rotsolve.solver import Found
 
 LONG = 220  # nodes of a formula beyond which it is left in letters found before
@@ -35,7 +35,7 @@ class Results(Struct, frozen=True):
 
     inquiry: Inquiry
     letters: Letters
-    at: Moment | None = None  # when functions of time are evaluated
+    at: TimeValue | None = None  # when functions of time are evaluated
 
     def answers(self) -> tuple[Answer, ...]:
         """All answers in the order in which the scene asks; the entries of a matrix or vector as one."""

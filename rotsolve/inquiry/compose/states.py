@@ -11,7 +11,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
-from rotsolve.scene.model import State
+from rotsolve.language.problem import State
 
 
 def state_words(state: State, bare: str) -> Words:

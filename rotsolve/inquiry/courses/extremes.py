@@ -18,8 +18,8 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.courses.beside import Beside, straight
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
+from rotsolve.language.problem import Term
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import Term
 
 
 class Candidate(Struct, frozen=True):

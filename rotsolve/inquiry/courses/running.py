@@ -8,10 +8,10 @@ from rotsolve.core.registry import TIME
 from rotsolve.core.varying import CONSTANT
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
+from rotsolve.language.problem import Path, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.travels import displacement, so_far
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import Path, Term
 
 
 def phases_of(term: Term, history: History) -> tuple[Interval, ...]:

@@ -18,10 +18,10 @@ from rotsolve.inquiry.courses.running import way
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet
 from rotsolve.inquiry.questions.meaning import size_of
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.travels import rotation, so_far
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import Path, PointRef, Term
 
 RATE = {"rotation": "angular_velocity", "displacement": "velocity"}
 

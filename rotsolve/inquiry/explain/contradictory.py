@@ -11,9 +11,9 @@ from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
+from rotsolve.language.problem import Problem
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import Problem
 
 
 def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:

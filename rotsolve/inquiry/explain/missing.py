@@ -17,9 +17,9 @@ from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID
+from rotsolve.language.problem import Find
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.plan import Shortage
-from rotsolve.scene.model import Find
 from rotsolve.solver import ENTANGLED
 
 MANY = 6  # unknowns that a message names one by one

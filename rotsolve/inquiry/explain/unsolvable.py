@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 CHECK_DATA = "check the givens and what the states say"
 

@@ -6,7 +6,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.core.derivation import Words
-from rotsolve.scene.model import Find, Given
+from rotsolve.language.problem import Find, Given
 
 
 def conversion(find: Find, given: Given) -> Words:

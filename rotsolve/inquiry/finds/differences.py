@@ -9,8 +9,8 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.inquiry.finds.transfers import potential_change
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, size_of, whole_vector
+from rotsolve.language.problem import Term
 from rotsolve.motion.bodies.rigid import tidy
-from rotsolve.scene.model import Term
 
 STORED = ("potential_energy", "energy")
 

@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Symbol
 from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.inquiry.history import History
-from rotsolve.scene.model import Find, Term
+from rotsolve.language.problem import Find, Term
 
 
 def entries(find: Find, history: History) -> tuple[Find, ...]:

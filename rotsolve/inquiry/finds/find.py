@@ -18,7 +18,7 @@ from rotsolve.inquiry.finds.ratios import dimension_in, label_of
 from rotsolve.inquiry.finds.terms import DIFFERENCE, meaning_of, size
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Asked, Meaning, in_parts
-from rotsolve.scene.model import Find
+from rotsolve.language.problem import Find
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration

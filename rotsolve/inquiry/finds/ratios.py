@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from rotsolve.algebra.formula import PI, Formula, Quotient, Symbol
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
 from rotsolve.core.writing import spoken
-from rotsolve.scene.model import Find
+from rotsolve.language.problem import Find
 
 FRICTION = "friction over normal force"  # the least coefficient that keeps it from slipping
 ENERGIES = ("kinetic_energy", "potential_energy", "energy")

@@ -8,9 +8,9 @@ from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.inquiry.finds.transfers import blow, impulse, ways_of_blow, work
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.phases.travels import angle_turned
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import Path, PointRef, Term
 
 
 def spanned(term: Term, start: str | None, end: str | None, history: History) -> tuple[Meaning, str]:

@@ -11,7 +11,7 @@ from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import Meaning, NotYet, Unclear, path_text
-from rotsolve.scene.model import ANY_TIME, Path, Term
+from rotsolve.language.problem import ANY_TIME, Path, Term
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.courses import Beside

@@ -11,10 +11,10 @@ from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import is_negative
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.language.problem import Path
 from rotsolve.laws.energy import potential
 from rotsolve.laws.momentum import over_time
 from rotsolve.motion.encounters import participants
-from rotsolve.scene.model import Path
 
 
 def impulse(path: Path, interval: str, state: str, history: History) -> Formula:

@@ -14,9 +14,9 @@ from rotsolve.inquiry.compose import Composer
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
+from rotsolve.language.problem import Find
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import BACK, FORWARD, STICKS
-from rotsolve.scene.model import Find
 
 
 class Trial(Struct, frozen=True):

@@ -13,7 +13,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
-from rotsolve.scene.model import Find, Path
+from rotsolve.language.problem import Find, Path
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.swings.swing import Swing

@@ -16,11 +16,11 @@ from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.motion.bodies.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.heights import height
-from rotsolve.scene.model import Path, PointRef, Term
 
 if TYPE_CHECKING:
     from rotsolve.inquiry.questions.inertias import OfInertias

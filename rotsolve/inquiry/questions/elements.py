@@ -16,7 +16,7 @@ from rotsolve.inquiry.questions.bodies import OfBodies
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, about_centre
-from rotsolve.scene.model import Path
+from rotsolve.language.problem import Path
 
 
 class OfElements(Moment, frozen=True):

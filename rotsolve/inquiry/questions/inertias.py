@@ -17,6 +17,7 @@ from rotsolve.core.writing import flat, is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet
 from rotsolve.inquiry.questions.moment import Moment
+from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
 from rotsolve.laws.integration import NotSliced, mass
@@ -24,7 +25,6 @@ from rotsolve.motion.bodies.frame import locate, rise
 from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.motion.bodies.spread import Spread
 from rotsolve.motion.positive import positive_letters
-from rotsolve.scene.model import Path, PointRef, Term
 
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
 

@@ -16,7 +16,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.scene.model import Path, Term
+from rotsolve.language.problem import Path, Term
 
 POINT_WORDS = [entry.word for entry in QUANTITIES if POINT in entry.owners]
 

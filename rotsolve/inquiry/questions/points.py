@@ -9,7 +9,7 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, path_text, size_of, spoken_point
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.natural import NATURAL, along_path, length
-from rotsolve.scene.model import Path, PointRef
+from rotsolve.language.problem import Path, PointRef
 
 
 class OfPoints(Moment, frozen=True):

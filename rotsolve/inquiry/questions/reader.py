@@ -17,9 +17,9 @@ from rotsolve.inquiry.questions.elements import OfElements
 from rotsolve.inquiry.questions.meaning import Meaning, NotYet, label_of, size_of
 from rotsolve.inquiry.questions.moment import Moment
 from rotsolve.inquiry.questions.points import OfPoints
+from rotsolve.language.problem import Path, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.motion.bodies.rigid import tidy
-from rotsolve.scene.model import Path, Term
 
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 

@@ -14,8 +14,8 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.roots.expected import Expected
 from rotsolve.inquiry.roots.numbers import Numbers
 from rotsolve.inquiry.roots.reached import FirstReached
+from rotsolve.language.problem import Given
 from rotsolve.motion.positive import is_angle
-from rotsolve.scene.model import Given
 from rotsolve.solver import Choice
 
 SAME = 1e-9  # relative difference up to which two places lie equally far to either side

@@ -14,8 +14,8 @@ from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.roots.numbers import Numbers
+from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
-from rotsolve.scene.model import Given
 
 RATES = ("velocity|", "angular_velocity|")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from rotsolve.algebra.formula import ZERO
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.states.fixed import Fixed
-from rotsolve.scene.model import State
+from rotsolve.language.problem import State
 
 
 def check_shafts(state: State, fixed: Fixed) -> None:

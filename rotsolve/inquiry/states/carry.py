@@ -6,9 +6,9 @@ from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Grips
 from rotsolve.elements.surfaces import Curved
 from rotsolve.inquiry.states.fixed import Fixed
+from rotsolve.language.problem import State
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import State
 
 RATES = ("velocity", "angular_velocity")
 

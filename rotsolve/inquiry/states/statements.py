@@ -19,13 +19,13 @@ from rotsolve.inquiry.states.balance import balance, check_shafts, check_steady
 from rotsolve.inquiry.states.carry import carry_over
 from rotsolve.inquiry.states.drives import prescribe
 from rotsolve.inquiry.states.fixed import Fixed
+from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.motion.followed import marked
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.travels import angle_turned, displacement
-from rotsolve.scene.model import Condition, Path, State
 
 RATE_OF = {  # what is zero where a quantity is largest or smallest
     "angle": "angular_velocity",

@@ -14,13 +14,13 @@ from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.swings.equilibrium import PLACES, SEVERAL_WAYS, stable_angle
 from rotsolve.inquiry.swings.swing import Swing, displacements, moving, places, rates
+from rotsolve.language.problem import Term
 from rotsolve.laws import groups
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.followed import swings
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of
-from rotsolve.scene.model import Term
 
 
 class Moments(Struct, frozen=True):

@@ -23,7 +23,7 @@ from rotsolve.inquiry.questions.meaning import NotYet, label_of
 from rotsolve.inquiry.swings.settling import verge
 from rotsolve.inquiry.where.conclude import Conclusion, by_condition, forget
 from rotsolve.inquiry.where.extremum import extreme_value, function_of, place_of_extremum
-from rotsolve.scene.model import Find
+from rotsolve.language.problem import Find
 from rotsolve.solver import Choice
 
 

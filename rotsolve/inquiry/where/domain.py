@@ -8,8 +8,8 @@ from rotsolve.algebra.certified import sign
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.elements.shapes import Rod
 from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.language.problem import points_of
 from rotsolve.motion.positive import is_angle
-from rotsolve.scene.model import points_of
 
 
 class Domain(Struct, frozen=True):

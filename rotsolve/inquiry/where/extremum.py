@@ -19,7 +19,7 @@ from rotsolve.inquiry.questions import Asked
 from rotsolve.inquiry.questions.meaning import NotYet
 from rotsolve.inquiry.where.conclude import Conclusion, by_answers, by_condition, forget
 from rotsolve.inquiry.where.places import Course, best_place
-from rotsolve.scene.model import Condition, Find, points_of
+from rotsolve.language.problem import Condition, Find, points_of
 from rotsolve.solver import Found
 
 

@@ -11,8 +11,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, vector
 from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.bodies.rigid import Piece, centre_of_mass, part_frame, pieces, place, polar, tidy
-from rotsolve.scene.model import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

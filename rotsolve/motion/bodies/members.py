@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.elements.connections import Rides
 from rotsolve.elements.rims import shape_of
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.problem import Body, PointRef
 
 
 class Member(Struct, frozen=True):

@@ -11,7 +11,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.scene.model import Body, Condition, State
+from rotsolve.language.problem import Body, Condition, State
 
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 

@@ -20,7 +20,7 @@ from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
-from rotsolve.scene.model import Body, Part
+from rotsolve.language.problem import Body, Part
 
 MINUS = Number(Fraction(-1))
 

@@ -14,8 +14,8 @@ from rotsolve.elements.connections.springs import Spring
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Particle
 from rotsolve.elements.surfaces import Curved, Wall
+from rotsolve.language.problem import Body, PointRef, Problem
 from rotsolve.motion.checks.pairs import check_pairs, check_stacks
-from rotsolve.scene.model import Body, PointRef, Problem
 
 
 def check(problem: Problem) -> None:

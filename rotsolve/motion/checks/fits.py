@@ -12,7 +12,7 @@ from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Fixes, Grips, Joins
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.surfaces import Curved, Surface
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 
 def check_surfaces(problem: Problem) -> None:

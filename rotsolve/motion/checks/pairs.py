@@ -9,7 +9,7 @@ from rotsolve.elements.connections import String, Weld
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Joins
 from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.scene.model import Body, PointRef, Problem
+from rotsolve.language.problem import Body, PointRef, Problem
 
 
 def check_pairs(problem: Problem, bodies: Mapping[str, Body]) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.scene.model import Problem
+from rotsolve.language.problem import Problem
 
 
 def check_sequence(problem: Problem) -> None:

@@ -7,9 +7,9 @@ from rotsolve.core.registry import Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection
+from rotsolve.language.keys import varying
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.instant import Instant
-from rotsolve.scene.keys import varying
 
 
 def check_values(arrangement: Arrangement) -> None:

@@ -11,9 +11,9 @@ from rotsolve.core.facts import BodyFacts, Couple, Force
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.elements.shapes import Rod
+from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.motion.bodies.rigid import Piece, tidy
 from rotsolve.motion.instant import Instant
-from rotsolve.scene.model import Body, Path, PointRef
 
 
 class Section(Struct, frozen=True):

@@ -8,10 +8,10 @@ from rotsolve.core.vectors.heading import UP, heading
 from rotsolve.elements.connections import Hinge
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.language.problem import PointRef
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.travels import displacement
 from rotsolve.motion.timeline import Interval
-from rotsolve.scene.model import PointRef
 
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:

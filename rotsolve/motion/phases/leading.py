@@ -9,9 +9,9 @@ from rotsolve.algebra.formula import Formula, Negative, Symbol, negate
 from rotsolve.core.facts import Couple, Facts, Force, signed
 from rotsolve.core.registry import GENERIC
 from rotsolve.core.varying import PLACES, RATES, paths_in, running
+from rotsolve.language.keys import varying
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.running import letter_of
-from rotsolve.scene.keys import varying
 
 
 class Lead(Struct, frozen=True):

@@ -12,12 +12,12 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.scene.model import Choice, Find, Option
+from rotsolve.language.problem import Choice, Find, Option
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.phrases import read_phrase
 from rotsolve.scene.tree.nodes import Map, Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.scope import NAME, Scope
-from rotsolve.scene.words import hint, quoted
 
 WORD, IS = "which of", "is"
 TESTS = ("largest", "smallest", "above", "below")

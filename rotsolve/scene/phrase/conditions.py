@@ -9,7 +9,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.scene.model import Condition, Find, Path
+from rotsolve.language.problem import Condition, Find, Path
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.clauses import CLAUSES
 from rotsolve.scene.reader.states import EXTREMES
 from rotsolve.scene.tree.nodes import Text
@@ -18,7 +19,6 @@ from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.pieces import Piece, pieces
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
 Quantity = Callable[[list[Piece]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension

@@ -10,7 +10,8 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, BY_WORD, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.elements.shapes import Rod
-from rotsolve.scene.model import Path
+from rotsolve.language.problem import Path
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.swings import SWINGS
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values.dims import an
@@ -18,7 +19,6 @@ from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.pieces import path_end
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 OWNERS = ("body", "connection", "action", "event")
 PLURALS = "bodies, connections, actions and events"

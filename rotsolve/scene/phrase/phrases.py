@@ -17,7 +17,8 @@ from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.scene.model import Condition, Find, Term
+from rotsolve.language.problem import Condition, Find, Term
+from rotsolve.language.words import quoted
 from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
@@ -27,7 +28,6 @@ from rotsolve.scene.values.expressions import expression
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.pieces import Piece, pieces, stand_in
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
 ALONE = ("lost", "total", "mean", "largest", "smallest")

@@ -5,11 +5,11 @@ from __future__ import annotations
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.varying import PLACES, RATES
+from rotsolve.language.words import quoted
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values.pieces import Piece
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 WORDS = (*PLACES, *RATES)
 

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from rotsolve.scene.model import Path, Term
+from rotsolve.language.problem import Path, Term
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values.pieces import Piece, pieces
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import hint, quoted
 
 SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
 SMALL, LARGE = "small swings", "swings"

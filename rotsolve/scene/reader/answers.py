@@ -9,13 +9,13 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Fault
-from rotsolve.scene.model import Moment, Published
+from rotsolve.language.problem import Published, TimeValue
+from rotsolve.language.words import quoted
 from rotsolve.scene.moment import read_moment
 from rotsolve.scene.tree.nodes import List, Node, Text
 from rotsolve.scene.values.expressions import expression
 from rotsolve.scene.values.literals import LITERAL, Want
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 KEYS = ("formula", "symbolic", "value", "at", "tolerance", "word")
 FORM = "write `4.9 N`, a formula, a word, or `{formula: …, value: …, tolerance: …}`"
@@ -125,7 +125,7 @@ def quantity_of(text: str) -> Quantity | None:
         return None
 
 
-def moment_of(scope: Scope, node: Node) -> Moment | None:
+def moment_of(scope: Scope, node: Node) -> TimeValue | None:
     """When a function of time has the published number."""
     try:
         return read_moment(node.value if isinstance(node, Text) else "")

@@ -10,17 +10,17 @@ from rotsolve.core.drive import TURNING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.elements.shapes.flat import Triangle
-from rotsolve.scene.keys import Key, keys_of
-from rotsolve.scene.model import Body, Part
+from rotsolve.language.keys import Key, keys_of
+from rotsolve.language.problem import Body, Part
+from rotsolve.language.sections import BODY, PART
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.reader.declared import read_keys, read_value
 from rotsolve.scene.reader.points import points_of, read_spot
-from rotsolve.scene.sections import BODY, PART
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.rough import rough
 from rotsolve.scene.values.scope import NAME, Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 SHAPE_WORDS = {shape.word: shape for shape in SHAPES}
 Entries = dict[str, tuple[Text, Node]]

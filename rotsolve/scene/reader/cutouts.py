@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.elements.shapes import Shape
-from rotsolve.scene.model import Body, Part
+from rotsolve.language.problem import Body, Part
 from rotsolve.scene.tree.nodes import Map, Node
 from rotsolve.scene.values.rough import rough
 from rotsolve.scene.values.scope import Scope

@@ -8,7 +8,8 @@ from typing import Any
 
 from rotsolve.algebra.certified.witness import note
 from rotsolve.elements.connections import Friction
-from rotsolve.scene.keys import Element, Key, keys_of
+from rotsolve.language.keys import Element, Key, keys_of
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.running import running_path
 from rotsolve.scene.reader.points import read_place, read_point, read_spot
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
@@ -16,7 +17,6 @@ from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 Reader = Callable[[Scope, Key, Node, str, str], Any]
 FLAGS = {"true": True, "yes": True, "false": False, "no": False}

@@ -8,12 +8,12 @@ from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.elements.events import EVENTS
 from rotsolve.elements.surfaces import SURFACES
-from rotsolve.scene.keys import Element, keys_of
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import Element, keys_of
+from rotsolve.language.problem import PointRef
+from rotsolve.language.words import hint, nearest, quoted
 from rotsolve.scene.reader.declared import missing, read_keys
 from rotsolve.scene.tree.nodes import Map, Node, Text
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import hint, nearest, quoted
 
 TABLES: dict[str, tuple[str, tuple[type[Any], ...]]] = {  # section -> kind, table
     "surfaces": ("surface", SURFACES),

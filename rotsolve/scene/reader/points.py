@@ -7,12 +7,12 @@ import re
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Span
 from rotsolve.elements.shapes import WHEEL, Rod
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.problem import Body, PointRef
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 POINT = re.compile(r"\s*(?P<owner>[^\W\d]\w*)(?:\.(?P<point>[^\W\d]\w*)\s*(?P<call>\(.*\))?)?\s*", re.DOTALL)
 KINDS = {"body": "bodies", "surface": "surfaces", "connection": "connections"}

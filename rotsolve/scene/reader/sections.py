@@ -10,7 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.scene.model import Given, Problem
+from rotsolve.language.problem import Given, Problem
+from rotsolve.language.sections import SECTIONS
 from rotsolve.scene.phrase.phrases import read_find
 from rotsolve.scene.reader.answers import read_answer
 from rotsolve.scene.reader.bodies import read_body
@@ -18,7 +19,6 @@ from rotsolve.scene.reader.declared import read_value
 from rotsolve.scene.reader.elements import read_element
 from rotsolve.scene.reader.marking import read_marking
 from rotsolve.scene.reader.states import read_phase, read_state
-from rotsolve.scene.sections import SECTIONS
 from rotsolve.scene.tree.nodes import List, Map, Node, Text, plain
 from rotsolve.scene.values.givens import read_givens
 from rotsolve.scene.values.literals import Want
@@ -26,7 +26,7 @@ from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
 
 if TYPE_CHECKING:
-    from rotsolve.scene.variation import Variation
+    from rotsolve.language.problem import Variation
 
 STANDARD_GRAVITY = "9.8 m/s^2"
 NAMED = {

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from rotsolve.core.faults import Span
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.statement import slots
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import hint, quoted
 
 
 def check_slots(scope: Scope, node: Node, lines: tuple[str, ...]) -> None:

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.scene.model import Condition, Path, Phase, State
+from rotsolve.language.problem import Condition, Path, Phase, State
+from rotsolve.language.sections import PHASE
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.phrase.paths import read_path
 from rotsolve.scene.phrase.swings import swings_path, swings_said
 from rotsolve.scene.reader.declared import read_value
-from rotsolve.scene.sections import PHASE
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.literals import Want
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import value
-from rotsolve.scene.words import hint, quoted
 
 EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"

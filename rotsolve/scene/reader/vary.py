@@ -10,15 +10,14 @@ from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import Quantity, UnitError, in_unit, parse_quantity
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Comparison, Given, Variation, Varied
+from rotsolve.language.words import quoted
 from rotsolve.scene.tree.nodes import List, Map, Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.expressions import expression
 from rotsolve.scene.values.literals import Want, unit_fault
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import as_written
-from rotsolve.scene.variation import Comparison, Variation, Varied
-from rotsolve.scene.words import quoted
 
 WHERE = "where"
 FORM = "write a range `1 kg to 3 kg by 0.5 kg`, or a list `[30 deg, 45 deg]`"

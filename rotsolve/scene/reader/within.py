@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 from rotsolve.algebra.certified.witness import note
 from rotsolve.core.faults import Fault
 from rotsolve.elements.shapes import Rod
-from rotsolve.scene.model import Problem, points_of
+from rotsolve.language.problem import Problem, points_of
+from rotsolve.language.words import quoted
 from rotsolve.scene.values.rough import size
-from rotsolve.scene.words import quoted
 
 TOLERANCE = 1e-12
 

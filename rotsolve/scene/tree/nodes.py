@@ -13,8 +13,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, Span
+from rotsolve.language.words import quoted
 from rotsolve.scene.tree import traps
-from rotsolve.scene.words import quoted
 
 BYTES = 1_000_000
 DEPTH = 40

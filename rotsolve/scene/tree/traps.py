@@ -6,7 +6,7 @@ import re
 from typing import Any
 
 from rotsolve.core.faults import Fault, Span
-from rotsolve.scene.words import quoted
+from rotsolve.language.words import quoted
 
 QUOTE = "put the text in quotes"
 

@@ -12,13 +12,13 @@ from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import Text
 from rotsolve.scene.values import pieces
 from rotsolve.scene.values.dims import an
 from rotsolve.scene.values.literals import Want, ambiguous, as_letter, share_of_pi, times_pi, unit_fault
 from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import hint, quoted
 
 PathReader = Callable[[Text, pieces.Piece], Formula | None]
 

@@ -12,7 +12,8 @@ from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Given
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values.dims import fits, named
 from rotsolve.scene.values.expressions import expression
@@ -20,7 +21,6 @@ from rotsolve.scene.values.literals import LITERAL, Want, unit_fault
 from rotsolve.scene.values.rough import remember
 from rotsolve.scene.values.scope import Scope
 from rotsolve.scene.values.values import as_written, comma_fault
-from rotsolve.scene.words import hint, quoted
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
 FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"

@@ -18,13 +18,13 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS, NUMBER
-from rotsolve.scene.model import Given
+from rotsolve.language.problem import Given
+from rotsolve.language.words import quoted
 from rotsolve.scene.tree.nodes import Node, Text
 from rotsolve.scene.values import pieces
 from rotsolve.scene.values.dims import an, fits, named
 from rotsolve.scene.values.rough import rough
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 FACTOR = rf"(?:{pieces.NUMBER}(?:\s*/\s*\d+)?(?:\s*[×x*·]\s*10(?:\^[-−]?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?|[¼½¾⅓⅔⅕⅙⅛⅜⅝⅞])"
 PI_WORD = r"(?:pi(?!\w)|π)"

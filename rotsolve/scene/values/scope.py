@@ -10,11 +10,11 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import Quantity
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.quantity import BY_WORD, SYSTEM
-from rotsolve.scene.model import Body, Given
+from rotsolve.language.problem import Body, Given
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import Map, Node, Text
 from rotsolve.scene.values.dims import an
 from rotsolve.scene.values.rough import remember
-from rotsolve.scene.words import hint, quoted
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
 GRAMMAR = (

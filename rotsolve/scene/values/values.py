@@ -10,6 +10,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.language.words import quoted
 from rotsolve.scene.tree.nodes import List, Node, Text
 from rotsolve.scene.values.dims import infer
 from rotsolve.scene.values.expressions import PathReader, expression
@@ -26,7 +27,6 @@ from rotsolve.scene.values.literals import (
 )
 from rotsolve.scene.values.rough import size
 from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.words import quoted
 
 __all__ = ["Want", "value"]
 

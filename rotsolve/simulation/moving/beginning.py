@@ -13,11 +13,11 @@ from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.states import Fixed, Statements
+from rotsolve.language.problem import Condition
 from rotsolve.laws.rules import rule_equation
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.scene.model import Condition
 
 
 class Beginning(Struct, frozen=True):

@@ -11,9 +11,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import paths_in
+from rotsolve.language.keys import keys_of
+from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.arrangement import Arrangement
-from rotsolve.scene.keys import keys_of
-from rotsolve.scene.model import Condition, Path, State
 
 STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # what a state may say of a moment
 SINCE = ("rotation", "displacement")  # what counts from the first state

@@ -18,10 +18,10 @@ from rotsolve.core.registry import COURSE
 from rotsolve.core.writing import spoken
 from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states.statements import EXTREMES, RATE_OF
+from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
-from rotsolve.scene.model import Condition, Path, State
 from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.names import refusal
 from rotsolve.simulation.tape.series import needed

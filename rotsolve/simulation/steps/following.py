@@ -10,9 +10,9 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
+from rotsolve.language.problem import State
 from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.rubs import rubs
-from rotsolve.scene.model import State
 from rotsolve.simulation.moving.compiling import compiled
 from rotsolve.simulation.moving.course import Course
 from rotsolve.simulation.moving.opening import opening, standing

@@ -5,8 +5,8 @@ from __future__ import annotations
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.connections.contacts.touch import Touch
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import PointRef
 
 
 class Contact(Touch, frozen=True):

@@ -14,8 +14,8 @@ from rotsolve.elements.connections.connection import Fact
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.surfaces import Surface
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

@@ -15,8 +15,8 @@ from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

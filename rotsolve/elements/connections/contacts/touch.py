@@ -17,7 +17,7 @@ from rotsolve.elements.connections.connection import Connection, Fact, Orbit
 from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Curved, Level, Surface
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

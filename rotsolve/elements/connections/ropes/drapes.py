@@ -17,8 +17,8 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.shapes import Rope
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

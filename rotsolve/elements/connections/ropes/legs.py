@@ -15,7 +15,7 @@ from rotsolve.elements.connections.places import between
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.sides import rough
 from rotsolve.elements.surfaces import Surface, Wall
-from rotsolve.scene.model import PointRef
+from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant

@@ -17,8 +17,8 @@ from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.ropes.legs import Course, Leg
 from rotsolve.elements.connections.ropes.told import said, told_along
-from rotsolve.scene.keys import key
-from rotsolve.scene.model import Body, PointRef
+from rotsolve.language.keys import key
+from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.arrangement import Arrangement

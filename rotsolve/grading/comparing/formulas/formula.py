@@ -21,7 +21,7 @@ from rotsolve.grading.comparing.numbers import Typed, number_of
 from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, valued
 from rotsolve.grading.comparing.signs import right_but_for_sign
 from rotsolve.grading.verdict import RIGHT, WRONG
-from rotsolve.scene import marks
+from rotsolve.language import marks
 
 EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
 

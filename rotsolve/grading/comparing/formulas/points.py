@@ -25,7 +25,7 @@ from rotsolve.core.registry import TIME
 from rotsolve.motion.positive import is_angle
 
 if TYPE_CHECKING:
-    from rotsolve.scene.model import Given
+    from rotsolve.language.problem import Given
     from rotsolve.solution import Solution
 
 SEED = 20

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.handing.content import HandedInError
 from rotsolve.grading.course.handing.naming import meant
-from rotsolve.scene.words import hint, quoted
+from rotsolve.language.words import hint, quoted
 
 SEPARATORS = (",", ";", "\t")
 STUDENT = (  # words over the column of names, the likeliest first

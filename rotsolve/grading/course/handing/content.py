@@ -7,8 +7,8 @@ import sys
 from pathlib import Path
 
 from rotsolve.core.faults import Fault, SceneError, Span
+from rotsolve.language.words import quoted
 from rotsolve.run.scenes import PIPED
-from rotsolve.scene.words import quoted
 
 BYTES = 50_000_000  # a class of a hundred thousand, with its working
 MARK = "\ufeff"  # at the start of a file that a spreadsheet has saved as UTF-8

@@ -9,8 +9,8 @@ from rotsolve.core.faults import Fault, Span
 from rotsolve.grading.course.handing.content import MARK, HandedInError
 from rotsolve.grading.course.handing.naming import meant, split
 from rotsolve.grading.verdict import Paper
+from rotsolve.language.words import hint, quoted
 from rotsolve.scene.tree.nodes import List, Map, Node, Text, compose
-from rotsolve.scene.words import hint, quoted
 
 YAML = (".yaml", ".yml")
 STUDENT, VARIANT, WORKING = "student", "variant", "working"

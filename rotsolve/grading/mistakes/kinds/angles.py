@@ -12,8 +12,8 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.vectors.heading import heading
 from rotsolve.grading.mistakes.kinds.places import Made
 from rotsolve.grading.mistakes.mistake import Change
-from rotsolve.scene.keys import Element
-from rotsolve.scene.model import Condition, Problem
+from rotsolve.language.keys import Element
+from rotsolve.language.problem import Condition, Problem
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene

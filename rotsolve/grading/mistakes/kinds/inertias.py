@@ -19,8 +19,8 @@ from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.elements.shapes.round import Annulus
 from rotsolve.grading.mistakes.kinds.places import Made, each_and_all, of_bodies
 from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.bodies.rigid import Piece, tidy
-from rotsolve.scene.model import Body, Problem
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene

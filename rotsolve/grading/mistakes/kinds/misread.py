@@ -11,7 +11,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.unit_table import UNITS, Unit
 from rotsolve.grading.mistakes.kinds.places import MOST, Made, each, listed
 from rotsolve.grading.mistakes.mistake import Change
-from rotsolve.scene.model import Body
+from rotsolve.language.problem import Body
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene

@@ -18,8 +18,7 @@ if TYPE_CHECKING:
     from rotsolve.elements.events import Event
     from rotsolve.elements.shapes import Shape
     from rotsolve.elements.surfaces import Surface
-    from rotsolve.scene.marks import Marking
-    from rotsolve.scene.variation import Variation
+    from rotsolve.language.marks import Marking
 
 
 class Given(Struct, frozen=True):
@@ -215,7 +214,7 @@ class Find(Struct, frozen=True):
         return any(term.at == ANY_TIME for term in self.terms)
 
 
-class Moment(Struct, frozen=True):
+class TimeValue(Struct, frozen=True):
     """A time at which functions of time are evaluated: as written, and in seconds."""
 
     text: str
@@ -238,7 +237,29 @@ class Published(Struct, frozen=True):
     values: tuple[Formula, ...] = ()
     formulas: tuple[Formula, ...] = ()
     tolerance: Formula | None = None
-    at: Moment | None = None
+    at: TimeValue | None = None
+
+
+class Varied(Struct, frozen=True):
+    """A given with the values that it may take, each as a scene writes it: `1.5 kg`."""
+
+    name: str
+    values: tuple[str, ...]
+
+
+class Comparison(Struct, frozen=True):
+    """left − right, a formula of givens, has one of the `signs`; `text` is the condition as written."""
+
+    gap: Formula
+    signs: tuple[int, ...]
+    text: str
+
+
+class Variation(Struct, frozen=True):
+    """What a scene says under `vary`: the letters that vary, in the order of the file, and the conditions on them."""
+
+    letters: tuple[Varied, ...]
+    conditions: tuple[Comparison, ...] = ()
 
 
 class Problem(Struct, frozen=True):

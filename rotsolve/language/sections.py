@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.scene.keys import Key
+from rotsolve.language.keys import Key
 
 SENSES = ("left", "right", "up", "down")
 TURNS = ("clockwise", "counterclockwise")
