@@ -18,9 +18,9 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID, families_for
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import Problem, TimeValue
-from rotsolve.motion.arranged import arranged
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.block import asked_block, left_out
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.configured import configured
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
 from rotsolve.solution import Solution, Trace
@@ -56,20 +56,20 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     if law is not None and law not in LAWS:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
     with stage("arrange", whole=True):
-        arrangement = asked_part(problem)
+        configuration = asked_part(problem)
     try:
         with stage("friction", whole=True):
-            decision = decide(arrangement)
-        for clash in said_otherwise(arrangement, decision.modes):
+            decision = decide(configuration)
+        for clash in said_otherwise(configuration, decision.modes):
             raise clash
         with stage("laws"):
-            history = History(arrangement, decision.modes)
+            history = History(configuration, decision.modes)
             inquiry = Inquiry(history, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     with stage("solve"):
-        answer_all(inquiry, arrangement.problem.finds)
-    if at is not None and not arrangement.mentions.functions:
+        answer_all(inquiry, configuration.problem.finds)
+    if at is not None and not configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     with stage("verify", whole=True):
         check_consistent(inquiry)
@@ -130,18 +130,18 @@ def meanings_of(composer: Composer) -> Meanings:
     return Meanings(composer)
 
 
-def asked_part(problem: Problem) -> Arrangement:
+def asked_part(problem: Problem) -> Configuration:
     """The part of the problem that is asked for, made ready for the laws, once all of it has been checked."""
-    arrangement = arranged(problem)
-    block = asked_block(arrangement.problem)
-    return arrangement if block is arrangement.problem else Arrangement(block)
+    configuration = configured(problem)
+    block = asked_block(configuration.problem)
+    return configuration if block is configuration.problem else Configuration(block)
 
 
 def check_consistent(inquiry: Inquiry) -> None:
     """The answers must agree with everything that the laws write about the scene."""
     back = turned_back(inquiry)
     if back is not None:
-        raise turns_back(back, inquiry.history.arrangement.problem)
+        raise turns_back(back, inquiry.history.configuration.problem)
     broken = contradiction(inquiry)
     if broken is not None:
         raise contradicted(broken, inquiry.history)
@@ -150,7 +150,7 @@ def check_consistent(inquiry: Inquiry) -> None:
 def check_law(inquiry: Inquiry, law: str) -> None:
     """A law asked for must have a part in the solution."""
     used = {inquiry.planner.pool[index].family for answered in inquiry.answered for index in answered.used}
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
         raise unsolvable(

@@ -42,7 +42,7 @@ def system(machine: Machine) -> System:
     from rotsolve.inquiry.answering import answer_all
 
     inquiry = fresh(machine)
-    answer_all(inquiry, inquiry.history.arrangement.problem.finds)
+    answer_all(inquiry, inquiry.history.configuration.problem.finds)
     laws = len(inquiry.history.equations)
     used = sorted({index for item in inquiry.answered for index in item.used if index < laws})
     equations = [inquiry.planner.pool[index] for index in used]
@@ -107,7 +107,7 @@ def stepwise(machine: Machine, made: System, runs: int) -> tuple[float, float]:
 
     def work() -> None:
         inquiry = next(waiting)
-        answer_all(inquiry, inquiry.history.arrangement.problem.finds)
+        answer_all(inquiry, inquiry.history.configuration.problem.finds)
 
     spent = best(work, len(inquiries), before=forget)
     value = inquiries[0].answered[0].found.formula

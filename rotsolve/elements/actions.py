@@ -17,7 +17,7 @@ from rotsolve.language.keys import Element, key
 from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 Fact = facts.Force | facts.Couple | facts.Rule
@@ -49,7 +49,7 @@ class Action(Element, frozen=True):
         """The force, torque or power; where it varies, a formula of `time` and of paths of bodies."""
         return getattr(self, self.word, None)
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         """How it varies while bodies move (see core.varying)."""
         return pace_of(self.strength() or ZERO)
 
@@ -88,14 +88,14 @@ class Force(Action, frozen=True):
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
-        own = super().pace(arrangement, state)
+        own = super().pace(configuration, state)
         along = self.direction in (None, "tangential", "clockwise", "counterclockwise")
-        if self.on is None or along or self.on.owner not in arrangement.bodies or self.over or self.under:
+        if self.on is None or along or self.on.owner not in configuration.bodies or self.over or self.under:
             return own
-        held = arrangement.pivot(arrangement.host(self.on.owner, state), state)
-        rim = self.on.point == "rim" or self.on.point in dict(arrangement.bodies[self.on.owner].radii)
+        held = configuration.pivot(configuration.host(self.on.owner, state), state)
+        rim = self.on.point == "rim" or self.on.point in dict(configuration.bodies[self.on.owner].radii)
         return combined((own, POSITION)) if held is not None and held.point != self.on.point and not rim else own
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
@@ -220,7 +220,7 @@ class Power(Action, frozen=True):
     )
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         return combined((pace_of(self.strength() or ZERO), RATE))  # the couple P/ω depends on the speed
 
     def facts(self, instant: Instant) -> Iterator[Fact]:

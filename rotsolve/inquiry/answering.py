@@ -46,7 +46,7 @@ def answer(inquiry: Inquiry, find: Find) -> None:
 
 def answer_one(inquiry: Inquiry, find: Find) -> None:
     """Answer one question for a single quantity, or say why there is no answer."""
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     try:
         if find.choice is not None:
             from rotsolve.inquiry.choices import choose

@@ -22,7 +22,7 @@ from rotsolve.inquiry.questions import NotYet, Reader
 from rotsolve.inquiry.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws import energy, groups, newton, rules
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.passages import groups_of, passage
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
 class History(Struct, dict=True):
     """One reading of a scene, with the ways in which contacts slip in `modes`."""
 
-    arrangement: Arrangement
+    configuration: Configuration
     modes: Mapping[str, str] = field(default_factory=dict)
     registry: Registry = field(default_factory=Registry)
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
@@ -44,12 +44,12 @@ class History(Struct, dict=True):
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.stated += Statements(Fixed(self.arrangement, self.registry, self.modes)).take()
+        self.stated += Statements(Fixed(self.configuration, self.registry, self.modes)).take()
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
         key = (state, generic, virtual)
         if key not in self._instants:
-            self._instants[key] = Instant(self.arrangement, self.registry, state, generic, self.modes, virtual)
+            self._instants[key] = Instant(self.configuration, self.registry, state, generic, self.modes, virtual)
         return self._instants[key]
 
     def facts(self, state: str, *, generic: bool = False, virtual: bool = False) -> Facts:
@@ -65,7 +65,7 @@ class History(Struct, dict=True):
     def passages(self) -> dict[str, Passage]:
         """All phases by name."""
         result = {}
-        for interval in self.arrangement.timeline.intervals:
+        for interval in self.configuration.timeline.intervals:
             if interval.event is None:
                 pair = [(self.instant(state), self.facts(state)) for state in (interval.start, interval.end)]
                 midst = (self.instant(interval.start, generic=True), self.facts(interval.start, generic=True))
@@ -76,7 +76,7 @@ class History(Struct, dict=True):
     def encounters(self) -> dict[str, Encounter]:
         """All events that change velocities, by name."""
         result = {}
-        for interval in self.arrangement.timeline.intervals:
+        for interval in self.configuration.timeline.intervals:
             if interval.event is not None:
                 from rotsolve.motion.encounters import encounter
 
@@ -94,7 +94,7 @@ class History(Struct, dict=True):
             return {}
         from rotsolve.inquiry.swings.placing import Placing
 
-        placing = Placing(self.arrangement, self.registry, self.modes, self.arrangement.problem.values)
+        placing = Placing(self.configuration, self.registry, self.modes, self.configuration.problem.values)
         found: dict[str, Swing] = {}
         for term, span in spoken_of:
             if question_of(term) not in found:
@@ -102,7 +102,7 @@ class History(Struct, dict=True):
                     found[question_of(term)] = placing.swing(term)
                 except NotYet as error:
                     raise NotYet(str(error), error.span or span, error.help) from None
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             for line, term in observed(state):
                 letter = found[question_of(term)].letters[term.path.quantity]
                 if isinstance(letter, Symbol) and line.value is not None:
@@ -110,21 +110,21 @@ class History(Struct, dict=True):
         return found
 
     def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
-        for find in self.arrangement.problem.finds:
+        for find in self.configuration.problem.finds:
             where = find.where if find.where is not None and find.where.word == "stable" else None
             for term in (*find.terms, *([term_of(where)] if where is not None else [])):
                 if term.path.quantity in OSCILLATING:
                     yield term, find.span
 
     def _swings_observed(self) -> Iterator[tuple[Term, Span | None]]:
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             for line, term in observed(state):
                 yield term, line.span
 
     @property
     def observed(self) -> list[Swing]:
         """The swings of which a state tells the period."""
-        return [self.swing(term) for state in self.arrangement.timeline.states for _, term in observed(state)]
+        return [self.swing(term) for state in self.configuration.timeline.states for _, term in observed(state)]
 
     def swing(self, term: Term) -> Swing:
         """The swing that a term speaks of."""
@@ -135,7 +135,7 @@ class History(Struct, dict=True):
     def equations(self) -> list[Equation]:
         """All equations, each once, none that says nothing; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
-        altered = self.arrangement.alteration
+        altered = self.configuration.alteration
         for equation in self._written() if altered is None else altered.rewritten(self._written()):
             key = (equation.left, equation.right, equation.family)
             if equation.left != equation.right and key not in written and not self._empty(equation):
@@ -150,15 +150,15 @@ class History(Struct, dict=True):
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             yield from self._at(state.name)
-        for interval in self.arrangement.timeline.intervals:
+        for interval in self.configuration.timeline.intervals:
             if interval.name in self.passages:
                 yield from self._during(interval, self.passages[interval.name])
             elif interval.name in self.encounters:
                 from rotsolve.laws import momentum
 
-                altered = self.arrangement.alteration
+                altered = self.configuration.alteration
                 laws = momentum.through_event if altered is None or altered.event is None else altered.event
                 yield from laws(self.encounters[interval.name], interval.name)
         yield from self._elongations()
@@ -168,13 +168,13 @@ class History(Struct, dict=True):
 
     def _grips(self) -> Iterator[Equation]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             said = {
                 line.path.owner
                 for line in state.conditions
                 if line.path is not None and line.word in ("rolls", "sticks")
             }
-            for item in self.arrangement.connections(state.name):
+            for item in self.configuration.connections(state.name):
                 if item.name in said and isinstance(item, (Touch, Rubbing)):
                     rule = item.grip_rule(self.instant(state.name))
                     if rule is not None:
@@ -182,7 +182,7 @@ class History(Struct, dict=True):
 
     def section(self, state: str) -> str:
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""
-        spans = {self.arrangement.span(body.name, state) for body in self.arrangement.present(state)}
+        spans = {self.configuration.span(body.name, state) for body in self.configuration.present(state)}
         return spans.pop() if len(spans) == 1 else state
 
     def _at(self, state: str) -> Iterator[Equation]:
@@ -199,7 +199,7 @@ class History(Struct, dict=True):
         yield from rules.rates(facts, state)
         yield from rules.steady_rotation(facts, state)
         virtual = self.facts(state, virtual=True)
-        for group in groups_of(self.arrangement, facts, state):
+        for group in groups_of(self.configuration, facts, state):
             yield from groups.rate_of_angular_momentum(facts, group, section)
             yield from groups.rate(virtual, group, section)
 
@@ -216,20 +216,20 @@ class History(Struct, dict=True):
         yield from momentum.kept_over(passage, section)
         yield from momentum.about_common_axes(passage, section)
         yield from rules.for_displacements(self.thought(interval.start), self.changes(passage), section)
-        if self.varies(interval) or self.arrangement.mentions.runs:
+        if self.varies(interval) or self.configuration.mentions.runs:
             yield from newton.moments_of_inertia(passage.midst, section)
             yield from newton.second_law(passage.midst, section)
             yield from newton.law_of_rotation(passage.midst, section)
             yield from rules.for_accelerations(passage.midst, section)
             yield from rules.for_velocities(passage.midst, section)
             yield from rules.rates(passage.midst, section)
-        if self.arrangement.mentions.runs:
+        if self.configuration.mentions.runs:
             changes = self.changes(passage, running=True)
             yield from rules.for_displacements(self.thought(interval.start), changes, section)
 
     def leading_to(self, interval: Interval) -> list[Passage]:
         """The phases before one, back to the last event."""
-        timeline, found = self.arrangement.timeline, list[Passage]()
+        timeline, found = self.configuration.timeline, list[Passage]()
         before = timeline.before(interval.start)
         while before is not None and before.event is None:
             found.insert(0, self.passages[before.name])

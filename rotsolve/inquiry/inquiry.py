@@ -52,7 +52,7 @@ class Inquiry(Struct, dict=True):
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        problem = self.history.arrangement.problem
+        problem = self.history.configuration.problem
         self.givens = {given.name: given for given in problem.givens}
         self.values = problem.values
         self.planner = Planner(self.history.equations, [given.name for given in problem.givens if given.asked])
@@ -86,7 +86,7 @@ class Inquiry(Struct, dict=True):
 
     def beside(self) -> Beside | None:
         """What can be worked out without a trace in this inquiry, for what takes functions of time; None where nothing does."""
-        if not self.history.arrangement.mentions.runs:
+        if not self.history.configuration.mentions.runs:
             return None
         from rotsolve.inquiry.courses import Beside
 
@@ -94,7 +94,7 @@ class Inquiry(Struct, dict=True):
 
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
-        finds = self.history.arrangement.problem.finds
+        finds = self.history.configuration.problem.finds
         place = {find.name: number for number, find in enumerate(finds)}
         return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.group, len(place)))
 

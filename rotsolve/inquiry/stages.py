@@ -20,13 +20,13 @@ def facts_text(history: History, beside: Sequence[str] = ()) -> str:
     """All facts, state by state: bodies with their forces, rules, requirements; at the end the bodies that stand `beside` what is asked."""
     lines = []
     registry = history.registry
-    for state in history.arrangement.timeline.states:
+    for state in history.configuration.timeline.states:
         history.facts(state.name)
-    problem = history.arrangement.problem
+    problem = history.configuration.problem
     taken = frozenset(given.name for given in problem.givens)
     names = registry.letters(registry.quantities, taken, {}, own_indices(problem.bodies))
     letters = {key: Symbol(name) for key, name in names.items()}
-    for state in history.arrangement.timeline.states:
+    for state in history.configuration.timeline.states:
         facts = history.facts(state.name)
         lines.append(f"at {spoken(state.name)}" if state.name else "facts")
         for body in facts.bodies:

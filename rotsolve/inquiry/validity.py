@@ -38,7 +38,7 @@ def validity(inquiry: Inquiry) -> Validity:
                     decided[f"whether {spoken(need.owner)} holds"] = None
                 elif not (is_zero(gap, positive) or surely_positive(gap, positive)):
                     bounds[gap] = None
-    if rubs(inquiry.history.arrangement):
+    if rubs(inquiry.history.configuration):
         decided[SLIPS] = None
     if any(step.reason for step in inquiry.solver.steps):
         decided[ROOT] = None

@@ -13,8 +13,8 @@ from rotsolve.elements.connections.contacts.touch import Touch
 from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.elements.rims import rim_radius
 from rotsolve.language.problem import PointRef
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_body
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
@@ -28,10 +28,10 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     if not isinstance(event, Event) or isinstance(event, (Cuts, Removes)):
         return None
     (first, first_facts), (last, last_facts) = before, after
-    points = participants(interval, first.arrangement)
+    points = participants(interval, first.configuration)
     group: frozenset[str] = frozenset()
     for ref in points:
-        group |= first.arrangement.component(ref.owner, last.state) | first.arrangement.component(
+        group |= first.configuration.component(ref.owner, last.state) | first.configuration.component(
             ref.owner, first.state
         )
     involved = [body for body in first_facts.bodies if body.name in group]
@@ -51,7 +51,7 @@ def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[In
     return Encounter(interval.name, words, meetings, (group,), supports, bounce(event, points, first, last))
 
 
-def participants(interval: Interval, arrangement: Arrangement) -> tuple[PointRef, ...]:
+def participants(interval: Interval, configuration: Configuration) -> tuple[PointRef, ...]:
     """The points that an event names; of a contact that grips the body's."""
     event = interval.event
     if isinstance(event, Joins):
@@ -62,20 +62,20 @@ def participants(interval: Interval, arrangement: Arrangement) -> tuple[PointRef
         return (event.on,)
     if isinstance(event, Fixes) and event.fixes is not None:
         return (event.fixes,)
-    contact = gripping(event, arrangement)
+    contact = gripping(event, configuration)
     return contact.pair()[:1] if contact is not None else ()
 
 
-def gripping(event: Event | None, arrangement: Arrangement) -> Touch | None:
+def gripping(event: Event | None, configuration: Configuration) -> Touch | None:
     """The contact that an event begins."""
     named = event.grips if isinstance(event, Grips) else None
-    found = (item for item in arrangement.problem.connections if item.name == named)
+    found = (item for item in configuration.problem.connections if item.name == named)
     return next((item for item in found if isinstance(item, Touch)), None)
 
 
 def spot(ref: PointRef, event: Event, instant: Instant) -> Vector:
     """Where an event acts on a body, from its reference: a named point, or where a contact that grips touches it."""
-    contact = gripping(event, instant.arrangement)
+    contact = gripping(event, instant.configuration)
     return instant.point(ref) if contact is None else contact.arm(instant)
 
 
@@ -83,7 +83,7 @@ def support(body: BodyFacts, instant: Instant) -> str:
     """What the body's axis is called."""
     held = (
         item
-        for item in instant.arrangement.connections(instant.state)
+        for item in instant.configuration.connections(instant.state)
         for ref in item.fixed_points()
         if ref.owner == body.name
     )
@@ -92,8 +92,8 @@ def support(body: BodyFacts, instant: Instant) -> str:
 
 def suddenly(event: Event, ref: PointRef, instant: Instant) -> str:
     """What the point is called at which an event holds a body."""
-    contact = gripping(event, instant.arrangement)
-    surface = contact.surface(instant.arrangement, instant.state) if contact is not None else None
+    contact = gripping(event, instant.configuration)
+    surface = contact.surface(instant.configuration, instant.state) if contact is not None else None
     if surface is not None:
         return surface.held_at
     return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")

@@ -37,19 +37,19 @@ from rotsolve.motion.instant import Instant
 
 def free_bodies(instant: Instant) -> Facts:
     """The facts of all bodies that are present at an instant, as they are changed where that is done on purpose."""
-    altered, stated = instant.arrangement.alteration, facts_at(instant)
+    altered, stated = instant.configuration.alteration, facts_at(instant)
     return stated if altered is None or altered.facts is None else altered.facts(stated)
 
 
 def facts_at(instant: Instant) -> Facts:
     """The facts that the elements of the scene state."""
-    arrangement = instant.arrangement
-    stated = [fact for item in arrangement.connections(instant.state) for fact in item.facts(instant)]
-    stated += [fact for item in arrangement.actions(instant.state) for fact in item.facts(instant)]
+    configuration = instant.configuration
+    stated = [fact for item in configuration.connections(instant.state) for fact in item.facts(instant)]
+    stated += [fact for item in configuration.actions(instant.state) for fact in item.facts(instant)]
     forces = [fact for fact in stated if isinstance(fact, Force)]
     couples = [fact for fact in stated if isinstance(fact, Couple)]
     bodies = []
-    for body in arrangement.present(instant.state):
+    for body in configuration.present(instant.state):
         own_forces = (*weight(body.name, instant), *(force for force in forces if force.body == body.name))
         own_couples = tuple(couple for couple in couples if couple.body == body.name)
         tables = [fact for fact in stated if isinstance(fact, Turntable) and fact.body == body.name]
@@ -64,7 +64,7 @@ def facts_at(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
-        cuts=() if moment or not arrangement.mentions.cuts else cut_free(instant, tuple(bodies)),
+        cuts=() if moment or not configuration.mentions.cuts else cut_free(instant, tuple(bodies)),
     )
 
 
@@ -77,7 +77,7 @@ def cut_free(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]
 
 def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
     """What is given of a body's motion, with the letters of this moment for all that follows from it."""
-    for drive in instant.arrangement.drives(name, instant.state):
+    for drive in instant.configuration.drives(name, instant.state):
         yield GivenMotion(
             drive, {word: instant.driven(drive, word) for word in drive.words[drive.order :]}, instant.time()
         )
@@ -93,19 +93,19 @@ def sweep(table: Turntable, instant: Instant) -> Sweep:
             f"how the mass of `{table.body}` is spread along and across it is not told",
             span=instant.body(table.body).span,
         )
-    moment = simplify(square(table.rate) * product, order=instant.arrangement.order)
+    moment = simplify(square(table.rate) * product, order=instant.configuration.order)
     return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
 
 
 def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     """The weight m g, down at the centre of mass; none where nothing weighs or the picture is seen from above."""
-    gravity = instant.arrangement.problem.gravity
-    if gravity is None or not instant.arrangement.heavy:
+    gravity = instant.configuration.problem.gravity
+    if gravity is None or not instant.configuration.heavy:
         return ()
     body, forces = instant.body(name), []
-    if any(item.weighs(body) for item in instant.arrangement.connections(instant.state)):
+    if any(item.weighs(body) for item in instant.configuration.connections(instant.state)):
         return ()
-    for owner in (name, *(member.name for member in instant.arrangement.cluster(name, instant.state))):
+    for owner in (name, *(member.name for member in instant.configuration.cluster(name, instant.state))):
         mass = mass_of(instant.body(owner))
         if mass != ZERO:
             size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
@@ -117,7 +117,7 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
 
 def cluster_mass(name: str, instant: Instant) -> Formula:
     """Mass of a body with all that is joined to it."""
-    members = instant.arrangement.cluster(name, instant.state)
+    members = instant.configuration.cluster(name, instant.state)
     return total([mass_of(instant.body(owner)) for owner in (name, *(member.name for member in members))])
 
 
@@ -136,17 +136,17 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         forces,
         couples,
         instant.is_round(body.name),
-        period=instant.ask("period", body.name) if instant.arrangement.mentions.asks(body.name, "period") else None,
-        axis=instant.arrangement.axis(body.name, instant.state),
-        lays=instant.arrangement.laid(body.name),
-        changing=instant.arrangement.changing(body.name, instant.state),
+        period=instant.ask("period", body.name) if instant.configuration.mentions.asks(body.name, "period") else None,
+        axis=instant.configuration.axis(body.name, instant.state),
+        lays=instant.configuration.laid(body.name),
+        changing=instant.configuration.changing(body.name, instant.state),
         sliding=sliding(body.name, instant),
     )
 
 
 def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
     """Mass and speed along the body of each rider that slides on it freely."""
-    riders = [item.rides[0].owner for item in instant.arrangement.rides(instant.state) if item.free]
+    riders = [item.rides[0].owner for item in instant.configuration.rides(instant.state) if item.free]
     own = [rider for rider in riders if instant.host(rider) == name]
     return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
 
@@ -175,8 +175,8 @@ def positive_sense(body: Body, instant: Instant) -> str:
 
 def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
-    members = instant.arrangement.cluster(body.name, instant.state)
-    formula, remark = moment_about(own.pieces, own.reference, instant.arrangement.order)
+    members = instant.configuration.cluster(body.name, instant.state)
+    formula, remark = moment_about(own.pieces, own.reference, instant.configuration.order)
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
     letter = given_inertia(body, own, bool(members))
@@ -184,10 +184,10 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
         kind = BY_WORD["inertia"]
-        since = instant.arrangement.since(body.name, instant.state)
-        changes = any(instant.arrangement.since(body.name, state) for state in instant.arrangement.timeline.order)
+        since = instant.configuration.since(body.name, instant.state)
+        changes = any(instant.configuration.since(body.name, state) for state in instant.configuration.timeline.order)
         name = f"{kind.letter}_total" if members and not changes else kind.letter
-        when = since or (instant.arrangement.timeline.states[0].name if changes else "")
+        when = since or (instant.configuration.timeline.states[0].name if changes else "")
         version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
         letter = instant.registry.ask(Quantity("inertia", joined, "", version, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
@@ -195,9 +195,9 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
 
 def point_of_time(name: str, instant: Instant) -> str:
     """The point about which a body turns at this state, where it turns about another one, or freely, at other states."""
-    arrangement = instant.arrangement
-    pivots = {arrangement.pivot(name, state.name) for state in arrangement.timeline.states}
-    pivot = arrangement.pivot(name, instant.state)
+    configuration = instant.configuration
+    pivots = {configuration.pivot(name, state.name) for state in configuration.timeline.states}
+    pivot = configuration.pivot(name, instant.state)
     return pivot.point or "center" if pivot is not None and len(pivots) > 1 else ""
 
 
@@ -215,9 +215,9 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
         noun = body.name.replace("_", " ")
     if members:
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
-    pivot = instant.arrangement.pivot(body.name, instant.state)
+    pivot = instant.configuration.pivot(body.name, instant.state)
     point = pivot.point if pivot is not None else None
-    if any(instant.arrangement.ride(name, instant.state) for name in members):
+    if any(instant.configuration.ride(name, instant.state) for name in members):
         return f"moment of inertia, {noun}"
     if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")

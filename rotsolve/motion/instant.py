@@ -17,15 +17,15 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, carte
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.language.problem import Body, PointRef
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.frame import ON_RIM, Frame, frame, locate
 from rotsolve.motion.bodies.rigid import direction_of, polar, tidy
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.followed import followed
 from rotsolve.motion.running import value_now
 
 
 class Instant(Struct, frozen=True, dict=True):
-    """One moment of an arrangement; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
+    """One moment of a configuration; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
     the equilibrium of its bodies or a moment of their swings about it.
 
     `modes` says which contacts slip in the phase that starts at a state, by "contact@state": "slips" along the positive travel,
@@ -33,7 +33,7 @@ class Instant(Struct, frozen=True, dict=True):
     moment has the positions and accelerations of its state, but velocities of its own: any small motion that the rules allow.
     """
 
-    arrangement: Arrangement
+    configuration: Configuration
     registry: Registry
     state: str
     generic: bool = False
@@ -53,22 +53,22 @@ class Instant(Struct, frozen=True, dict=True):
         return VIRTUAL + self.when if self.virtual else self.when
 
     def mode(self, contact: str) -> str:
-        return self.modes.get(f"{contact}@{self.arrangement.phase_start(self.state)}", "sticks")
+        return self.modes.get(f"{contact}@{self.configuration.phase_start(self.state)}", "sticks")
 
     def span(self, name: str) -> str:
         """Where forces and accelerations of a body belong: to its phase while they are constant, else to this moment."""
-        own = self.arrangement.span(name, self.state)
+        own = self.configuration.span(name, self.state)
         return self.when if self.generic and own == self.state else own
 
     def body(self, name: str) -> Body:
-        return self.arrangement.body(name, self.state)
+        return self.configuration.body(name, self.state)
 
     def host(self, name: str) -> str:
-        return self.arrangement.host(name, self.state)
+        return self.configuration.host(name, self.state)
 
     def frame(self, name: str) -> Frame:
         if name not in self._frames:
-            self._frames[name] = frame(self.arrangement, name, self.state)
+            self._frames[name] = frame(self.configuration, name, self.state)
         return self._frames[name]
 
     def ask(
@@ -89,7 +89,7 @@ class Instant(Struct, frozen=True, dict=True):
 
     def sense(self, name: str) -> int:
         """+1 where a body's positive turn is counterclockwise, −1 where it is clockwise."""
-        return self.arrangement.sense(name, self.state)
+        return self.configuration.sense(name, self.state)
 
     def turn_words(self, name: str) -> tuple[str, str]:
         return TURNS if self.sense(name) > 0 else (TURNS[1], TURNS[0])
@@ -128,11 +128,11 @@ class Instant(Struct, frozen=True, dict=True):
         """A point of a body from its host's reference point, in space."""
         host = self.host(ref.owner)
         if host != ref.owner:
-            member = next(item for item in self.arrangement.cluster(host, self.state) if item.name == ref.owner)
+            member = next(item for item in self.configuration.cluster(host, self.state) if item.name == ref.owner)
             base = self.point(member.at)
             own = locate(self.body(ref.owner), ref) - locate(self.body(ref.owner), member.own)
             return base + own.rotated(self.orientation(host)) if own.parts else base
-        body, pivot = self.body(host), self.arrangement.pivot(host, self.state)
+        body, pivot = self.body(host), self.configuration.pivot(host, self.state)
         on_rim, radius = {**ON_RIM, **dict.fromkeys(dict(body.radii), RIGHT)}, rim_radius(body, ref.point)
         if ref.point in on_rim and radius is not None and (pivot is None or pivot.point != ref.point):
             return self._from_reference(host, NOWHERE) + vector(radius, on_rim[ref.point])
@@ -150,8 +150,8 @@ class Instant(Struct, frozen=True, dict=True):
 
     def _motion(self, name: str) -> Motion:
         """On an axis, along a line, or freely in the plane."""
-        arrangement, sense = self.arrangement, self.sense(name)
-        if arrangement.pivot(name, self.state) is not None:
+        configuration, sense = self.configuration, self.sense(name)
+        if configuration.pivot(name, self.state) is not None:
             spin, rate = (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
             return Motion(
                 "axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name)
@@ -181,11 +181,11 @@ class Instant(Struct, frozen=True, dict=True):
         """Direction of travel of a body that moves along a line or circle, and the words for its positive sense."""
         orbit = self.orbit(name)
         if orbit is None:
-            return self.arrangement.line(name, self.state)
+            return self.configuration.line(name, self.state)
         return heading(self.place_on(orbit)).turned(90 * orbit.way), orbit.words
 
     def orbit(self, name: str) -> Orbit | None:
-        return self.arrangement.orbit(name, self.state)
+        return self.configuration.orbit(name, self.state)
 
     def place_on(self, orbit: Orbit) -> Formula:
         """The angle that tells where on its circle a body is."""
@@ -210,7 +210,7 @@ class Instant(Struct, frozen=True, dict=True):
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
         body = self.body(name)
         own = self.frame(name)
-        if any(drive.words == TURNING for drive in self.arrangement.drives(name, self.state)):
+        if any(drive.words == TURNING for drive in self.configuration.drives(name, self.state)):
             return True
         if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
             return body.turns is not None and rim_radius(body, None) is not None
@@ -218,21 +218,21 @@ class Instant(Struct, frozen=True, dict=True):
 
     def velocity(self, ref: PointRef) -> Vector:
         """Velocity of a point; at rest for the ground."""
-        if ref.owner not in self.arrangement.bodies:
+        if ref.owner not in self.configuration.bodies:
             return NOWHERE
         return self.motion(ref.owner).velocity_of(self.point(ref))
 
     def acceleration(self, ref: PointRef) -> Vector:
-        if ref.owner not in self.arrangement.bodies:
+        if ref.owner not in self.configuration.bodies:
             return NOWHERE
         return self.motion(ref.owner).acceleration_of(self.point(ref))
 
     def is_round(self, name: str) -> bool:
-        return name in self.arrangement.bodies and rim_radius(self.body(name), None) is not None
+        return name in self.configuration.bodies and rim_radius(self.body(name), None) is not None
 
     def outward(self, rider: str) -> Formula:
         """Speed along the body on which it slides, away from the axis; a rider that is held has none."""
-        ride = self.arrangement.ride(rider, self.state)
+        ride = self.configuration.ride(rider, self.state)
         if ride is None or not ride.free:
             return ZERO
         return self.ask("velocity", rider, when=self.moving, component="radial", words=("outwards", "inwards"))

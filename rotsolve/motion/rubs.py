@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 
 FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
@@ -51,26 +51,26 @@ class Rub(Struct, frozen=True):
         return vector.along(self.contact.forward(instant))
 
 
-def rubs(arrangement: Arrangement) -> tuple[Rub, ...]:
+def rubs(configuration: Configuration) -> tuple[Rub, ...]:
     """All that rubs, phase by phase."""
     found: dict[str, Rub] = {}
-    timeline = arrangement.timeline
+    timeline = configuration.timeline
     for state in timeline.states:
         if timeline.phase_of(state.name) is None and len(timeline.states) > 1:
             continue  # in an event alone a finite force does nothing
-        for rub in rubs_at(arrangement, arrangement.phase_start(state.name)):
+        for rub in rubs_at(configuration, configuration.phase_start(state.name)):
             found.setdefault(rub.key, rub)
     return tuple(found.values())
 
 
-def rubs_at(arrangement: Arrangement, state: str) -> Iterator[Rub]:
-    for item in arrangement.acting(state):
+def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
+    for item in configuration.acting(state):
         if isinstance(item, Touch) and item.grip().kind == "coefficient":
-            name = arrangement.host(item.pair()[0].owner, state)
+            name = configuration.host(item.pair()[0].owner, state)
             yield Rub(f"{item.name}@{state}", name, state, item)
         if isinstance(item, Rubbing) and item.rubs():
-            name = arrangement.host(item.touches()[1].owner, state)
+            name = configuration.host(item.touches()[1].owner, state)
             yield Rub(f"{item.name}@{state}", name, state, pair=item)
         for ref in item.brakes():
-            name = arrangement.host(ref.owner, state)
+            name = configuration.host(ref.owner, state)
             yield Rub(f"{item.name}.{name}@{state}", name, state)

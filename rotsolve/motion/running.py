@@ -37,7 +37,7 @@ def letter_of(word: str, name: str, instant: Instant) -> Formula:
 def since_first(word: str, name: str, instant: Instant) -> Formula:
     """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
     words = instant.turn_words(name) if word == "rotation" else line_words(name, instant)
-    timeline = instant.arrangement.timeline
+    timeline = instant.configuration.timeline
     if instant.generic:
         return instant.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
     result: Formula = ZERO

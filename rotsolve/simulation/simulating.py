@@ -11,8 +11,8 @@ from time import monotonic
 from rotsolve.core.faults import Unsolvable
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import Problem
-from rotsolve.motion.arranged import arranged
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.configured import configured
 from rotsolve.scene.moment import read_seconds
 from rotsolve.scene.read import read_source
 from rotsolve.simulation.moving.compiling import compiled
@@ -64,9 +64,9 @@ def simulate_problem(
     certified: bool = False,
 ) -> Run:
     """Follow a problem that has been read."""
-    arrangement = arranged(problem)
+    configuration = configured(problem)
     try:
-        return (proved if certified else followed)(arrangement, until, accuracy, tell)
+        return (proved if certified else followed)(configuration, until, accuracy, tell)
     except NotYet as error:
         span, help = error.span, error.help
         raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
@@ -74,8 +74,8 @@ def simulate_problem(
         raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
-def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
-    """Follow an arrangement; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
+def followed(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow a configuration; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
@@ -90,7 +90,7 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
 
     while True:
         try:
-            found = Follower(arrangement, until, tolerances, going_on).followed()
+            found = Follower(configuration, until, tolerances, going_on).followed()
         except (Unsettled, TimeoutError) as error:
             if isinstance(error, Unsettled) and tolerances.main > FINEST * FINEST:
                 tolerances = finer(tolerances, 1e6)
@@ -100,7 +100,7 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
             settled = settled_until(best.stretches, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
             return Run(
-                arrangement.problem,
+                configuration.problem,
                 until,
                 accuracy,
                 best.stretches,
@@ -113,13 +113,13 @@ def followed(arrangement: Arrangement, until: float, accuracy: float, tell: Call
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
             events, ended = tuple(found.events), found.ended
-            return Run(arrangement.problem, until, accuracy, found.stretches, events, ended, sought=found.sought)
+            return Run(configuration.problem, until, accuracy, found.stretches, events, ended, sought=found.sought)
         tolerances, best = finer(tolerances, excess), found
 
 
-def proved(arrangement: Arrangement, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
-    """Follow an arrangement in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
-    follower, start = Follower(arrangement, until, Tolerances(accuracy)), monotonic()
+def proved(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+    """Follow a configuration in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
+    follower, start = Follower(configuration, until, Tolerances(accuracy)), monotonic()
     course = compiled(follower.scene, follower.modes)
     watched = watches(course, follower.modes, None, {})
 
@@ -139,7 +139,7 @@ def proved(arrangement: Arrangement, until: float, accuracy: float, tell: Callab
                 raise NotYet(said, help="follow it for a shorter time, or without --certified") from None
             sizes = sizes_of([part])
             if excess_of(part, [float(number.rad()) for number in part.last[0]], sizes) <= accuracy:
-                return Run(arrangement.problem, until, accuracy, [part], (), why)
+                return Run(configuration.problem, until, accuracy, [part], (), why)
         bits *= 2
 
 

@@ -34,8 +34,8 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.language.problem import Problem
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.read import read_file
 
@@ -64,17 +64,17 @@ def load(path: Path) -> Problem:
 @cache
 def read_all_ways(path: Path) -> tuple[History, ...]:
     """A history for every way in which the rough contacts of a scene may stick or slip."""
-    arrangement = Arrangement(load(path))
-    rough = [rub.key for rub in rubs(arrangement) if rub.contact is not None or rub.pair is not None]
+    configuration = Configuration(load(path))
+    rough = [rub.key for rub in rubs(configuration) if rub.contact is not None or rub.pair is not None]
     ways = itertools.product(MODES, repeat=len(rough))
-    return tuple(History(arrangement, dict(zip(rough, way, strict=True))) for way in ways)
+    return tuple(History(configuration, dict(zip(rough, way, strict=True))) for way in ways)
 
 
 @cache
 def solved(path: Path, law: str | None = None) -> Inquiry:
     """All questions of a scene answered, by one law or by the shortest way."""
-    arrangement = Arrangement(load(path))
-    history = History(arrangement, decide(arrangement).modes)
+    configuration = Configuration(load(path))
+    history = History(configuration, decide(configuration).modes)
     inquiry = Inquiry(history, families_for(law), spare=law is not None)
     for find in load(path).finds:
         answer(inquiry, find)

@@ -16,8 +16,8 @@ from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.complete import completed
+from rotsolve.motion.configuration import Configuration
 from rotsolve.scene.read import read_text
 
 G = 9.8
@@ -83,9 +83,9 @@ class Machine:
 
 def numbers(text: str) -> dict[str, float]:
     """What the engine answers, without its own checks."""
-    arrangement = Arrangement(completed(read_text(text)))
-    inquiry = Inquiry(History(arrangement), families_for(None))
-    for find in arrangement.problem.finds:
+    configuration = Configuration(completed(read_text(text)))
+    inquiry = Inquiry(History(configuration), families_for(None))
+    for find in configuration.problem.finds:
         answer(inquiry, find)
     found = {item.asked.find.name: item.found.formula for item in inquiry.answered}
     return {name: evaluate(formula, inquiry.values).float for name, formula in found.items() if formula is not None}

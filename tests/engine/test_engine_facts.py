@@ -21,7 +21,7 @@ from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.inquiry.history import History
 from rotsolve.language.problem import Problem, State
 from rotsolve.laws import energy
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 
 Readings = Callable[[Path], tuple[History, ...]]
 RATES = ("velocity", "angular_velocity")
@@ -40,7 +40,7 @@ def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_o
 
 def moments(history: History) -> Iterator[Facts]:
     """Facts of each state with velocities of any motion that the rules allow, and of the midst of each phase."""
-    for state in history.arrangement.timeline.states:
+    for state in history.configuration.timeline.states:
         yield history.facts(state.name, virtual=True)
         yield history.facts(state.name, generic=True)
 
@@ -92,7 +92,7 @@ def test_ideal_connections_give_no_power(file: Path, readings: Readings) -> None
 
 def test_each_force_of_a_connection_is_ideal_or_stores_or_loses(file: Path, readings: Readings) -> None:
     for history in readings(file):
-        names = {item.name for item in history.arrangement.problem.connections}
+        names = {item.name for item in history.configuration.problem.connections}
         for facts in moments(history):
             for _, item in items(facts):
                 if item.owner in names:
@@ -135,7 +135,7 @@ def test_potential_energy_of_a_phase_has_the_forces_for_slope(
     file: Path, problem_of: Callable[[Path], Problem]
 ) -> None:
     """Along every way that the rules allow, what the energy law stores is what weights and springs take."""
-    history = History(Arrangement(loosened(problem_of(file))))
+    history = History(Configuration(loosened(problem_of(file))))
     for passage in history.passages.values():
         facts = passage.end
         if any(given.drive.order == 0 for given in facts.given):
@@ -179,7 +179,7 @@ def turning(facts: Facts) -> Formula:
 
 
 def known_dimensions(history: History) -> dict[str, Dimension]:
-    given = {item.name: item.dimension for item in history.arrangement.problem.givens if item.dimension is not None}
+    given = {item.name: item.dimension for item in history.configuration.problem.givens if item.dimension is not None}
     made = {key: quantity.dimension for key, quantity in history.registry.quantities.items()}
     return {"time": TIME, **given, **made}
 

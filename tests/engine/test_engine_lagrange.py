@@ -315,7 +315,7 @@ def test_lagrange_gives_the_same_accelerations(
     chance = random.Random(case.scene)
     found = {answered.asked.find.name: answered.found.formula for answered in inquiry.answered}
     for _ in range(3):
-        values = nearby(inquiry.history.arrangement.problem, chance)
+        values = nearby(inquiry.history.configuration.problem, chance)
         for name, expected in accelerations(case, values).items():
             formula = found[name]
             assert formula is not None

@@ -21,8 +21,8 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.language.problem import Body, Problem
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.owndata import is_own
+from rotsolve.motion.configuration import Configuration
 from rotsolve.pipeline import solve_problem
 
 ProblemOf = Callable[[Path], Problem]
@@ -47,8 +47,8 @@ BY_ANGULAR_MOMENTUM = {
 
 def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
     """The closed forms of all questions that a law can answer, with Newton's help where that is given."""
-    arrangement = Arrangement(problem)
-    inquiry = Inquiry(History(arrangement, decide(arrangement).modes), families_for(law), spare=law is not None)
+    configuration = Configuration(problem)
+    inquiry = Inquiry(History(configuration, decide(configuration).modes), families_for(law), spare=law is not None)
     for find in problem.finds:
         with suppress(Unsolvable):
             answer(inquiry, find)

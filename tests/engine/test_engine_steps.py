@@ -100,7 +100,7 @@ def running(inquiry: Inquiry) -> dict[str, Sides]:
 
 def places(inquiry: Inquiry, number: Number, nearby: Nearby) -> list[Place]:
     """Some choices of the givens; those of the scene alone where an answer has a number only."""
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     if any(found.formula is None for found in inquiry.solver.solved.values()):
         return [Place(inquiry, nearby(problem, Unchanged()), number)]
     chance, found = random.Random(problem.title), []

@@ -14,7 +14,7 @@ from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 Fact = Force | Couple | Rule | Requirement | Potential | Turntable
@@ -71,11 +71,11 @@ class Connection(Element, frozen=True):
         """Points of bodies that it holds to the ground, so that the body turns about them."""
         return ()
 
-    def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
+    def track(self, body: Body, configuration: Configuration, state: str) -> tuple[Heading, str] | None:
         """Line along which it makes a body travel, with the words for the positive sense."""
         return None
 
-    def orbit(self, body: Body, arrangement: Arrangement, state: str) -> Orbit | None:
+    def orbit(self, body: Body, configuration: Configuration, state: str) -> Orbit | None:
         """Circle along which it makes a body's centre travel."""
         return None
 
@@ -91,11 +91,11 @@ class Connection(Element, frozen=True):
         """Whether it states the weight of a body, part by part."""
         return False
 
-    def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
+    def natural_turn(self, body: Body, configuration: Configuration, state: str) -> int:
         """Positive turn of a body that goes with its positive travel: +1 counterclockwise, −1 clockwise, 0 no matter."""
         return 0
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         """How its forces and rules vary while bodies move (see core.varying)."""
         return "constant"
 

@@ -15,7 +15,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -77,7 +77,7 @@ class Drive(Connection, frozen=True):
     def between(self) -> tuple[PointRef, ...]:
         return self.drives
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         if self.couple is None:
             return UNKNOWN  # a torque that nothing is said of
         return pace_of(self.couple)

@@ -13,7 +13,7 @@ from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -31,8 +31,8 @@ class Guide(Connection, frozen=True):
         for word, component, function in self.motions:
             yield self.guided[0].owner, word, component, function
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
-        paces = [drive.pace for drive in arrangement.drives(self.guided[0].owner, state)]
+    def pace(self, configuration: Configuration, state: str) -> str:
+        paces = [drive.pace for drive in configuration.drives(self.guided[0].owner, state)]
         return max(paces, key=("constant", "time").index)
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
@@ -50,7 +50,7 @@ class Guide(Connection, frozen=True):
 
     def _ways(self, name: str, instant: Instant) -> Iterator[tuple[str, Heading, str]]:
         """Along the body's line, or right and up."""
-        line = instant.arrangement.line(name, instant.state)
+        line = instant.configuration.line(name, instant.state)
         if line is not None:
             yield "", line[0], line[1]
         else:

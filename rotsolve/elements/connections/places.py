@@ -33,7 +33,7 @@ def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | Non
 
 def distance(gap: tuple[Formula, Formula], instant: Instant) -> Formula:
     """Length of a gap; where its sign is known from the numbers, without bars."""
-    positive = instant.arrangement.positive
+    positive = instant.configuration.positive
     barred = simplify(sqrt(gap[0] ** 2 + gap[1] ** 2), positive=positive)
 
     def unbarred(node: Formula) -> Formula:
@@ -53,7 +53,7 @@ def straight(gap: Formula, ahead: Heading, instant: Instant) -> Heading:
 
 def sign_of(value: Formula, instant: Instant) -> int | None:
     """The sign of a value, by the numbers of the scene."""
-    values = {given.name: given.value for given in instant.arrangement.problem.givens if given.value is not None}
+    values = {given.name: given.value for given in instant.configuration.problem.givens if given.value is not None}
     try:
         return evaluate(value, values, digits=3).sign
     except (Undefined, ValueError):
@@ -75,7 +75,7 @@ def apart(first: PointRef, second: PointRef, instant: Instant) -> tuple[Formula,
 
 def joint_of(first: str, second: str, instant: Instant) -> tuple[PointRef, ...]:
     """The points of two bodies at which a hinge joins them."""
-    for item in instant.arrangement.connections(instant.state):
+    for item in instant.configuration.connections(instant.state):
         held = {ref.owner: ref for ref in item.touches()} if item.word == "hinge" else {}
         if first != second and held.keys() == {first, second}:
             return held[first], held[second]
@@ -86,6 +86,6 @@ def where(ref: PointRef, instant: Instant) -> Vector | None:
     """A point in the scene's coordinates: a fixed place, or a point of a body whose fixed pivot is the origin."""
     if ref.place is not None:
         return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)
-    if ref.owner in instant.arrangement.bodies and instant.motion(ref.owner).kind == "axis":
+    if ref.owner in instant.configuration.bodies and instant.motion(ref.owner).kind == "axis":
         return instant.point(ref)
     return None

@@ -18,7 +18,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -38,7 +38,7 @@ class Spring(Connection, frozen=True):
     def hangs(self, body: Body) -> bool:
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         return "position"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
@@ -50,14 +50,14 @@ class Spring(Connection, frozen=True):
             else instant.ask("force", self.name, when=instant.when)
         )
         for ref, push in ((first, along), (second, -along)):
-            if ref.owner in instant.arrangement.bodies:
+            if ref.owner in instant.configuration.bodies:
                 name = instant.host(ref.owner)
                 words = ("spring force ", size, f", {along_words(push)}")
                 yield Force(self.name, "spring", name, size, push, instant.point(ref), words)
         if self.stiffness is not None:
             rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
             energy = Number(Fraction(1, 2)) * self.stiffness * square(elongation)
-            bodies = tuple(ref.owner for ref in self.spring if ref.owner in instant.arrangement.bodies)
+            bodies = tuple(ref.owner for ref in self.spring if ref.owner in instant.configuration.bodies)
             yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy), placed=self.placed)
 
     @property
@@ -75,12 +75,12 @@ class Spring(Connection, frozen=True):
     def along(self, instant: Instant) -> Vector:
         """Unit vector from the first end to the second: where they are, if a place is named; from left to right along a level or
         sloping line of travel; else up from the ground, down from the ceiling."""
-        arrangement = instant.arrangement
+        configuration = instant.configuration
         straight = between(self.spring[0], self.spring[1], instant) if self.placed else None
         if straight is not None:
             return straight
-        anchor, body = self.spring if self.spring[0].owner not in arrangement.bodies else self.spring[::-1]
-        line = arrangement.line(body.owner, instant.state) if body.owner in arrangement.bodies else None
+        anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
+        line = configuration.line(body.owner, instant.state) if body.owner in configuration.bodies else None
         if line is not None and rough(line[0].cos()):
             return unit(line[0] if rough(line[0].cos()) > 0 else line[0].turned(180))
         outward = UP if anchor.owner == "ground" else DOWN
@@ -101,12 +101,12 @@ class Torsion(Connection, frozen=True):
         "quantity", "angle without torque", dimension="angle", letter="theta", default=None
     )
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         return "position"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
-        names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.arrangement.bodies]
+        names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.configuration.bodies]
         last = names[-1]
         twist = instant.ask("angle", last, words=TURNS)
         if len(names) == 2:

@@ -16,7 +16,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -61,9 +61,9 @@ class Driven(Connection, frozen=True):
         for word, value in values:
             yield from ((ref.owner, word, "", value) for ref in self.held())
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         """Of its torques; a drive's couple follows what it drives."""
-        drives = (drive for ref in self.held() for drive in arrangement.drives(ref.owner, state))
+        drives = (drive for ref in self.held() for drive in configuration.drives(ref.owner, state))
         return combined([pace_of(self.friction_torque or ZERO), *(drive.pace for drive in drives)])
 
     def couples(self, instant: Instant) -> Iterator[Fact]:
@@ -72,7 +72,9 @@ class Driven(Connection, frozen=True):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
-            if self.driven or (self.friction_torque is None and instant.arrangement.mentions.asks(self.name, "torque")):
+            if self.driven or (
+                self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
+            ):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
 
@@ -119,8 +121,8 @@ class Hinge(Driven, frozen=True):
             else ()
         )
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
-        return super().pace(arrangement, state) if self.fixed_points() else "position"
+    def pace(self, configuration: Configuration, state: str) -> str:
+        return super().pace(configuration, state) if self.fixed_points() else "position"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         yield from self.couples(instant)
@@ -212,7 +214,7 @@ def reaction(
     name = instant.host(ref.owner)
     turned = instant.host((opposite or ref).owner)
     # a force that holds a centre of mass off the axis turns with the body, so that it is one of the moment
-    span = instant.span(turned) if instant.arrangement.balanced(turned, instant.state) else instant.when
+    span = instant.span(turned) if instant.configuration.balanced(turned, instant.state) else instant.when
     for axis, direction in (("x", RIGHT), ("y", UP)):
         component = f"{axis}_{name}" if several else axis
         words = ("right", "left") if axis == "x" else ("up", "down")

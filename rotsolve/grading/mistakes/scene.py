@@ -22,7 +22,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.language.problem import Find, Problem
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
 
@@ -36,27 +36,27 @@ class Scene(Struct, frozen=True, dict=True):
     whole: Problem
 
     @cached_property
-    def arrangement(self) -> Arrangement:
+    def configuration(self) -> Configuration:
         return asked_part(self.whole)
 
     @property
     def problem(self) -> Problem:
         """The part that is asked for, with letters for what the scene leaves out."""
-        return self.arrangement.problem
+        return self.configuration.problem
 
     @cached_property
     def modes(self) -> Mapping[str, str]:
         """What slips, and which way."""
-        return decide(self.arrangement).modes
+        return decide(self.configuration).modes
 
     @cached_property
     def history(self) -> History:
-        return History(self.arrangement, self.modes)
+        return History(self.configuration, self.modes)
 
     @cached_property
     def moments(self) -> tuple[Facts, ...]:
         """The facts at all states."""
-        return tuple(self.history.facts(state.name) for state in self.arrangement.timeline.states)
+        return tuple(self.history.facts(state.name) for state in self.configuration.timeline.states)
 
     @cached_property
     def bodies(self) -> Mapping[str, BodyFacts]:
@@ -106,17 +106,17 @@ class Scene(Struct, frozen=True, dict=True):
         if change.reread:
             return self._reread(change, self.problem.values)
         problem = self.problem if change.problem is None else change.problem(self.problem)
-        arrangement = Arrangement(problem, change.altered)
-        modes = self.modes if change.problem is None else decide(arrangement).modes
+        configuration = Configuration(problem, change.altered)
+        modes = self.modes if change.problem is None else decide(configuration).modes
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        inquiry = Inquiry(History(arrangement, modes), families, confirming=True)
+        inquiry = Inquiry(History(configuration, modes), families, confirming=True)
         answers = answers_of(inquiry)
         return {} if change.throughout and disagreement(inquiry) is not None else answers
 
 
 def answers_of(inquiry: Inquiry) -> dict[str, Answer]:
     """The answers to those questions that have one, by name; the others may need what is left out, or one that comes later."""
-    pending = list(inquiry.history.arrangement.problem.finds)
+    pending = list(inquiry.history.configuration.problem.finds)
     for _ in range(ROUNDS):
         waiting: list[Find] = []
         later = False  # whether something was answered after a question that was not

@@ -126,7 +126,7 @@ def turned_back(inquiry: Inquiry) -> Interval | None:
                 speeds = [aside.settled(value) for value in (travel.before, travel.after)]
                 sizes = [aside.number(speed) if speed is not None else None for speed in speeds]
                 if sizes[0] is not None and sizes[1] is not None and sizes[0] * sizes[1] < 0:
-                    return inquiry.history.arrangement.timeline.interval(name)
+                    return inquiry.history.configuration.timeline.interval(name)
     return None
 
 

@@ -61,7 +61,7 @@ def judged(need: Requirement, inquiry: Inquiry, aside: Inquiry) -> tuple[Settlin
 def needed(inquiry: Inquiry) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
     """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
     history = inquiry.history
-    for state in history.arrangement.timeline.states:
+    for state in history.configuration.timeline.states:
         yield state.name, history.facts(state.name).requirements
     for swing in history.swings.values():
         if swing.found:
@@ -73,7 +73,7 @@ def concerns(need: Requirement, inquiry: Inquiry) -> bool:
     used = {
         name for answered in inquiry.answered for index in answered.used for name in inquiry.planner.pool[index].bodies
     }
-    item = next((item for item in inquiry.history.arrangement.problem.connections if item.name == need.owner), None)
+    item = next((item for item in inquiry.history.configuration.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
 
 
@@ -95,9 +95,9 @@ def objection(need: Requirement, state: str, inquiry: Inquiry, letters: Letters)
 
 def demanded(need: Requirement, state: str, inquiry: Inquiry) -> bool:
     """Whether the scene itself asks for the verge: `touch: leaves` at that state, `x where touch.normal_force = 0`."""
-    arrangement = inquiry.history.arrangement
-    lines = [line for line in arrangement.timeline.state(state).conditions if line.word]
-    lines += [find.where for find in arrangement.problem.finds if find.where is not None]
+    configuration = inquiry.history.configuration
+    lines = [line for line in configuration.timeline.state(state).conditions if line.word]
+    lines += [find.where for find in configuration.problem.finds if find.where is not None]
     paths = [line.path for line in lines]
     paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
     return need.left - need.right == ZERO or any(path is not None and path.owner == need.owner for path in paths)

@@ -16,7 +16,7 @@ def nudged(inquiry: Inquiry) -> Iterator[Check]:
     history, pool = inquiry.history, inquiry.planner.pool
     used = {pool[index].section for answered in inquiry.answered for index in answered.used}
     for name, passage in history.passages.items():
-        interval = history.arrangement.timeline.interval(name)
+        interval = history.configuration.timeline.interval(name)
         if name not in used or interval is None:
             continue
         for travel in passage.travels:

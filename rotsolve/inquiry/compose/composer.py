@@ -30,7 +30,7 @@ class Composer:
         self.inquiry = inquiry
         self.first = first  # number of the first equation
         self.history = inquiry.history
-        self.problem: Problem = self.history.arrangement.problem
+        self.problem: Problem = self.history.configuration.problem
         self.pool = inquiry.planner.pool
         self.drafts = drafts_of(inquiry)
         self.diagrams = Diagrams(self.history, self.pool)
@@ -61,7 +61,7 @@ class Composer:
 
     def _reached(self, state: str) -> str:
         """What is said of a state that has no lines of its own."""
-        before = self.history.arrangement.timeline.before(state)
+        before = self.history.configuration.timeline.before(state)
         return "the clock starts" if before is None else "as the event leaves it" if before.event else "later"
 
     # sections
@@ -145,9 +145,9 @@ class Composer:
     def _conventions(self) -> tuple[Words, ...]:
         angles = any(name.startswith("angle" + SEPARATOR) for name in self.history.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
-        arrangement = self.history.arrangement
-        if arrangement.mentions.functions:
-            first = arrangement.timeline.states[0].name
+        configuration = self.history.configuration
+        if configuration.mentions.functions:
+            first = configuration.timeline.states[0].name
             said.append(
                 (self.letters.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time")
             )

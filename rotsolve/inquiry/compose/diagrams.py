@@ -52,7 +52,7 @@ class Diagrams(Struct, frozen=True):
 
         Where the section of a phase writes Newton's laws at one state alone, they are those of that state.
         """
-        timeline, key = self.history.arrangement.timeline, draft.key
+        timeline, key = self.history.configuration.timeline, draft.key
         for swing in self.history.swings.values():
             if key in (swing.section, swing.balanced):
                 return free_bodies(swing.near if key == swing.section else swing.rest)

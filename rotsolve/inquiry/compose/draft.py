@@ -141,7 +141,7 @@ def home(answered: Answered, laws: list[int], inquiry: Inquiry) -> str:
 
 def moments(history: History) -> list[str]:
     """All states, phases and events in the order of time."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     result = [timeline.states[0].name]
     for interval in timeline.intervals:
         result += [interval.name, interval.end]
@@ -152,7 +152,7 @@ def moments(history: History) -> list[str]:
 
 def title(key: str, history: History) -> str:
     """Heading of a section."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     interval = timeline.interval(key)
     swings = history.swings.values()
     for swing in swings:

@@ -22,7 +22,7 @@ class Letters:
         self.inquiry = inquiry
         self.drafts = drafts
         self.diagrams = diagrams
-        self.problem = inquiry.history.arrangement.problem
+        self.problem = inquiry.history.configuration.problem
         self.names = self._names()
 
     def words(self, words: Words) -> Words:

@@ -120,7 +120,7 @@ class Results(Struct, frozen=True):
             named = phases_of(term, history)
             ends = [(named[0].start, 1)]
             if (
-                history.arrangement.timeline.after(named[-1].end) is not None
+                history.configuration.timeline.after(named[-1].end) is not None
             ):  # after the last state it goes on as before
                 ends.append((named[-1].end, -1))
             for state, sign in ends:

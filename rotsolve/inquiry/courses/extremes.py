@@ -37,7 +37,7 @@ def extreme(term: Term, start: str, end: str, history: History, beside: Beside |
     if beside is None or term.path.quantity in SPANNED:
         raise NotYet(f"`{term.modifier} {term.path.quantity}` is not solved yet")
     found: list[Candidate] = []
-    for interval in history.arrangement.timeline.between(start, end):
+    for interval in history.configuration.timeline.between(start, end):
         if interval.event is None:
             found += candidates(term, interval, history, beside)
     sense = 1 if term.modifier == "largest" else -1

@@ -16,13 +16,13 @@ from rotsolve.motion.timeline import Interval
 
 def phases_of(term: Term, history: History) -> tuple[Interval, ...]:
     """The phases in which a function of time is asked; several only where a given motion is one function throughout."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     intervals = timeline.between(term.start, term.end) if term.start and term.end else timeline.intervals
     named = tuple(interval for interval in intervals if term.during in (None, interval.name) and interval.event is None)
     if not named:
         raise Unclear("a function of time is asked of a phase", help="say `at any time during PHASE`")
     if len(named) > 1 and not (
-        term.path.owner in history.arrangement.bodies and one_function(term.path.owner, intervals, history)
+        term.path.owner in history.configuration.bodies and one_function(term.path.owner, intervals, history)
     ):
         names = ", ".join(f"`from {interval.start} to {interval.end}`" for interval in named)
         raise Unclear("the motion may be another function in each phase", help=f"say in which: {names}")
@@ -44,7 +44,7 @@ def at_any_time(term: Term, history: History) -> tuple[Meaning, str]:
 
 def check_pace(path: Path, interval: Interval, history: History) -> None:
     """A motion whose acceleration goes by the place or the speed is not written as a function of the running time."""
-    name = history.instant(interval.start).host(path.owner) if path.owner in history.arrangement.bodies else ""
+    name = history.instant(interval.start).host(path.owner) if path.owner in history.configuration.bodies else ""
     for travel in history.passages[interval.name].travels:
         if travel.body == name and travel.pace not in (CONSTANT, TIME) and travel.given not in (0, 1):
             help = "ask for it at a state whose time is a letter: `end: {time: t1}`"
@@ -53,7 +53,7 @@ def check_pace(path: Path, interval: Interval, history: History) -> None:
 
 def one_function(name: str, intervals: tuple[Interval, ...], history: History) -> bool:
     """Whether a body moves by one given function through several phases, with no event between them."""
-    drives = {history.arrangement.drives(name, interval.start) for interval in intervals}
+    drives = {history.configuration.drives(name, interval.start) for interval in intervals}
     return len(drives) == 1 and drives != {()} and all(interval.event is None for interval in intervals)
 
 

@@ -39,7 +39,7 @@ def whole_way(term: Term, start: str, end: str, history: History, beside: Beside
         raise NotYet(f"the total of `{path.quantity}` is not solved yet")
     result: Formula = ZERO
     laws: list[Equation] = []
-    intervals = history.arrangement.timeline.between(start, end)
+    intervals = history.configuration.timeline.between(start, end)
     for interval in intervals:
         if interval.event is None:
             pieces, found = parts(word, name, path, interval, history, beside)
@@ -87,7 +87,7 @@ def rate_of(word: str, name: str, middle: Instant) -> Formula:
         return middle.rate("angular_velocity", name)
     if middle.motion(name).kind != "line":
         raise NotYet(f"`{name}` does not move along a line", help="the whole way is known of bodies on a line")
-    line = middle.arrangement.line(name, middle.state)
+    line = middle.configuration.line(name, middle.state)
     return middle.travel("velocity", name, line[1] if line else "")
 
 

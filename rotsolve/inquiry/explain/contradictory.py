@@ -12,13 +12,13 @@ from rotsolve.inquiry.explain.unsolvable import CHECK_DATA, unsolvable
 from rotsolve.inquiry.history import History
 from rotsolve.inquiry.questions import path_text
 from rotsolve.language.problem import Problem
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.timeline import Interval
 
 
 def contradicted(equation: Equation, history: History, fallback: Span | None = None) -> Unsolvable:
     """Which law or line the data break; over a phase, that its end is never reached."""
-    problem, timeline = history.arrangement.problem, history.arrangement.timeline
+    problem, timeline = history.configuration.problem, history.configuration.timeline
     line = next((condition for stated, condition in history.stated if stated is equation), None)
     if line is not None:
         path = path_text(line.path) if line.path is not None else line.owner
@@ -40,13 +40,13 @@ def contradicted(equation: Equation, history: History, fallback: Span | None = N
     return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
 
 
-def said_otherwise(arrangement: Arrangement, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
+def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> Iterator[Unsolvable]:
     """Contacts that a state says to stick where friction is too weak for it, or to slip where it is strong enough."""
-    problem = arrangement.problem
+    problem = configuration.problem
     numbered = {given.name for given in problem.givens if given.value is not None}
-    for state in arrangement.timeline.states:
-        contacts = {item.name: item for item in arrangement.connections(state.name) if isinstance(item, Touch)}
-        for line in state.conditions if arrangement.phase_start(state.name) == state.name else ():
+    for state in configuration.timeline.states:
+        contacts = {item.name: item for item in configuration.connections(state.name) if isinstance(item, Touch)}
+        for line in state.conditions if configuration.phase_start(state.name) == state.name else ():
             contact = contacts.get(line.path.owner) if line.path is not None else None
             if contact is None or contact.grip().kind != "coefficient" or not known(contact.grip().static, numbered):
                 continue

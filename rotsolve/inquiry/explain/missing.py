@@ -18,7 +18,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import SAID
 from rotsolve.language.problem import Find
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.plan import Shortage
 from rotsolve.solver import ENTANGLED
 
@@ -37,7 +37,7 @@ RATES = ("velocity", "angular_velocity")
 
 def no_answer(error: NoAnswer, inquiry: Inquiry, find: Find) -> Unsolvable:
     """What is missing or contradictory for one question."""
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     if error.equation is not None:
         return contradicted(inquiry.planner.pool[error.equation], inquiry.history, find.span)
     alone = "" if NEWTON in inquiry.families else f" by {SAID[inquiry.families[0]]} alone"
@@ -62,7 +62,7 @@ def is_law(equation: Equation) -> bool:
 def open_quantities(names: Iterable[str], history: History) -> list[Quantity | str]:
     """The unknowns that the scene has words for: quantities of the laws, and letters that it asks for."""
     quantities = history.registry.quantities
-    asked = {given.name for given in history.arrangement.problem.givens if given.asked}
+    asked = {given.name for given in history.configuration.problem.givens if given.asked}
     found: dict[Quantity | str, None] = {}
     for name in names:
         if name in quantities:
@@ -91,7 +91,7 @@ def told_quantity(quantity: Quantity, history: History) -> str:
 def moment(when: str, history: History) -> str:
     """When a quantity is, in words; nothing where the scene has one nameless instant."""
     name = when.replace(VIRTUAL, "")
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     if name.startswith(GENERIC):
         phase = timeline.phase_of(name.removeprefix(GENERIC))
         return f" on the way from {spoken(phase.start)} to {spoken(phase.end)}" if phase is not None else ""
@@ -114,7 +114,7 @@ def suggestion(missing: Sequence[Quantity | str], history: History, asked: str =
     if unplaced:
         return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"
     quantities = [item for item in missing if isinstance(item, Quantity)]
-    soft = {item.name for item in history.arrangement.problem.connections if getattr(item, "stiffness", ZERO) is None}
+    soft = {item.name for item in history.configuration.problem.connections if getattr(item, "stiffness", ZERO) is None}
     spring = next((item.owner for item in quantities if item.kind == "force" and item.owner in soft), None)
     if spring is not None:
         return f"give the `stiffness` of `{spring}`, or its force"
@@ -133,13 +133,13 @@ def suggestion(missing: Sequence[Quantity | str], history: History, asked: str =
 
 def at_start(quantity: Quantity, history: History) -> bool:
     """Whether a quantity belongs to the first of several states."""
-    states = history.arrangement.timeline.states
+    states = history.configuration.timeline.states
     return len(states) > 1 and quantity.when == states[0].name
 
 
 def state_of(when: str, history: History) -> str:
     """The state at which a quantity can be said: its own, or the end of its phase; "now" where the scene has no states."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     interval = timeline.interval(when)
     return (
         interval.end if interval is not None else when if when in timeline.order else timeline.states[0].name
@@ -148,7 +148,7 @@ def state_of(when: str, history: History) -> str:
 
 def unreached(history: History) -> str:
     """A state after the first of which nothing is said and to which no event leads."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     for interval in timeline.intervals:
         end = timeline.state(interval.end)
         if interval.event is None and not end.conditions and not end.balance:
@@ -158,7 +158,7 @@ def unreached(history: History) -> str:
 
 def without_angle(history: History) -> tuple[str, str] | None:
     """A body whose angle some state gives, and the first state, where no other one says it."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     said = {
         (state.name, line.path.owner)
         for state in timeline.states
@@ -166,16 +166,16 @@ def without_angle(history: History) -> tuple[str, str] | None:
         if line.path and line.path.quantity == "angle"
     }
     first, after = timeline.states[0], timeline.after(timeline.states[0].name)
-    said |= {(first.name, owner) for owner in on_unknown_profile(history.arrangement, first.name)}
+    said |= {(first.name, owner) for owner in on_unknown_profile(history.configuration, first.name)}
     for _, owner in sorted(said):
         if (first.name, owner) not in said and first.name and (after is None or after.event is None):
             return owner, first.name
     return None
 
 
-def on_unknown_profile(arrangement: Arrangement, state: str) -> set[str]:
+def on_unknown_profile(configuration: Configuration, state: str) -> set[str]:
     """Contacts whose body is on a track of which only heights are known, where no angle is to be told."""
-    orbits = (arrangement.orbit(body.name, state) for body in arrangement.present(state))
+    orbits = (configuration.orbit(body.name, state) for body in configuration.present(state))
     return {orbit.owner for orbit in orbits if orbit is not None and orbit.radius is None}
 
 
@@ -185,7 +185,7 @@ def plural(number: int, noun: str) -> str:
 
 def refuse_unsolved(inquiry: Inquiry, shortage: Shortage, find: Find) -> None:
     """Refuse by name what is no lack of data: motion that varies with several things, the time of one that varies with the place."""
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     travels = [travel for passage in inquiry.history.passages.values() for travel in passage.travels]
     several = next((travel.body for travel in travels if travel.pace == MIXED), "")
     if several:

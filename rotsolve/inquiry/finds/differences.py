@@ -21,7 +21,7 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
         return stored_difference(term, start, end, history)
     first = history.reader(start).meaning(term.path, term)
     last = history.reader(end).meaning(term.path, term)
-    section = history.arrangement.timeline.between(start, end)[-1].name
+    section = history.configuration.timeline.between(start, end)[-1].name
     label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
     earlier, later = (last, first) if term.modifier == "lost" else (first, last)
     if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
@@ -33,7 +33,7 @@ def difference(term: Term, start: str, end: str, history: History) -> tuple[Mean
 def stored_difference(term: Term, start: str, end: str, history: History) -> tuple[Meaning, str]:
     """Change or loss of potential energy (of one body: its weight's alone), or of kinetic and potential energy together."""
     result: Formula = ZERO
-    intervals = history.arrangement.timeline.between(start, end)
+    intervals = history.configuration.timeline.between(start, end)
     for interval in intervals:
         passage = history.passages.get(interval.name)
         if passage is not None:

@@ -30,13 +30,13 @@ def entries(find: Find, history: History) -> tuple[Find, ...]:
 def components(term: Term, history: History) -> tuple[str, ...]:
     """The entries that belong to a question for a whole: all of a tensor; the coordinates in which a body extends."""
     path = term.path
-    if path.owner not in history.arrangement.bodies:
+    if path.owner not in history.configuration.bodies:
         return ()
     if path.quantity == "inertia_tensor":
         return ENTRIES
     if path.quantity not in ("cm", "angular_momentum") or term.modifier:
         return ()
-    flat = history.reader(history.arrangement.timeline.states[0].name).is_flat(path.owner, term)
+    flat = history.reader(history.configuration.timeline.states[0].name).is_flat(path.owner, term)
     if path.quantity == "cm":
         return AXES[:2] if flat else AXES
     return AXES if term.about is not None and not flat else ()

@@ -31,7 +31,7 @@ def asked(find: Find, history: History, earlier: Earlier = MappingProxyType({}),
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
     terms = [term for term in find.terms if term.path.quantity in OSCILLATING]
     swings = tuple((history.swing(term), term.path.quantity) for term in terms)
-    question, altered = quantity_asked(find, history, earlier, beside), history.arrangement.alteration
+    question, altered = quantity_asked(find, history, earlier, beside), history.configuration.alteration
     return replace(question if altered is None else rewritten(question, altered), swings=swings)
 
 
@@ -61,7 +61,7 @@ def quantity_asked(find: Find, history: History, earlier: Earlier, beside: Besid
         definitions=tuple(dict.fromkeys(step for meaning, _ in meanings for step in meaning.definitions)),
         laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
     )
-    givens = {given.name: given for given in history.arrangement.problem.givens}
+    givens = {given.name: given for given in history.configuration.problem.givens}
     if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, history)):
         question = replace(question, letter=formula.name)
         return question if own is None else replace(question, vector=own.vector, words=own.words)
@@ -96,14 +96,16 @@ def of_one_path(question: Asked, meaning: Meaning) -> Asked:
 
 def is_unknown(name: str, history: History) -> bool:
     """Whether a letter of the scene is itself asked for."""
-    return any(given.name == name and given.asked for given in history.arrangement.problem.givens)
+    return any(given.name == name and given.asked for given in history.configuration.problem.givens)
 
 
 def known_dimensions(
     meanings: Sequence[tuple[Meaning, str]], history: History, earlier: Earlier
 ) -> dict[str, Dimension]:
     """The dimensions of givens, of earlier answers and of the paths of a `find` line."""
-    known = {given.name: given.dimension for given in history.arrangement.problem.givens if given.dimension is not None}
+    known = {
+        given.name: given.dimension for given in history.configuration.problem.givens if given.dimension is not None
+    }
     known.update({name: dimension for name, (_, dimension) in earlier.items() if dimension is not None})
     known.update({f"#{index}": meaning.dimension for index, (meaning, _) in enumerate(meanings)})
     return known

@@ -15,7 +15,7 @@ from rotsolve.motion.timeline import Interval
 
 def spanned(term: Term, start: str | None, end: str | None, history: History) -> tuple[Meaning, str]:
     """A quantity of one or several phases: the sum over them."""
-    timeline, path, kind = history.arrangement.timeline, term.path, BY_WORD[term.path.quantity]
+    timeline, path, kind = history.configuration.timeline, term.path, BY_WORD[term.path.quantity]
     start, end = span(term, start, end, history)
     intervals = timeline.between(start, end)
     if path.quantity == "displacement" and path.point is not None:
@@ -47,7 +47,7 @@ def within(path: Path, interval: Interval, history: History) -> Formula:
     from rotsolve.inquiry.courses import way
 
     instant = history.instant(interval.start)
-    name = instant.host(path.owner) if path.owner in history.arrangement.bodies else path.owner
+    name = instant.host(path.owner) if path.owner in history.configuration.bodies else path.owner
     return way(path, name, interval, instant)
 
 
@@ -74,7 +74,7 @@ def of_point(term: Term, start: str, end: str, history: History) -> Meaning:
 
 def span(term: Term, start: str | None, end: str | None, history: History) -> tuple[str, str]:
     """The states from and to which a quantity is asked; from the state before to one that is named, else over the whole scene."""
-    names = list(history.arrangement.timeline.named)
+    names = list(history.configuration.timeline.named)
     if term.at is not None and term.at in names:
         start, end = names[max(0, names.index(term.at) - 1)], term.at
     start, end = start or names[0], end or names[-1]

@@ -47,7 +47,7 @@ def size(formula: Formula) -> Formula:
 
 def signed(term: Term, history: History, beside: Beside | None) -> tuple[Meaning, str]:
     """The meaning of a term with its sign, whether or not its size is asked."""
-    timeline = history.arrangement.timeline
+    timeline = history.configuration.timeline
     if term.path.quantity in OSCILLATING:
         swing = history.swing(term)
         return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
@@ -93,7 +93,7 @@ def from_to(
 
 def at_state(term: Term, history: History) -> tuple[Meaning, str]:
     """The meaning at one state: the one named, the only one, or any where it is the same throughout."""
-    states = [term.at] if term.at else list(history.arrangement.timeline.named)
+    states = [term.at] if term.at else list(history.configuration.timeline.named)
     found: dict[Formula, tuple[Meaning, str]] = {}
     failed: NotYet | None = None
     for state in states:

@@ -77,14 +77,14 @@ def meeting_of_last(owner: str, interval: str, history: History) -> Meeting | No
 
 def last_named(owner: str, interval: str, history: History) -> str:
     """The body that an event or connection names last."""
-    found = history.arrangement.timeline.interval(interval)
+    found = history.configuration.timeline.interval(interval)
     assert found is not None and found.event is not None
     instant = history.instant(found.start)
-    items = [item for item in history.arrangement.connections(found.start) if item.name == owner]
+    items = [item for item in history.configuration.connections(found.start) if item.name == owner]
     refs = (
-        participants(found, history.arrangement) if found.event.name == owner else items[0].touches() if items else ()
+        participants(found, history.configuration) if found.event.name == owner else items[0].touches() if items else ()
     )
-    bodies = [ref.owner for ref in refs if ref.owner in history.arrangement.bodies]
+    bodies = [ref.owner for ref in refs if ref.owner in history.configuration.bodies]
     return instant.host(bodies[-1]) if bodies else ""
 
 

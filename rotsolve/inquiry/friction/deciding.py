@@ -23,7 +23,7 @@ from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.planning import families_for
 from rotsolve.inquiry.roots.numbers import rough, side_of
 from rotsolve.laws.groups import one_motion
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 
@@ -39,7 +39,7 @@ class Decision(Struct, frozen=True):
     numbered: int = 0  # equations numbered so far
 
 
-def decide(arrangement: Arrangement, at_rest: Collection[str] = ()) -> Decision:
+def decide(configuration: Configuration, at_rest: Collection[str] = ()) -> Decision:
     """The modes of all contacts with a coefficient of friction and of all wheels on rubbing axles.
 
     `at_rest` are the names of those that are known not to slip at the start, where their speeds are numbers that have been rounded.
@@ -47,23 +47,23 @@ def decide(arrangement: Arrangement, at_rest: Collection[str] = ()) -> Decision:
     modes: dict[str, str] = {}
     sections: list[Section] = []
     number = 1
-    rubbing = rubs(arrangement)
+    rubbing = rubs(configuration)
     if not rubbing:
         return Decision({}, ())
     from rotsolve.inquiry.friction.sticking import shown, tried
 
     for rub in rubbing:
-        moving = 0 if rub.name in at_rest else sense_at_start(arrangement, rub, modes)
+        moving = 0 if rub.name in at_rest else sense_at_start(configuration, rub, modes)
         if moving:
             modes[rub.key] = rub.mode(moving)
-    for group in together(arrangement, [rub for rub in rubbing if rub.key not in modes]):
+    for group in together(configuration, [rub for rub in rubbing if rub.key not in modes]):
         contact = group[0].contact
         verdict = (
-            tried(arrangement, contact, group[0].state, modes) if len(group) == 1 and contact is not None else None
+            tried(configuration, contact, group[0].state, modes) if len(group) == 1 and contact is not None else None
         )
         if verdict is None:
-            stacked = len(group) > 1 and any(rub.contact and rub.contact.carrier(arrangement) for rub in group)
-            modes.update((by_trial if stacked else by_motion)(arrangement, group, modes))
+            stacked = len(group) > 1 and any(rub.contact and rub.contact.carrier(configuration) for rub in group)
+            modes.update((by_trial if stacked else by_motion)(configuration, group, modes))
             continue
         modes[group[0].key], trial = verdict
         if trial is not None:
@@ -72,33 +72,33 @@ def decide(arrangement: Arrangement, at_rest: Collection[str] = ()) -> Decision:
     return Decision({key: mode for key, mode in modes.items() if mode not in ("", STICKS)}, tuple(sections), number - 1)
 
 
-def together(arrangement: Arrangement, open_: list[Rub]) -> list[list[Rub]]:
+def together(configuration: Configuration, open_: list[Rub]) -> list[list[Rub]]:
     """What rubs on bodies that move together in the same phase, group by group."""
     groups: dict[tuple[str, frozenset[str]], list[Rub]] = {}
     for rub in open_:
-        groups.setdefault((rub.state, arrangement.component(rub.body, rub.state)), []).append(rub)
+        groups.setdefault((rub.state, configuration.component(rub.body, rub.state)), []).append(rub)
     return list(groups.values())
 
 
-def sense_at_start(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
+def sense_at_start(configuration: Configuration, rub: Rub, modes: dict[str, str]) -> int:
     """The sense in which it slides or turns at the start of its phase; 0 where it is not known to move."""
-    history = History(arrangement, modes)
+    history = History(configuration, modes)
     speed = rub.rate(history.instant(rub.state))
     if speed is None:
         return 0
     if is_known(speed):
-        return sign_of(speed, arrangement)
-    first = rub.state == arrangement.timeline.states[0].name
-    return 0 if rub.contact is not None and first else sense_left(arrangement, rub, modes)
+        return sign_of(speed, configuration)
+    first = rub.state == configuration.timeline.states[0].name
+    return 0 if rub.contact is not None and first else sense_left(configuration, rub, modes)
 
 
-def sense_left(arrangement: Arrangement, rub: Rub, modes: dict[str, str]) -> int:
+def sense_left(configuration: Configuration, rub: Rub, modes: dict[str, str]) -> int:
     """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
     for sense in (1, -1):
-        history = History(arrangement, {**modes, rub.key: rub.mode(sense)})
+        history = History(configuration, {**modes, rub.key: rub.mode(sense)})
         inquiry = Inquiry(history, families_for(None))
         speed = inquiry.settled(rub.rate(history.instant(rub.state)) or ZERO)
-        if speed is not None and is_known(speed) and sign_of(speed, arrangement) == sense:
+        if speed is not None and is_known(speed) and sign_of(speed, configuration) == sense:
             return sense
     return 0
 
@@ -108,46 +108,46 @@ def is_known(speed: Formula) -> bool:
     return not any(SEPARATOR in name for name in speed.symbols())
 
 
-def sign_of(speed: Formula, arrangement: Arrangement) -> int:
+def sign_of(speed: Formula, configuration: Configuration) -> int:
     """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-    side = side_of(speed, arrangement.problem.values)
+    side = side_of(speed, configuration.problem.values)
     if side is not None:
         return side
     signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
     return signs.pop() if len(signs) == 1 else 0
 
 
-def by_motion(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
+def by_motion(configuration: Configuration, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
     """The modes of a group that moves together: the way round in which it speeds up, or rest; nothing where numbers do not tell."""
     told = False
     for way in (1, -1):
-        senses = senses_of(arrangement, group, modes, way)
+        senses = senses_of(configuration, group, modes, way)
         moving = {rub.key: rub.mode(senses[rub.key]) for rub in group}
         trial = {key: mode + AT_MOST if mode in (FORWARD, BACK) else mode for key, mode in moving.items()}
-        gains = [gain(arrangement, rub, {**modes, **trial}, senses[rub.key]) for rub in group if senses[rub.key]]
+        gains = [gain(configuration, rub, {**modes, **trial}, senses[rub.key]) for rub in group if senses[rub.key]]
         if all(number is not None and number > 0 for number in gains):
             return moving
         told = told or all(number is not None for number in gains)
     return {rub.key: rub.mode(0) for rub in group} if told else {}
 
 
-def by_trial(arrangement: Arrangement, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
+def by_trial(configuration: Configuration, group: list[Rub], modes: dict[str, str]) -> dict[str, str]:
     """The modes of contacts of which one may slip while another sticks (a block on a block): as few slip as can be; nothing where
     numbers do not tell."""
     ways = sorted(product((0, 1, -1), repeat=len(group)), key=lambda way: sum(map(abs, way)))
     for way in ways[:TRIALS]:
         trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
-        if all(holds(arrangement, rub, {**modes, **trial}, sense) for rub, sense in zip(group, way, strict=True)):
+        if all(holds(configuration, rub, {**modes, **trial}, sense) for rub, sense in zip(group, way, strict=True)):
             return trial
     return {}
 
 
-def holds(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) -> bool:
+def holds(configuration: Configuration, rub: Rub, modes: dict[str, str], sense: int) -> bool:
     """Whether what rubs does as it is taken to: sticks with no more friction than there can be, or speeds up the way in which it slips."""
     if sense or rub.contact is None:
-        number = gain(arrangement, rub, modes, sense) if sense else None
+        number = gain(configuration, rub, modes, sense) if sense else None
         return number is not None and number > 0
-    history = History(arrangement, modes)
+    history = History(configuration, modes)
     inquiry = Inquiry(history, (NEWTON,))
     needs = [
         item
@@ -159,10 +159,10 @@ def holds(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int)
     return all(number is not None and number >= 0 for number in numbers)
 
 
-def senses_of(arrangement: Arrangement, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
+def senses_of(configuration: Configuration, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
     """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
-    history = History(arrangement, {**modes, **{rub.key: rub.mode(1) for rub in group}})
-    facts, values = history.facts(group[0].state, virtual=True), arrangement.problem.values
+    history = History(configuration, {**modes, **{rub.key: rub.mode(1) for rub in group}})
+    facts, values = history.facts(group[0].state, virtual=True), configuration.problem.values
     instant = history.instant(group[0].state, virtual=True)
     speeds = {rub.key: moving_rate(rub, instant) for rub in group}
     sides = [side for rule in facts.rules for side in rule.velocity] + [
@@ -201,9 +201,9 @@ def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
     return (motion.velocity - rub.contact.ground(instant)[0]).along(motion.heading)
 
 
-def gain(arrangement: Arrangement, rub: Rub, modes: dict[str, str], sense: int) -> float | None:
+def gain(configuration: Configuration, rub: Rub, modes: dict[str, str], sense: int) -> float | None:
     """Acceleration along the sense in which it is taken to move; None where the numbers do not tell."""
-    history = History(arrangement, modes)
+    history = History(configuration, modes)
     rate = rub.rate(history.instant(rub.state), acceleration=True)
     inquiry = Inquiry(history, (NEWTON,))
     value = inquiry.settled(rate) if rate is not None else None

@@ -15,7 +15,7 @@ from rotsolve.inquiry.history import History
 from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.inquiry.questions import Asked
 from rotsolve.language.problem import Find
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import BACK, FORWARD, STICKS
 
 
@@ -29,10 +29,10 @@ class Trial(Struct, frozen=True):
 
 
 def tried(
-    arrangement: Arrangement, contact: Touch, state: str, modes: dict[str, str]
+    configuration: Configuration, contact: Touch, state: str, modes: dict[str, str]
 ) -> tuple[str, Trial | None] | None:
     """Stick or slip of one contact at rest; None where the numbers do not tell."""
-    history = History(arrangement, modes)
+    history = History(configuration, modes)
     inquiry = Inquiry(history, (NEWTON,))
     facts = history.facts(state)
     name = history.instant(state).host(contact.pair()[0].owner)
@@ -69,7 +69,7 @@ def limiting(history: History, contact: str, state: str) -> list[tuple[Equation,
     """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
     found = []
     facts = history.facts(state)
-    item = next((item for item in history.arrangement.connections(state) if item.name == contact), None)
+    item = next((item for item in history.configuration.connections(state) if item.name == contact), None)
     if not isinstance(item, Touch) or item.grip().static is None:
         return []
     static = item.grip().static

@@ -146,12 +146,12 @@ class OfBodies(Moment, frozen=True):
 
     def _joined(self, name: str) -> bool:
         """Whether a body moves as one with others, so that its own share has to be told apart."""
-        return self.instant.host(name) != name or bool(self.instant.arrangement.cluster(name, self.instant.state))
+        return self.instant.host(name) != name or bool(self.instant.configuration.cluster(name, self.instant.state))
 
     def _own_moment(self, name: str, *, about_axis: bool = True) -> Formula:
         """Moment of inertia of one of several joined bodies: about its own centre of mass, or I + m d² about the axis of all."""
         items = pieces(self.instant.body(name))
-        order = self.instant.arrangement.order
+        order = self.instant.configuration.order
         own, _ = moment_about(items, centre_of_mass(items), order)
         if not about_axis:
             return own
@@ -187,7 +187,7 @@ class OfBodies(Moment, frozen=True):
                 f"the angular momentum of `{path.owner}.{path.point}` alone is not solved yet",
                 help="solved is that of a part of a body on a fixed axis",
             )
-        moment, _ = moment_about(own_pieces, own.reference, self.instant.arrangement.order)
+        moment, _ = moment_about(own_pieces, own.reference, self.instant.configuration.order)
         return moment * signed(motion.spin, motion.sense)
 
     def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
@@ -260,8 +260,8 @@ class OfBodies(Moment, frozen=True):
 
 def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:
     """Where a body is when it meets another in an event, seen from the pivot or point `about`."""
-    arrangement = instant.arrangement
-    for interval in arrangement.timeline.intervals:
+    configuration = instant.configuration
+    for interval in configuration.timeline.intervals:
         refs = [ref for item in (interval.event,) if item is not None for ref in _points(item)]
         if instant.state in (interval.start, interval.end) and any(ref.owner == name for ref in refs):
             other = next((ref for ref in refs if ref.owner != name), None)

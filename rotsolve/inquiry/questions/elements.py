@@ -100,20 +100,20 @@ class OfElements(Moment, frozen=True):
 
     def _given_power(self, owner: str) -> Formula:
         """The power of a motor that is told by its power."""
-        item = next(item for item in self.instant.arrangement.actions(self.instant.state) if item.name == owner)
+        item = next(item for item in self.instant.configuration.actions(self.instant.state) if item.name == owner)
         return item.now(self.instant)
 
     def _contact(self, owner: str) -> Touch | None:
         """The contact of a body with a curved surface that a path names."""
         state = self.instant.state
-        items = (item for item in self.instant.arrangement.connections(state) if item.name == owner)
+        items = (item for item in self.instant.configuration.connections(state) if item.name == owner)
         item = next((item for item in items if isinstance(item, Touch)), None)
-        surface = item.surface(self.instant.arrangement, state) if item is not None else None
+        surface = item.surface(self.instant.configuration, state) if item is not None else None
         return item if isinstance(surface, Curved) else None
 
     def _between(self, owner: str) -> tuple[str, ...]:
         """The two bodies of a connection that turn against each other."""
-        items = self.instant.arrangement.connections(self.instant.state)
+        items = self.instant.configuration.connections(self.instant.state)
         return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
 
     def _relative(self, word: str, first: str, last: str) -> Formula:
@@ -124,16 +124,17 @@ class OfElements(Moment, frozen=True):
 
     def _absent(self, owner: str) -> bool:
         """Whether an action or connection has ended or been cut by this moment."""
-        arrangement, state = self.instant.arrangement, self.instant.state
-        acting = {item.name for item in arrangement.connections(state)} | {
-            item.name for item in arrangement.actions(state)
+        configuration, state = self.instant.configuration, self.instant.state
+        acting = {item.name for item in configuration.connections(state)} | {
+            item.name for item in configuration.actions(state)
         }
         return owner not in acting
 
     def _tension(self, path: Path, forces: list[Force]) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
         item = next(
-            (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == path.owner), None
+            (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
+            None,
         )
         if isinstance(item, String) and path.point:
             tension = item.tension_at(path.point, self.instant)
@@ -184,15 +185,15 @@ class OfElements(Moment, frozen=True):
 
     def _first_body(self, owner: str) -> str:
         """The body that a connection names first: of two that touch, the one that lies on the other."""
-        items = (item for item in self.instant.arrangement.connections(self.instant.state) if item.name == owner)
+        items = (item for item in self.instant.configuration.connections(self.instant.state) if item.name == owner)
         return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
 
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies on which it acts, the one that the connection names last."""
         instant = self.instant
-        item = next((item for item in instant.arrangement.connections(instant.state) if item.name == owner), None)
+        item = next((item for item in instant.configuration.connections(instant.state) if item.name == owner), None)
         named = (
-            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.arrangement.bodies]
+            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.configuration.bodies]
             if item
             else []
         )

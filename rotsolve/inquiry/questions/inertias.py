@@ -47,7 +47,7 @@ class OfInertias(Moment, frozen=True):
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether the centres of mass of all pieces lie at the height of the point about which is asked."""
-        if term.about is not None and self.instant.arrangement.pivot(name, self.instant.state) is None:
+        if term.about is not None and self.instant.configuration.pivot(name, self.instant.state) is None:
             return True  # only what turns about an axis has an angular momentum in space so far
         height = self._point(name, term)[1] if term.about is not None else ZERO
         return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
@@ -103,13 +103,13 @@ class OfInertias(Moment, frozen=True):
 
     def _held(self, name: str) -> bool:
         """Whether a hinge or axle holds the body, so that the laws of the scene speak of its moment of inertia."""
-        return self.instant.arrangement.pivot(name, self.instant.state) is not None
+        return self.instant.configuration.pivot(name, self.instant.state) is not None
 
     def _perpendicular(self, path: Path, term: Term | None, spread: Spread) -> Told | None:
         """I_z = I_x + I_y of a flat body where both are asked for about the same point."""
         if term is None or spread.integrates:
             return None
-        asked = {self._bare(other) for find in self.instant.arrangement.problem.finds for other in find.terms}
+        asked = {self._bare(other) for find in self.instant.configuration.problem.finds for other in find.terms}
         across = {self._bare(replace(term, path=path, along=axis)) for axis in "xy"}
         return inertia.perpendicular(spread) if across <= asked else None
 
@@ -137,8 +137,8 @@ class OfInertias(Moment, frozen=True):
             integrates,
             doubled,
             shape_of(body).begin(),
-            positive_letters(instant.arrangement.problem.givens),
-            tuple((given.name, given.dimension) for given in instant.arrangement.problem.givens),
+            positive_letters(instant.configuration.problem.givens),
+            tuple((given.name, given.dimension) for given in instant.configuration.problem.givens),
         )
 
     def _asked_twice(self, term: Term | None) -> bool:
@@ -146,7 +146,7 @@ class OfInertias(Moment, frozen=True):
         assert term is not None
         plain = self._bare(replace(term, by=None))
         return any(
-            self._bare(other) == plain for find in self.instant.arrangement.problem.finds for other in find.terms
+            self._bare(other) == plain for find in self.instant.configuration.problem.finds for other in find.terms
         )
 
     def _bare(self, term: Term) -> Term:
@@ -162,7 +162,7 @@ class OfInertias(Moment, frozen=True):
             own = instant.frame(name)
             return own.reference + own.cm, rise(instant.body(name), PointRef(name, "cm")), None
         support = next(
-            (item for item in instant.arrangement.connections(instant.state) if item.name == about.owner), None
+            (item for item in instant.configuration.connections(instant.state) if item.name == about.owner), None
         )
         ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
         if ref is None or ref.owner != name:

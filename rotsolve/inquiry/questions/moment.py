@@ -30,9 +30,9 @@ class Moment(Struct, frozen=True):
         """The body on which a connection or action acts."""
         refs = [
             ref
-            for item in self.instant.arrangement.acting(self.instant.state)
+            for item in self.instant.configuration.acting(self.instant.state)
             if item.name == owner
             for ref in item.touches()
-            if ref.owner in self.instant.arrangement.bodies
+            if ref.owner in self.instant.configuration.bodies
         ]
         return refs[-1].owner if refs else ""

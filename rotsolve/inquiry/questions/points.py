@@ -29,7 +29,7 @@ class OfPoints(Moment, frozen=True):
         """Velocity or acceleration of a point: as a vector with its size, or a component."""
         if path.quantity in INSIDE:
             return self._inside(path)
-        ride = self.instant.arrangement.ride(path.owner, self.instant.state)
+        ride = self.instant.configuration.ride(path.owner, self.instant.state)
         if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
             return self._of_rider(path)
         ref = PointRef(path.owner, path.point or "cm", path.argument)
@@ -55,7 +55,7 @@ class OfPoints(Moment, frozen=True):
     def _inside(self, path: Path) -> Meaning:
         """What acts at a cut through a rod."""
         same = (path.owner, path.point, path.argument)
-        cuts = self.instant.arrangement.mentions.cuts.items()
+        cuts = self.instant.configuration.mentions.cuts.items()
         index = next(index for index, cut in cuts if (cut.owner, cut.point, cut.argument) == same)
         cut = next((cut for cut in self.facts().cuts if cut.index == index), None)
         if cut is not None and cut.jumps and path.quantity != "bending_moment":

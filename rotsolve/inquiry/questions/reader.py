@@ -29,10 +29,10 @@ class Reader(Moment, frozen=True):
 
     def meaning(self, path: Path, term: Term | None = None) -> Meaning:
         """The meaning of a path at this instant."""
-        arrangement = self.instant.arrangement
-        if path.component == "radial" and arrangement.ride(path.owner, self.instant.state) is None:
+        configuration = self.instant.configuration
+        if path.component == "radial" and configuration.ride(path.owner, self.instant.state) is None:
             raise NotYet(f"`{path.owner}` slides along no other body: it has no radial velocity")
-        if path.owner in arrangement.bodies:
+        if path.owner in configuration.bodies:
             points = OfPoints(self.instant, self.facts)
             bodies = OfBodies(self.instant, self.facts)
             found = points.of_point(path) if points.at_point(path) else bodies.of_body(path, term)
@@ -62,9 +62,9 @@ class Reader(Moment, frozen=True):
         if path.component in ("x", "y"):
             return ("right", "left") if path.component == "x" else ("up", "down")
         if path.quantity in ("torque", "angular_momentum"):
-            name = path.owner if path.owner in self.instant.arrangement.bodies else self._turned_by(path.owner)
+            name = path.owner if path.owner in self.instant.configuration.bodies else self._turned_by(path.owner)
             return self.instant.turn_words(self.instant.host(name)) if name else ("", "")
-        if path.owner in self.instant.arrangement.bodies and not (path.point or path.component):
+        if path.owner in self.instant.configuration.bodies and not (path.point or path.component):
             return self._senses(self.instant.host(path.owner), path.quantity)
         return ("", "")
 
@@ -72,7 +72,7 @@ class Reader(Moment, frozen=True):
         """The two senses of a body's turn, or of its travel along its line."""
         if quantity in ("angular_velocity", "angular_acceleration"):
             return self.instant.turn_words(name)
-        line = self.instant.arrangement.line(name, self.instant.state)
+        line = self.instant.configuration.line(name, self.instant.state)
         return (line[1], opposite(line[1])) if line and quantity in ("velocity", "acceleration") else ("", "")
 
     def _of_system(self, path: Path) -> Formula | Meaning:

@@ -69,7 +69,7 @@ class RootChoice(Struct, frozen=True):
 
     def _on_shaft(self, name: str) -> bool:
         """Whether a letter tells the angle at which a body stands steadily on a turning shaft."""
-        if not any(state.steady for state in self.history.arrangement.timeline.states):
+        if not any(state.steady for state in self.history.configuration.timeline.states):
             return False
         from rotsolve.inquiry.swings.steady import on_shaft
 
@@ -77,7 +77,7 @@ class RootChoice(Struct, frozen=True):
 
     def _stable(self, name: str, roots: Sequence[Formula]) -> list[int]:
         """Places of the roots at which a body that stands somewhere comes back when it is displaced."""
-        if not any(state.balance or state.steady for state in self.history.arrangement.timeline.states):
+        if not any(state.balance or state.steady for state in self.history.configuration.timeline.states):
             return []
         from rotsolve.inquiry.swings.steady import stable_roots
 
@@ -100,7 +100,7 @@ class RootChoice(Struct, frozen=True):
 
     def _begun(self, when: str) -> Formula | None:
         """The time at the state before a state; 0 for the duration of a phase."""
-        timeline = self.history.arrangement.timeline
+        timeline = self.history.configuration.timeline
         if timeline.interval(when) is not None:
             return ZERO
         before = timeline.before(when) if when in timeline.order else None

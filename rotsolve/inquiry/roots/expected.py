@@ -36,7 +36,7 @@ class Expected(Struct, frozen=True):
             return self._direction(quantity.kind, quantity.owner, quantity.when, name)
         if quantity.kind == "velocity" and quantity.component == "radial":
             return self._along_carrier(quantity.owner, quantity.when, name)
-        if quantity.kind == "velocity" and quantity.when in self.history.arrangement.timeline.order:
+        if quantity.kind == "velocity" and quantity.when in self.history.configuration.timeline.order:
             return self._by_turn(name, quantity)
         if quantity.kind in ("displacement", "rotation"):
             return self._onward(quantity.kind, quantity.owner, quantity.when)
@@ -54,7 +54,7 @@ class Expected(Struct, frozen=True):
 
         After an event, or at the first state, it is the way to the angle of the next state.
         """
-        timeline = self.history.arrangement.timeline
+        timeline = self.history.configuration.timeline
         midst = state.removeprefix(GENERIC)
         if midst != state and (around := timeline.after(midst)) is not None:
             whole = "rotation" if kind == "angular_velocity" else "displacement"
@@ -105,11 +105,11 @@ class Expected(Struct, frozen=True):
 
     def _along_carrier(self, rider: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body slides along another: outwards where its distance from the axis has grown."""
-        arrangement = self.history.arrangement
-        before = arrangement.timeline.before(state) if state in arrangement.timeline.order else None
+        configuration = self.history.configuration
+        before = configuration.timeline.before(state) if state in configuration.timeline.order else None
         if before is None:
             return 0, ()
-        places = [getattr(arrangement.body(rider, when).shape, "radius", None) for when in (before.start, state)]
+        places = [getattr(configuration.body(rider, when).shape, "radius", None) for when in (before.start, state)]
         grown = self.numbers.of(places[1] - places[0]) if places[0] is not None and places[1] is not None else None
         if not grown:
             return 0, ()

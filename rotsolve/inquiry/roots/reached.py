@@ -68,7 +68,7 @@ class FirstReached(Struct, frozen=True):
 
         What is only just nudged on a circle goes its positive way.
         """
-        phase = self.history.arrangement.timeline.interval(interval)
+        phase = self.history.configuration.timeline.interval(interval)
         place = self.history.registry.quantities.get(letter)
         if phase is None:
             return None

@@ -12,8 +12,8 @@ from rotsolve.motion.instant import Instant
 
 def prescribe(instant: Instant, fixed: Fixed, *, by_motion: bool = False) -> None:
     """What a drive prescribes at a moment, and rates of it that vanish; what goes `by_motion` itself waits for what the states say."""
-    bodies = fixed.arrangement.present(instant.state)
-    drives = [drive for body in bodies for drive in fixed.arrangement.drives(body.name, instant.state)]
+    bodies = fixed.configuration.present(instant.state)
+    drives = [drive for body in bodies for drive in fixed.configuration.drives(body.name, instant.state)]
     drives = [drive for drive in drives if any(paths_in(drive.function)) == by_motion]
     for drive in drives:
         if by_motion and drive.order < 2:

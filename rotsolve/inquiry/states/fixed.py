@@ -8,19 +8,19 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 
 
 class Fixed(Struct, frozen=True):
     """Enters values into the registry; every instant is made anew, since it puts in what is fixed by then."""
 
-    arrangement: Arrangement
+    configuration: Configuration
     registry: Registry
     modes: Mapping[str, str]
 
     def instant(self, state: str, *, generic: bool = False) -> Instant:
-        return Instant(self.arrangement, self.registry, state, generic, self.modes)
+        return Instant(self.configuration, self.registry, state, generic, self.modes)
 
     def fix(self, letter: Formula, value: Formula) -> None:
         """Give a letter its value; what is no letter of the laws is known already."""

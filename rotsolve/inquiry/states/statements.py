@@ -20,8 +20,8 @@ from rotsolve.inquiry.states.carry import carry_over
 from rotsolve.inquiry.states.drives import prescribe
 from rotsolve.inquiry.states.fixed import Fixed
 from rotsolve.language.problem import Condition, Path, State
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.bodies.owndata import is_own
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.followed import marked
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -46,16 +46,16 @@ class Statements(Struct):
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
 
     @property
-    def arrangement(self) -> Arrangement:
-        return self.fixed.arrangement
+    def configuration(self) -> Configuration:
+        return self.fixed.configuration
 
     def take(self) -> list[tuple[Equation, Condition]]:
         """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             self._clock(state)
             prescribe(self.fixed.instant(state.name), self.fixed)
             prescribe(self.fixed.instant(state.name, generic=True), self.fixed)
-        for state in self.arrangement.timeline.states:
+        for state in self.configuration.timeline.states:
             check_shafts(state, self.fixed)
             carry_over(state, self.fixed)
             for condition in state.conditions:
@@ -64,22 +64,22 @@ class Statements(Struct):
                 check_steady(state, self.fixed)
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 balance(state.name, self.fixed)
-        self._as_drawn(self.fixed.instant(self.arrangement.timeline.states[0].name))
-        for state in self.arrangement.timeline.states:
+        self._as_drawn(self.fixed.instant(self.configuration.timeline.states[0].name))
+        for state in self.configuration.timeline.states:
             for generic in (False, True):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         return self.stated
 
     def _as_drawn(self, first: Instant) -> None:
         """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
-        for body in self.arrangement.present(first.state):
+        for body in self.configuration.present(first.state):
             angle = first.angle(body.name) if marked(body.name, first) else None
             if angle is not None:
                 self.fixed.fix(angle, ZERO)
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
-        fresh, before = self.fixed.instant(state.name), self.arrangement.timeline.before(state.name)
+        fresh, before = self.fixed.instant(state.name), self.configuration.timeline.before(state.name)
         if before is None:
             self.fixed.fix(fresh.time(), ZERO)
             return
@@ -100,8 +100,8 @@ class Statements(Struct):
 
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
-        if is_own(condition, self.arrangement.bodies):
-            self._check_own(state, condition)  # the arrangement has taken it
+        if is_own(condition, self.configuration.bodies):
+            self._check_own(state, condition)  # the configuration has taken it
             return
         if condition.rest:
             self._rest(state, condition)
@@ -130,7 +130,7 @@ class Statements(Struct):
             path = condition.path
             label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
             section = state
-            before = self.arrangement.timeline.before(state)
+            before = self.configuration.timeline.before(state)
             if condition.word in EXTREMES and condition.path is not None:
                 label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
                 section = before.name if before is not None else state  # it tells how long the phase takes
@@ -139,11 +139,11 @@ class Statements(Struct):
 
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""
-        after = self.arrangement.timeline.after(state.name)
+        after = self.configuration.timeline.after(state.name)
         if after is not None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
-        item = next((item for item in self.arrangement.connections(state.name) if item.name == contact), None)
-        surface = item.surface(self.arrangement, state.name) if isinstance(item, Touch) else None
+        item = next((item for item in self.configuration.connections(state.name) if item.name == contact), None)
+        surface = item.surface(self.configuration, state.name) if isinstance(item, Touch) else None
         if surface is None or not isinstance(item, Touch):
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
@@ -159,7 +159,7 @@ class Statements(Struct):
 
     def _label(self, path: Path) -> str:
         """What a stated equation is called: of one body against another, which two."""
-        item = next((item for item in self.arrangement.problem.connections if item.name == path.owner), None)
+        item = next((item for item in self.configuration.problem.connections if item.name == path.owner), None)
         if item is None or not item.between():
             return "stated"
         first, last = (spoken(ref.owner) for ref in item.between())
@@ -167,15 +167,15 @@ class Statements(Struct):
 
     def _check_own(self, state: State, condition: Condition) -> None:
         """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
-        before = self.arrangement.timeline.before(state.name)
+        before = self.configuration.timeline.before(state.name)
         if before is None or condition.path is None or condition.value is None:
             return
         name, word = condition.path.owner, condition.path.quantity
         if before.event is not None:
             raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
-        earlier = self.arrangement.body(name, before.start).mass
+        earlier = self.configuration.body(name, before.start).mass
         if word == "mass" and earlier is not None:
-            values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
+            values = {given.name: given.value for given in self.configuration.problem.givens if given.value is not None}
             try:
                 lost = evaluate(earlier - condition.value, values, digits=6).sign
             except (Undefined, ValueError):
@@ -187,7 +187,7 @@ class Statements(Struct):
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
         instant = self.fixed.instant(state)
         if path.quantity in ("displacement", "rotation"):
-            before = self.arrangement.timeline.before(state)
+            before = self.configuration.timeline.before(state)
             if before is None:
                 return ZERO
             if path.quantity == "displacement":
@@ -197,10 +197,10 @@ class Statements(Struct):
 
     def _rest(self, state: State, condition: Condition) -> None:
         instant = self.fixed.instant(state.name)
-        for body in self.arrangement.present(state.name):
+        for body in self.configuration.present(state.name):
             if condition.owner in ("all", "", body.name):
                 for rate in self.fixed.rates(instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
-        for item in self.arrangement.rides(state.name):
+        for item in self.configuration.rides(state.name):
             if condition.owner in ("all", "", item.rides[0].owner):
                 self.fixed.fix(instant.outward(item.rides[0].owner), ZERO)

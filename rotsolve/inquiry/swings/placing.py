@@ -16,7 +16,7 @@ from rotsolve.inquiry.swings.equilibrium import PLACES, SEVERAL_WAYS, stable_ang
 from rotsolve.inquiry.swings.swing import Swing, displacements, moving, places, rates
 from rotsolve.language.problem import Term
 from rotsolve.laws import groups
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.followed import swings
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -35,7 +35,7 @@ class Moments(Struct, frozen=True):
 class Placing(Struct, frozen=True):
     """Makes the moments of a swing; `values` are the numbers of the givens, by which a stable equilibrium is told."""
 
-    arrangement: Arrangement
+    configuration: Configuration
     registry: Registry
     modes: Mapping[str, str]
     values: Mapping[str, Formula]
@@ -60,7 +60,7 @@ class Placing(Struct, frozen=True):
 
     def named(self, state: str) -> Moments:
         """The moments about an equilibrium that is a state of the scene."""
-        rest = Instant(self.arrangement, self.registry, state, False, self.modes)
+        rest = Instant(self.configuration, self.registry, state, False, self.modes)
         still = free_bodies(moving(rest))
         return Moments(rest, still, self.displaced(rest, still), {})
 
@@ -73,7 +73,7 @@ class Placing(Struct, frozen=True):
             if quantity.kind in PLACES and quantity.when == rest.when:
                 self.registry.quantities[key] = replace(quantity, letter=f"{quantity.letter}0")
         troubles = {}
-        for group in groups_of(self.arrangement, still, state):
+        for group in groups_of(self.configuration, still, state):
             try:
                 root = stable_angle(still, group, self.values)
             except NotYet as trouble:
@@ -93,11 +93,11 @@ class Placing(Struct, frozen=True):
 
     def moment(self, state: str, mark: str) -> Instant:
         """A moment of swings or of their equilibrium: contacts stick, since nothing moves far."""
-        return Instant(self.arrangement, self.registry, state, True, {}, mark=mark)
+        return Instant(self.configuration, self.registry, state, True, {}, mark=mark)
 
     def state_of(self, term: Term) -> tuple[str, bool]:
         """The state about which it swings, and whether its equilibrium has to be found: a state in balance is one."""
-        states = self.arrangement.timeline.states
+        states = self.configuration.timeline.states
         balanced = [state.name for state in states if state.balance or state.steady]
         if term.at is not None:
             if term.at not in balanced:
@@ -110,7 +110,7 @@ class Placing(Struct, frozen=True):
     def group(self, moments: Moments, owner: str) -> frozenset[str]:
         """The bodies that swing together: those tied to the body named, else the only ones that a weight or spring drives back."""
         near = moments.near
-        groups = groups_of(self.arrangement, moments.still, near.state)
+        groups = groups_of(self.configuration, moments.still, near.state)
         if owner:
             host = near.host(owner)
             return next(group for group in groups if host in group)
@@ -127,14 +127,14 @@ class Placing(Struct, frozen=True):
         """The body whose coordinate tells the swing: the one named, else a hinged one, else one that travels, else the first."""
         if owner:
             return near.host(owner)
-        names = [body.name for body in self.arrangement.present(near.state) if body.name in group]
+        names = [body.name for body in self.configuration.present(near.state) if body.name in group]
         turning = [name for name in names if angle_key(near, name) in self.registry.known]
         travelling = [name for name in names if near.motion(name).kind == "line"]
         return (turning or travelling or names)[0]
 
     def hold(self, instant: Instant, words: tuple[str, ...]) -> None:
         """Put velocities, or velocities and accelerations, of all bodies to zero at a moment."""
-        for body in self.arrangement.present(instant.state):
+        for body in self.configuration.present(instant.state):
             for word in words:
                 for rate in rates(word, instant, body.name):
                     self.put(rate, ZERO)
@@ -146,7 +146,7 @@ class Placing(Struct, frozen=True):
     def displace(self, rest: Instant, still: Facts, near: Instant) -> None:
         """Place the bodies near their equilibrium: angles by the angles turned or the ways gone, springs by what their ends move apart."""
         changes = displacements(rest, near)
-        for body in self.arrangement.present(near.state):
+        for body in self.configuration.present(near.state):
             angle = self.rest_angle(rest, body.name, near)
             circle = near.orbit(body.name)
             if circle is not None and circle.radius is not None:
@@ -170,7 +170,7 @@ class Placing(Struct, frozen=True):
 
 def driven_back(name: str, near: Instant) -> bool:
     """Whether the weight of a body can drive it back: of one that hangs from a hinge, or lies on a curved surface."""
-    return swings(name, near) or (near.arrangement.heavy and near.orbit(name) is not None)
+    return swings(name, near) or (near.configuration.heavy and near.orbit(name) is not None)
 
 
 def angle_key(instant: Instant, name: str) -> str:

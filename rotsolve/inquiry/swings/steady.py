@@ -16,13 +16,13 @@ Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts 
 
 def on_shaft(name: str, history: History) -> list[Standing]:
     """Bodies that stand steadily on a turning shaft at an angle that depends on a letter."""
-    states = [state.name for state in history.arrangement.timeline.states if state.steady]
+    states = [state.name for state in history.configuration.timeline.states if state.steady]
     return [item for item in standing(name, states, history) if item[0].sweep is not None]
 
 
 def balanced(name: str, history: History) -> list[Standing]:
     """Bodies on an axis whose angle at a state in balance depends on a letter."""
-    states = [state.name for state in history.arrangement.timeline.states if state.balance]
+    states = [state.name for state in history.configuration.timeline.states if state.balance]
     return [item for item in standing(name, states, history) if item[0].motion.kind == "axis"]
 
 

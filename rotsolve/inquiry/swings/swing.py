@@ -99,7 +99,7 @@ class Swing(Struct, frozen=True, dict=True):
     @property
     def place(self) -> str:
         """The state whose equilibrium it is; nothing for that of the scene as it is at first."""
-        first = self.near.arrangement.timeline.states[0].name
+        first = self.near.configuration.timeline.states[0].name
         return "" if self.found and self.near.state == first else self.near.state
 
     @property
@@ -137,7 +137,7 @@ class Swing(Struct, frozen=True, dict=True):
 
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""
-        start = Instant(self.near.arrangement, self.near.registry, self.start, False, self.near.modes)
+        start = Instant(self.near.configuration, self.near.registry, self.start, False, self.near.modes)
         angle, rest = start.angle(self.body), self.rest.angle(self.body)
         if angle is None or rest is None or any(SEPARATOR in name for name in angle.symbols()):
             raise NotYet(f"how far `{self.body}` swings is not told", help=f"say `{self.body}.angle` at `{self.start}`")
@@ -195,7 +195,7 @@ def in_degrees(angle: Formula) -> str:
 def moving(instant: Instant) -> Instant:
     """The same moment with any small motion that the rules allow."""
     return Instant(
-        instant.arrangement, instant.registry, instant.state, instant.generic, instant.modes, True, instant.mark
+        instant.configuration, instant.registry, instant.state, instant.generic, instant.modes, True, instant.mark
     )
 
 
@@ -231,7 +231,7 @@ def displacements(rest: Instant, near: Instant) -> dict[str, Formula]:
     virtual = moving(rest)
     pairs = (
         (rate, place)
-        for body in near.arrangement.present(near.state)
+        for body in near.configuration.present(near.state)
         for rate, place in zip(rates("velocity", virtual, body.name), places(near, body.name), strict=True)
     )
     return {rate.name: place for rate, place in pairs if isinstance(rate, Symbol)}

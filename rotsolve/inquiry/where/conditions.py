@@ -127,7 +127,7 @@ def on_the_point_of_slipping(inquiry: Inquiry, find: Find) -> None:
     if condition.word not in ("sticks", "rolls"):
         raise NotYet(f"`where {condition.path.owner} is {condition.word}` is not solved yet")
     question = asked(without_condition(find), history, inquiry.letters())
-    state = find.terms[0].at if find.terms and find.terms[0].at else history.arrangement.timeline.states[-1].name
+    state = find.terms[0].at if find.terms and find.terms[0].at else history.configuration.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(history, condition.path.owner, state):
         trial = Inquiry(history, inquiry.families, spare=inquiry.spare)

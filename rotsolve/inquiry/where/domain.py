@@ -21,9 +21,9 @@ class Domain(Struct, frozen=True):
 
 def domain_of(letter: str, inquiry: Inquiry) -> Domain:
     """A place along a rod lies between its ends, an angle may be any, everything else with a dimension is positive."""
-    arrangement = inquiry.history.arrangement
-    for ref in points_of(arrangement.problem):
-        body = arrangement.bodies.get(ref.owner)
+    configuration = inquiry.history.configuration
+    for ref in points_of(configuration.problem):
+        body = configuration.bodies.get(ref.owner)
         if ref.argument == Symbol(letter) and body is not None and isinstance(body.shape, Rod):
             return Domain(ZERO, body.shape.extent())
     given = inquiry.givens[letter]

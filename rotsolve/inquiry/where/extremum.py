@@ -134,7 +134,7 @@ def function_of(inquiry: Inquiry, phrase: Find, letter: str) -> Answered:
 
 def fresh(name: str, inquiry: Inquiry) -> str:
     """A name that neither a given nor a question has."""
-    problem = inquiry.history.arrangement.problem
+    problem = inquiry.history.configuration.problem
     taken = {*inquiry.givens, *(find.name for find in problem.finds)}
     taken |= {item.asked.find.name for item in inquiry.answered}
     return next(word for word in (name, *(f"{name}_{number}" for number in range(1, 100))) if word not in taken)

@@ -15,7 +15,7 @@ from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.bodies.rigid import Piece, centre_of_mass, part_frame, pieces, place, polar, tidy
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
 
 ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
 
@@ -28,17 +28,17 @@ class Frame(Struct, frozen=True):
     cm: Vector  # from the reference
 
 
-def frame(arrangement: Arrangement, name: str, state: str) -> Frame:
+def frame(configuration: Configuration, name: str, state: str) -> Frame:
     """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-    body = arrangement.body(name, state)
+    body = configuration.body(name, state)
     items = list(pieces(body))
-    for member in arrangement.cluster(name, state):
+    for member in configuration.cluster(name, state):
         if member.host == name:
             base = locate(body, member.at)
-            offset = locate(arrangement.body(member.name, state), member.own)
-            own = frame(arrangement, member.name, state).pieces
+            offset = locate(configuration.body(member.name, state), member.own)
+            own = frame(configuration, member.name, state).pieces
             items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
-    pivot = arrangement.pivot(name, state)
+    pivot = configuration.pivot(name, state)
     centre = centre_of_mass(tuple(items))
     reference = locate(body, pivot) if pivot is not None else centre
     return Frame(tuple(items), reference, polar(tidy(centre - reference)))

@@ -20,7 +20,7 @@ from rotsolve.motion.instant import Instant
 def cuts_at(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
     """The cuts that the scene asks for; none of a rod where it is not certain on which side of the cut something acts."""
     found = []
-    for index, path in instant.arrangement.mentions.cuts.items():
+    for index, path in instant.configuration.mentions.cuts.items():
         facts = next((item for item in bodies if item.name == path.owner), None)
         section = section_of(path, index, instant) if facts is not None else None
         if facts is not None and section is not None:
@@ -32,7 +32,7 @@ def cuts_at(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
 
 def cut_free(section: Section, facts: BodyFacts, loads: Loads) -> Cut:
     """The piece with its mass and inertia, its motion, its weight, what acts on it from outside, and what acts at the cut."""
-    order, sign = section.instant.arrangement.order, loads.sign
+    order, sign = section.instant.configuration.order, loads.sign
     length = simplify(section.length - section.x, order=order) if sign > 0 else section.x
     middle = (section.x + section.length) / 2 if sign > 0 else section.x / 2
     share = simplify((section.rod.mass or ZERO) * length / section.length, order=order)
@@ -77,8 +77,8 @@ def moving_with(motion: Motion, at: Vector) -> Motion:
 
 def weights(pieces: tuple[Piece, ...], section: Section, at: Vector) -> Iterator[Force]:
     """The weights of the piece and of what is joined to it, from its centre of mass."""
-    gravity = section.instant.arrangement.problem.gravity
-    if gravity is None or not section.instant.arrangement.heavy:
+    gravity = section.instant.configuration.problem.gravity
+    if gravity is None or not section.instant.configuration.heavy:
         return
     for item in pieces:
         if item.mass != ZERO:

@@ -63,7 +63,7 @@ def section_of(path: Path, index: str, instant: Instant) -> Section | None:
 
 def compared(place: Formula, x: Formula, instant: Instant) -> int | None:
     """The sign of place − x by the numbers of the givens, else by their letters alone."""
-    problem = instant.arrangement.problem
+    problem = instant.configuration.problem
     values = {given.name: given.value for given in problem.givens if given.value is not None}
     lengths = {given.name for given in problem.givens if given.dimension == BY_WORD["length"].dimension}
     return sign_of(place - x, values, lengths)
@@ -109,9 +109,9 @@ def free_side(section: Section, facts: BodyFacts) -> Loads | None:
 
 def named_point(acting: Force | Couple, section: Section) -> PointRef | None:
     """The point at which something acts on a rod, as the scene names it; a floor that a rod lies on pushes all along it."""
-    arrangement, state = section.instant.arrangement, section.instant.state
-    supports = {ref for item in arrangement.connections(state) for ref in item.fixed_points()}
-    for item in arrangement.acting(state):
+    configuration, state = section.instant.configuration, section.instant.state
+    supports = {ref for item in configuration.connections(state) for ref in item.fixed_points()}
+    for item in configuration.acting(state):
         for ref in item.touches():
             named = ref.point is not None or ref in supports
             if item.name == acting.owner and ref.owner == section.rod.name and named:

@@ -16,10 +16,10 @@ from rotsolve.motion.timeline import Interval
 
 def height_pair(name: str, interval: Interval, first: Instant, last: Instant) -> tuple[Formula, Formula] | None:
     """Heights of a body's reference point at both ends of a phase, from a level that stays; None where geometry does not tell."""
-    if not first.arrangement.heavy:
+    if not first.configuration.heavy:
         return (ZERO, ZERO)
     line = first.line(name)
-    straight = first.motion(name).kind == "line" and first.orbit(name) is None and not first.arrangement.laid(name)
+    straight = first.motion(name).kind == "line" and first.orbit(name) is None and not first.configuration.laid(name)
     if straight and line is not None:
         rise = line[0].sin()
         return (ZERO, displacement(name, interval, first) * rise if rise != ZERO else ZERO)
@@ -29,15 +29,15 @@ def height_pair(name: str, interval: Interval, first: Instant, last: Instant) ->
 
 def height(name: str, instant: Instant) -> Formula | None:
     """Height of the reference point above a fixed level: of a pivot 0, of a centre of mass by what the body touches or hangs from."""
-    arrangement = instant.arrangement
-    if arrangement.pivot(name, instant.state) is not None:
+    configuration = instant.configuration
+    if configuration.pivot(name, instant.state) is not None:
         return ZERO
     orbit = instant.orbit(name)
     if orbit is not None:
         return height_on(orbit, name, instant)
-    for item in arrangement.connections(instant.state):
+    for item in configuration.connections(instant.state):
         if isinstance(item, Touch):
-            ref, surface = item.pair()[0], arrangement.surfaces.get(item.pair()[1].owner)
+            ref, surface = item.pair()[0], configuration.surfaces.get(item.pair()[1].owner)
             if ref.owner == name and surface is not None and surface.word == "level":
                 return negate(item.arm(instant).along(UP))
         if isinstance(item, Hinge) and len(item.hinge) == 2 and item.hinge[1].owner == name:
@@ -52,7 +52,7 @@ def height_on(orbit: Orbit, name: str, instant: Instant) -> Formula:
     if orbit.radius is None:
         return instant.ask("height", name)
     rise = heading(instant.place_on(orbit)).sin()
-    return simplify(orbit.level + orbit.radius * rise, order=instant.arrangement.order)
+    return simplify(orbit.level + orbit.radius * rise, order=instant.configuration.order)
 
 
 def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:

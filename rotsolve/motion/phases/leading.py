@@ -28,8 +28,8 @@ class Lead(Struct, frozen=True):
 
 def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: Instant) -> Lead | None:
     """The place that the values acting on a group speak of; where there are several, the rules tell the others by it."""
-    arrangement, state = middle.arrangement, middle.state
-    acting = [item for item in arrangement.acting(state) if any(ref.owner in group for ref in item.touches())]
+    configuration, state = middle.configuration, middle.state
+    acting = [item for item in configuration.acting(state) if any(ref.owner in group for ref in item.touches())]
     said = [path for item in acting for value in varying(item) for path in paths_in(value)]
     for word in PLACES:
         for _, owner, spoken in said:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.phases.heights import height_pair
 from rotsolve.motion.phases.leading import Lead, leading_place, leading_rate, stored_place
@@ -21,10 +21,10 @@ Moment = tuple[Instant, Facts]
 def passage(interval: Interval, start: Moment, end: Moment, midst: Moment) -> Passage:
     """All that the laws read about one phase."""
     (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
-    arrangement = first.arrangement
+    configuration = first.configuration
     times = (first.time(), last.time())
     duration = first.ask("time", "", when=interval.name) if times[0] != ZERO else times[1]
-    groups = groups_of(arrangement, midst_facts, interval.start)
+    groups = groups_of(configuration, midst_facts, interval.start)
     leads = leads_of(groups, start, end, midst)
     rates = {leading_rate(group, midst_facts) for group in groups}
     travels = tuple(
@@ -65,9 +65,9 @@ def leads_of(groups: Sequence[frozenset[str]], start: Moment, end: Moment, midst
     }
 
 
-def groups_of(arrangement: Arrangement, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
+def groups_of(configuration: Configuration, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
     """Bodies that move together, group by group."""
     groups: dict[frozenset[str], None] = {}
     for body in facts.bodies:
-        groups[arrangement.component(body.name, state)] = None
+        groups[configuration.component(body.name, state)] = None
     return tuple(groups)

@@ -19,11 +19,11 @@ from rotsolve.motion.timeline import Interval
 
 def travels_of(body: BodyFacts, interval: Interval, first: Instant, last: Instant, middle: Instant) -> Iterator[Travel]:
     """The coordinates of a body: along its line, and its turning."""
-    pace = first.arrangement.pace(body.name, interval.start)
+    pace = first.configuration.pace(body.name, interval.start)
     if body.motion.kind == "line":
         yield line_travel(body.name, interval, pace, first, last, middle)
     elif body.motion.kind == "plane":
-        for drive in first.arrangement.drives(body.name, interval.start):
+        for drive in first.configuration.drives(body.name, interval.start):
             if drive.component:
                 yield component_travel(drive, interval, first, last, middle)
     if body.motion.turns:
@@ -34,7 +34,7 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     """The way of a body along its line."""
     words = first.line(name)
     label = words[1] if words else ""
-    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TRAVELLING]
+    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.words == TRAVELLING]
     pace, given = (drives[0].pace, drives[0].order) if drives else (pace, None)
     places = [moment.travel("position", name, label) if given == 0 else None for moment in (first, last, middle)]
     before, after = (moment.travel("velocity", name, label) for moment in (first, last))
@@ -43,7 +43,7 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     acceleration = source.travel("acceleration", name, label)
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
-    running = so_far("displacement", name, middle) if first.arrangement.mentions.runs else None
+    running = so_far("displacement", name, middle) if first.configuration.mentions.runs else None
     ends = (places[0], places[1], places[2])
     travel = Travel(
         name,
@@ -76,7 +76,7 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
     acceleration = initial if drive.pace == "constant" else later
     places = [moment.component("position", name, axis) for moment in (first, last, middle)]
     change = displacement(name, interval, first, axis)
-    running = so_far("displacement", name, middle, axis) if first.arrangement.mentions.runs else None
+    running = so_far("displacement", name, middle, axis) if first.configuration.mentions.runs else None
     ends = (places[0], places[1], places[2])
     return Travel(
         name,
@@ -97,7 +97,7 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
 
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
     """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
-    drives = [drive for drive in first.arrangement.drives(name, interval.start) if drive.words == TURNING]
+    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.words == TURNING]
     pace = drives[0].pace if drives else pace
     before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
     source = middle if pace != "constant" else first
@@ -108,7 +108,7 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     change = rotation(name, interval, first)
     initial = first.rate("angular_acceleration", name)
     given = drives[0].order if drives else None
-    running = so_far("rotation", name, middle) if first.arrangement.mentions.runs else None
+    running = so_far("rotation", name, middle) if first.configuration.mentions.runs else None
     ends = (start, end, angles[2])
     return Travel(
         name,
@@ -175,7 +175,7 @@ def so_far(word: str, name: str, middle: Instant, component: str = "") -> Formul
 
 def angle_turned(owner: str, interval: Interval, instant: Instant) -> Formula:
     """Angle through which a body turns in a phase, or the last body of a connection against its first."""
-    item = next((item for item in instant.arrangement.connections(interval.start) if item.name == owner), None)
+    item = next((item for item in instant.configuration.connections(interval.start) if item.name == owner), None)
     if item is None or not item.between():
         return rotation(instant.host(owner), interval, instant)
     first, last = (instant.host(ref.owner) for ref in item.between())

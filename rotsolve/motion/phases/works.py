@@ -70,7 +70,7 @@ class Way(Struct, frozen=True):
         None where it varies with the speed, or in a way not told: then energy tells the work."""
         letters = effort.symbols()
         if not running(letters):
-            pace = self.first.arrangement.pace(name, self.interval.start) if at_any_time(letters) else CONSTANT
+            pace = self.first.configuration.pace(name, self.interval.start) if at_any_time(letters) else CONSTANT
             if TIME in letters or pace == TIME:
                 return Integral(effort * rate, TIME, self.first.time(), self.last.time())
             return effort * change if pace == CONSTANT else None
@@ -98,7 +98,7 @@ class Way(Struct, frozen=True):
 
 def power_of(owner: str, instant: Instant) -> Formula:
     """The power of a motor."""
-    item = next(item for item in instant.arrangement.actions(instant.state) if item.name == owner)
+    item = next(item for item in instant.configuration.actions(instant.state) if item.name == owner)
     return item.now(instant)
 
 
@@ -106,8 +106,8 @@ def named_work(owner: str, amount: Formula | None, bodies: tuple[str, ...], inte
     """The work under its own letter where the scene asks for it or fixes it, or where only energy tells it; else spelled out."""
     if (
         amount is None
-        or first.arrangement.mentions.asks(owner, "work")
-        or first.arrangement.mentions.asks(owner, "power")
+        or first.configuration.mentions.asks(owner, "work")
+        or first.configuration.mentions.asks(owner, "power")
     ):
         letter = first.ask("work", owner, when=interval.name)
         return Work(owner, letter, owner, bodies, amount)
@@ -116,18 +116,18 @@ def named_work(owner: str, amount: Formula | None, bodies: tuple[str, ...], inte
 
 def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Work]:
     """Works of inner forces that nothing is said of: of what turns one body on another, of what draws riders or arms in."""
-    connections = first.arrangement.connections(interval.start)
+    connections = first.configuration.connections(interval.start)
     for item in connections:
-        if item.between() and item.pace(first.arrangement, interval.start) == UNKNOWN:
+        if item.between() and item.pace(first.configuration, interval.start) == UNKNOWN:
             bodies = tuple(first.host(ref.owner) for ref in item.between())
             yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
-    drawn = {item.rides[0].owner: item.name for item in first.arrangement.rides(interval.start) if not item.free}
+    drawn = {item.rides[0].owner: item.name for item in first.configuration.rides(interval.start) if not item.free}
     for body in facts.bodies:
-        members = [member.name for member in first.arrangement.cluster(body.name, interval.start)]
+        members = [member.name for member in first.configuration.cluster(body.name, interval.start)]
         for name in (body.name, *members):
             owner = drawn.get(name, name)
-            own = name in drawn or (name == body.name and not first.arrangement.laid(name))
-            if own and first.arrangement.altered(name, interval.start, interval.end):
+            own = name in drawn or (name == body.name and not first.configuration.laid(name))
+            if own and first.configuration.altered(name, interval.start, interval.end):
                 yield Work(owner, first.ask("work", owner, when=interval.name), owner, (body.name,), inner=True)
 
 

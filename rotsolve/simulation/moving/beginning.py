@@ -15,7 +15,7 @@ from rotsolve.inquiry.questions import NotYet
 from rotsolve.inquiry.states import Fixed, Statements
 from rotsolve.language.problem import Condition
 from rotsolve.laws.rules import rule_equation
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 
@@ -48,11 +48,11 @@ class Beginning(Struct, frozen=True):
         facts = free_bodies(self.instant)
         said = {
             line.path.owner
-            for line in self.instant.arrangement.timeline.state(self.instant.state).conditions
+            for line in self.instant.configuration.timeline.state(self.instant.state).conditions
             if line.path is not None and line.word in ("rolls", "sticks")
         }
         rules = list(facts.rules)
-        for item in self.instant.arrangement.connections(self.instant.state):
+        for item in self.instant.configuration.connections(self.instant.state):
             rule = item.grip_rule(self.instant) if item.name in said and isinstance(item, (Touch, Rubbing)) else None
             rules += [rule] if rule is not None else []
         written = [rule_equation(rule, rule.velocity, self.instant.state) for rule in rules]
@@ -60,9 +60,9 @@ class Beginning(Struct, frozen=True):
         return (*written, *stated)
 
 
-def beginning(arrangement: Arrangement, modes: Mapping[str, str]) -> Beginning:
+def beginning(configuration: Configuration, modes: Mapping[str, str]) -> Beginning:
     """The first state of a scene."""
     registry = Registry()
-    first = arrangement.timeline.states[0].name
-    stated = Statements(Fixed(arrangement, registry, modes)).take()
-    return Beginning(Instant(arrangement, registry, first, False, modes), tuple(stated))
+    first = configuration.timeline.states[0].name
+    stated = Statements(Fixed(configuration, registry, modes)).take()
+    return Beginning(Instant(configuration, registry, first, False, modes), tuple(stated))

@@ -24,7 +24,7 @@ from rotsolve.inquiry.states import Fixed
 from rotsolve.inquiry.states.drives import prescribe
 from rotsolve.inquiry.swings.swing import rates
 from rotsolve.laws import newton, rules
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.simulation.moving.beginning import Beginning, beginning
@@ -51,18 +51,20 @@ PLACES = (
 
 
 class Compiler(Struct, dict=True):
-    """Writes the equations of motion of an arrangement in one choice of modes of its contacts.
+    """Writes the equations of motion of a configuration in one choice of modes of its contacts.
 
     `before` is the course that this one goes on from, whose angles keep their origins.
     """
 
-    arrangement: Arrangement
+    configuration: Configuration
     modes: Mapping[str, str]
     before: Course | None = None
 
     def __post_init__(self) -> None:
-        self.values = {given.name: given.value for given in self.arrangement.problem.givens if given.value is not None}
-        self.start: Beginning = beginning(self.arrangement, self.modes)
+        self.values = {
+            given.name: given.value for given in self.configuration.problem.givens if given.value is not None
+        }
+        self.start: Beginning = beginning(self.configuration, self.modes)
         self.registry, self.tape = Registry(), Tape()
         self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
         self.first: dict[str, Exact] = {TIME: ZERO}  # letters of the state -> their first values
@@ -79,10 +81,10 @@ class Compiler(Struct, dict=True):
 
     def _compiled(self) -> Course:
         with Precision(BITS):
-            bodies = [body.name for body in self.arrangement.present(self.start.instant.state)]
+            bodies = [body.name for body in self.configuration.present(self.start.instant.state)]
             self._enter_givens()
             self._set_angles(bodies)
-            fixed = Fixed(self.arrangement, self.registry, self.modes)
+            fixed = Fixed(self.configuration, self.registry, self.modes)
             for by_motion in (False, True):
                 prescribe(self._moment(), fixed, by_motion=by_motion)
             moment = self._moment()
@@ -159,7 +161,7 @@ class Compiler(Struct, dict=True):
     def _moment(self) -> Instant:
         """The moment at which all places and speeds are letters."""
         state = self.start.instant.state
-        return Instant(self.arrangement, self.registry, state, True, self.modes, mark=COURSE)
+        return Instant(self.configuration, self.registry, state, True, self.modes, mark=COURSE)
 
     def _exact(self, value: Formula) -> Exact:
         """The number that a formula of givens is; refuses letters without a number."""
@@ -189,7 +191,7 @@ class Compiler(Struct, dict=True):
         """Every angle as a number of right angles and a letter for what it is beyond."""
         moment = self._moment()
         for name in bodies:
-            driven_ = any(drive.word == "angle" for drive in self.arrangement.drives(name, moment.state))
+            driven_ = any(drive.word == "angle" for drive in self.configuration.drives(name, moment.state))
             if not driven_ and moment.angle(name) is not None:
                 self._set_angle(name, self._at_first(partial(self.start.angle, name)))
             orbit = moment.orbit(name)
@@ -222,7 +224,7 @@ class Compiler(Struct, dict=True):
                 yield f"{orbit.owner}.angle", key("angle", orbit.owner, moment.when), rate
             if motion.kind != "axis":
                 yield from self._ways(name, moment)
-            turned = key("rotation", name, GENERIC + self.arrangement.timeline.states[0].name)
+            turned = key("rotation", name, GENERIC + self.configuration.timeline.states[0].name)
             if turned in self.registry.quantities:
                 self._enter(turned, NOTHING)
                 yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
@@ -239,7 +241,7 @@ class Compiler(Struct, dict=True):
 
     def _ways(self, name: str, moment: Instant) -> Iterator[tuple[str, str, Formula]]:
         """How far a body has travelled since the first state, along its line or to the right and up."""
-        since = GENERIC + self.arrangement.timeline.states[0].name
+        since = GENERIC + self.configuration.timeline.states[0].name
         if moment.motion(name).kind == "line":
             letter = key("displacement", name, since)
             self._enter(letter, NOTHING)
@@ -367,6 +369,6 @@ def refuse_changing(facts: Facts) -> None:
             raise NotYet(f"`{rule.owner}` changes its sizes on the way: not simulated yet")
 
 
-def compiled(arrangement: Arrangement, modes: Mapping[str, str], before: Course | None = None) -> Course:
-    """The equations of motion of an arrangement, from its first state, or as they go on from a course before."""
-    return Compiler(arrangement, modes, before).compiled()
+def compiled(configuration: Configuration, modes: Mapping[str, str], before: Course | None = None) -> Course:
+    """The equations of motion of a configuration, from its first state, or as they go on from a course before."""
+    return Compiler(configuration, modes, before).compiled()

@@ -13,27 +13,27 @@ from rotsolve.core.registry import TIME
 from rotsolve.core.varying import paths_in
 from rotsolve.language.keys import keys_of
 from rotsolve.language.problem import Condition, Path, State
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 
 STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # what a state may say of a moment
 SINCE = ("rotation", "displacement")  # what counts from the first state
 
 
-def opening(arrangement: Arrangement, state: str) -> Arrangement:
+def opening(configuration: Configuration, state: str) -> Configuration:
     """The scene as it is arranged from a state on, under the name of its first one: what acts there, what is there."""
-    problem, first = arrangement.problem, arrangement.timeline.states[0]
+    problem, first = configuration.problem, configuration.timeline.states[0]
     there = {
         name
-        for body in arrangement.present(state)
-        for name in (body.name, *(member.name for member in arrangement.cluster(body.name, state)))
+        for body in configuration.present(state)
+        for name in (body.name, *(member.name for member in configuration.cluster(body.name, state)))
     }
-    return Arrangement(
+    return Configuration(
         replace(
             problem,
             bodies=tuple(body for body in problem.bodies if body.name in there),
-            connections=arrangement.connections(state),
+            connections=configuration.connections(state),
             actions=tuple(
-                replace(item, from_=None, to=None) for item in arrangement.actions(state) if item.to != state
+                replace(item, from_=None, to=None) for item in configuration.actions(state) if item.to != state
             ),
             states=(first if state == first.name else State(first.name),),
             phases=(),
@@ -44,19 +44,19 @@ def opening(arrangement: Arrangement, state: str) -> Arrangement:
     )
 
 
-def standing(arrangement: Arrangement, time: float, numbers: Mapping[str, float]) -> Arrangement:
+def standing(configuration: Configuration, time: float, numbers: Mapping[str, float]) -> Configuration:
     """The scene at a moment of its motion as a scene of its own, which starts with these places and speeds, by their names.
 
     What varies in it counts on from that moment.
     """
-    problem, first = arrangement.problem, arrangement.timeline.states[0]
+    problem, first = configuration.problem, configuration.timeline.states[0]
     conditions = tuple(
         Condition(path, Number(Fraction(number)))
         for path, number in ((path_of(name), number) for name, number in numbers.items())
         if path.quantity in STATED and (path.component or path.point) in (None, "x", "y")
     )
     state = State(first.name, conditions, span=first.span)
-    return Arrangement(
+    return Configuration(
         replace(
             problem,
             states=(state,),

@@ -49,7 +49,7 @@ class Watch(Struct, frozen=True):
 def watches(course: Course, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
     """All that may happen in a course; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
     found: list[Watch] = []
-    for rub in rubs_at(course.moment.arrangement, course.moment.state):
+    for rub in rubs_at(course.moment.configuration, course.moment.state):
         found += of_rub(rub, course, modes)
     for item in course.facts.requirements:
         if item.otherwise != "slips":
@@ -107,7 +107,7 @@ def slipping(moment: Instant, rub: Rub, sense: int) -> Facts:
     """The facts of a moment if it were just about to slip one way."""
     mode = rub.mode(sense) + (AT_MOST if rub.contact is not None or rub.pair is not None else "")
     modes = {**moment.modes, rub.key: mode}
-    return free_bodies(Instant(moment.arrangement, moment.registry, moment.state, True, modes, mark=COURSE))
+    return free_bodies(Instant(moment.configuration, moment.registry, moment.state, True, modes, mark=COURSE))
 
 
 def grip(facts: Facts, rub: Rub) -> Force | Couple | None:

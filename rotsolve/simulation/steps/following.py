@@ -11,7 +11,7 @@ from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import State
-from rotsolve.motion.arrangement import Arrangement
+from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 from rotsolve.simulation.moving.compiling import compiled
 from rotsolve.simulation.moving.course import Course
@@ -60,19 +60,19 @@ class Followed(Struct):
 class Follower(Struct, dict=True):
     """Follows a scene from its first state on."""
 
-    arrangement: Arrangement
+    configuration: Configuration
     until: float
     tolerances: Tolerances
     tell: Callable[[float], None] = lambda part: None  # is told which part has been followed
 
     def __post_init__(self) -> None:
-        first = self.arrangement.timeline.after(self.arrangement.timeline.states[0].name)
+        first = self.configuration.timeline.after(self.configuration.timeline.states[0].name)
         if first is not None and first.event is not None:
             raise NotYet(f"the motion begins with the event `{first.name}`, which is not simulated yet")
-        self.scene = opening(self.arrangement, self.arrangement.timeline.states[0].name)
+        self.scene = opening(self.configuration, self.configuration.timeline.states[0].name)
         self.found = Followed()
         self.modes = self.decided(self.scene)
-        self.ahead = list(self.arrangement.timeline.states[1:])
+        self.ahead = list(self.configuration.timeline.states[1:])
         self.courses: dict[
             object, Course
         ] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
@@ -102,14 +102,14 @@ class Follower(Struct, dict=True):
                 since = self._coordinates(course, states[0], times[0])
             before, watch = course, part.hit.watch
             for _ in part.hit.also:
-                self._rearranged(self.ahead.pop(0))
+                self._reconfigured(self.ahead.pop(0))
             course, states = self._after(watch, part, states, times)
             sides = part.sides if course is before else [{} for _ in states]
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
 
-    def decided(self, scene: Arrangement, at_rest: Collection[str] = ()) -> dict[str, str]:
+    def decided(self, scene: Configuration, at_rest: Collection[str] = ()) -> dict[str, str]:
         """Which contacts stick and which slip, decided as for any scene that starts so."""
         if not rubs(scene):
             return {}
@@ -137,7 +137,7 @@ class Follower(Struct, dict=True):
         course = part.course
         if hit.kind == BREAKS:
             self.found.ended = f"{hit.what}: what comes after that is not followed"
-        if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._rearranged(self.ahead.pop(0))):
+        if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._reconfigured(self.ahead.pop(0))):
             return course, states
         if hit.kind == SLIPS and hit.rub is not None:
             self.modes = {**self.modes, hit.rub.key: hit.mode}
@@ -166,7 +166,7 @@ class Follower(Struct, dict=True):
         """How fast all that rubs slips at a moment, where the laws tell it."""
         course = part.course
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
-            slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.arrangement)}
+            slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.configuration)}
             places = {name: place_of(course, slip) for name, slip in slips.items() if slip and told(course, slip)}
             expansion = Expansion(course.tape, list(places.values()), BALLS)
             state = {
@@ -175,13 +175,13 @@ class Follower(Struct, dict=True):
             expansion.begin({**state, course.letters[TIME]: arb(time)})
             return {name: expansion.lists[place][0] for name, place in places.items()}
 
-    def _rearranged(self, state: State) -> bool:
+    def _reconfigured(self, state: State) -> bool:
         """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
-        after = self.arrangement.timeline.after(state.name)
+        after = self.configuration.timeline.after(state.name)
         if after is not None and after.event is not None:
             self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
             return False
-        scene = opening(self.arrangement, state.name)
+        scene = opening(self.configuration, state.name)
         changed = (scene.problem.connections, scene.problem.actions) != (
             self.scene.problem.connections,
             self.scene.problem.actions,

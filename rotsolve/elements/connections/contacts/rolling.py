@@ -18,7 +18,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -54,7 +54,7 @@ class Unrolls(Touch, frozen=True):
     def lays(self, body: Body) -> bool:
         return self.unrolls[0].owner == body.name
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         return "position"
 
     def friction_facts(

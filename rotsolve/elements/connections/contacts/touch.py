@@ -20,7 +20,7 @@ from rotsolve.elements.surfaces import Curved, Level, Surface
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -51,21 +51,21 @@ class Touch(Connection, frozen=True):
         """The surfaces on which the body may be, in the order in which they join."""
         return self.pair()[1:]
 
-    def carrier(self, arrangement: Arrangement) -> str:
+    def carrier(self, configuration: Configuration) -> str:
         """The body on which it lies or rolls; '' for what does not move."""
         ref = self.places()[0]
-        return ref.owner if ref.owner in arrangement.bodies else ""
+        return ref.owner if ref.owner in configuration.bodies else ""
 
-    def surface(self, arrangement: Arrangement, state: str) -> Surface | None:
+    def surface(self, configuration: Configuration, state: str) -> Surface | None:
         """The surface on which the body is: of several the curved one where the state speaks of the contact's angle; the back of
         another body lies as that on which it travels."""
-        carrier = self.carrier(arrangement)
+        carrier = self.carrier(configuration)
         if carrier:
-            below = supporting(carrier, arrangement, state)
+            below = supporting(carrier, configuration, state)
             return replace(below, name=carrier) if below is not None else Level(carrier)
-        found = [surface for ref in self.places() if (surface := arrangement.surfaces.get(ref.owner)) is not None]
+        found = [surface for ref in self.places() if (surface := configuration.surfaces.get(ref.owner)) is not None]
         bent = [surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None]
-        if len(found) > 1 and bent and arrangement.mentions.says(state, self.name, "angle", "leaves"):
+        if len(found) > 1 and bent and configuration.mentions.says(state, self.name, "angle", "leaves"):
             return bent[0]
         return found[0] if found else None
 
@@ -75,16 +75,16 @@ class Touch(Connection, frozen=True):
         rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
         return ref.owner == body.name and (ref.point is None or ref.point in rims)
 
-    def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
+    def track(self, body: Body, configuration: Configuration, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it."""
-        surface = self.surface(arrangement, state) if self.rests(body) else None
+        surface = self.surface(configuration, state) if self.rests(body) else None
         if surface is None or isinstance(surface, Curved):
             return None
         return surface.travel(body.moves)
 
-    def orbit(self, body: Body, arrangement: Arrangement, state: str) -> Orbit | None:
+    def orbit(self, body: Body, configuration: Configuration, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
-        surface = self.surface(arrangement, state)
+        surface = self.surface(configuration, state)
         if not isinstance(surface, Curved) or not self.rests(body):
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
@@ -94,7 +94,7 @@ class Touch(Connection, frozen=True):
 
     def angle(self, instant: Instant) -> Formula:
         """Angle of the touching radius of a curved surface; for a wheel on the floor the place of a corner settles it."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
+        ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         rim = rim_radius(instant.body(ref.owner), ref.point)
         if isinstance(surface, Curved) and rim is not None and instant.orbit(ref.owner) is None:
             met = surface.met(rim)
@@ -106,22 +106,24 @@ class Touch(Connection, frozen=True):
         """Direction out of the surface where the body touches it."""
         return surface.facing(heading(self.angle(instant))) if isinstance(surface, Curved) else surface.normal
 
-    def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
+    def natural_turn(self, body: Body, configuration: Configuration, state: str) -> int:
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
-        track, surface = self.track(body, arrangement, state), self.surface(arrangement, state)
-        orbit = self.orbit(body, arrangement, state)
+        track, surface = self.track(body, configuration, state), self.surface(configuration, state)
+        orbit = self.orbit(body, configuration, state)
         if orbit is not None and isinstance(surface, Curved):
             return orbit.way if surface.outside else -orbit.way
         if track is None or surface is None:
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
-        return "constant" if self.track(arrangement.bodies[self.pair()[0].owner], arrangement, state) else "position"
+    def pace(self, configuration: Configuration, state: str) -> str:
+        return (
+            "constant" if self.track(configuration.bodies[self.pair()[0].owner], configuration, state) else "position"
+        )
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
+        ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         name = instant.host(ref.owner)
         if surface is None:
             return
@@ -152,19 +154,19 @@ class Touch(Connection, frozen=True):
 
     def arm(self, instant: Instant) -> Vector:
         """From the body's reference to its touching point."""
-        surface = self.surface(instant.arrangement, instant.state)
+        surface = self.surface(instant.configuration, instant.state)
         return NOWHERE if surface is None else contact_arm(self.pair()[0], self.normal(surface, instant), instant)
 
     def course(self, instant: Instant) -> Heading | None:
         """The body's line of travel where that runs along this surface."""
-        surface = self.surface(instant.arrangement, instant.state)
+        surface = self.surface(instant.configuration, instant.state)
         ahead = instant.motion(self.pair()[0].owner).heading
         along = surface is not None and ahead is not None and (ahead - self.normal(surface, instant)).cos() == ZERO
         return ahead if along else None
 
     def forward(self, instant: Instant) -> Heading:
         """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
-        surface = self.surface(instant.arrangement, instant.state)
+        surface = self.surface(instant.configuration, instant.state)
         return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
     def touching_velocity(self, instant: Instant) -> Vector:
@@ -173,7 +175,7 @@ class Touch(Connection, frozen=True):
 
     def ground(self, instant: Instant) -> tuple[Vector, Vector]:
         """Velocity and acceleration of what it lies on."""
-        carrier = self.carrier(instant.arrangement)
+        carrier = self.carrier(instant.configuration)
         if not carrier:
             return NOWHERE, NOWHERE
         motion = instant.motion(carrier)
@@ -181,7 +183,7 @@ class Touch(Connection, frozen=True):
 
     def grip_rule(self, instant: Instant) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
-        ref, surface = self.pair()[0], self.surface(instant.arrangement, instant.state)
+        ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         if surface is None:
             return None
         name, arm = instant.host(ref.owner), contact_arm(ref, self.normal(surface, instant), instant)
@@ -190,7 +192,7 @@ class Touch(Connection, frozen=True):
 
     def no_slip(self, label: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool) -> Rule:
         """The touching point does not move along a direction on what it touches: travel of the centre on the left."""
-        name, carrier = instant.host(self.pair()[0].owner), self.carrier(instant.arrangement)
+        name, carrier = instant.host(self.pair()[0].owner), self.carrier(instant.configuration)
         motion = instant.motion(name)
         turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
         turning = turned.times(motion.spin), turned.times(motion.spin_rate) + inward
@@ -238,16 +240,16 @@ class Touch(Connection, frozen=True):
     def both(self, force: Force, instant: Instant, words: Words) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""
         yield force
-        carrier = self.carrier(instant.arrangement)
+        carrier = self.carrier(instant.configuration)
         if carrier:
             yield replace(force, body=instant.host(carrier), direction=-force.direction, arm=NOWHERE, words=words)
 
 
-def supporting(name: str, arrangement: Arrangement, state: str) -> Surface | None:
+def supporting(name: str, configuration: Configuration, state: str) -> Surface | None:
     """The flat surface along which a body travels."""
-    for item in arrangement.connections(state):
-        if isinstance(item, Touch) and item.track(arrangement.bodies[name], arrangement, state) is not None:
-            return item.surface(arrangement, state)
+    for item in configuration.connections(state):
+        if isinstance(item, Touch) and item.track(configuration.bodies[name], configuration, state) is not None:
+            return item.surface(configuration, state)
     return None
 
 

@@ -21,7 +21,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -44,7 +44,7 @@ class Drapes(Connection, frozen=True):
     )
     wound: bool = key("flag", "the rest of the rope is wound on the wheel and does not hang", default=False)
 
-    def track(self, body: Body, arrangement: Arrangement, state: str) -> tuple[Heading, str] | None:
+    def track(self, body: Body, configuration: Configuration, state: str) -> tuple[Heading, str] | None:
         """The rope travels to the side where it runs down: right, or left where its body says so."""
         if body.name != self.drapes[0].owner:
             return None
@@ -56,14 +56,14 @@ class Drapes(Connection, frozen=True):
     def weighs(self, body: Body) -> bool:
         return body.name == self.drapes[0].owner
 
-    def natural_turn(self, body: Body, arrangement: Arrangement, state: str) -> int:
+    def natural_turn(self, body: Body, configuration: Configuration, state: str) -> int:
         """A rope that goes over to the right turns its wheel clockwise."""
         if body.name != self.drapes[1].owner:
             return 0
-        track = self.track(arrangement.bodies[self.drapes[0].owner], arrangement, state)
+        track = self.track(configuration.bodies[self.drapes[0].owner], configuration, state)
         return 1 if track is not None and track[0] == LEFT else -1
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         return "position"
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
@@ -73,9 +73,9 @@ class Drapes(Connection, frozen=True):
         if rest != ZERO:
             words = (rest, " ≥ 0: the rope still reaches back")
             yield Requirement(self.name, rest, ZERO, words, "the rope's other end has run off")
-        if instant.arrangement.heavy:
+        if instant.configuration.heavy:
             yield from self.weights(hanging, rest, instant)
-        if self.drapes[1].owner in instant.arrangement.bodies:
+        if self.drapes[1].owner in instant.configuration.bodies:
             yield from self.grip(instant)
         for load in self.drapes[2:]:
             yield from self.tied(load, instant)
@@ -84,7 +84,7 @@ class Drapes(Connection, frozen=True):
         return instant.body(self.drapes[0].owner)
 
     def heading(self, instant: Instant) -> tuple[Heading, str]:
-        track = self.track(self.rope(instant), instant.arrangement, instant.state)
+        track = self.track(self.rope(instant), instant.configuration, instant.state)
         assert track is not None
         return track
 
@@ -93,17 +93,17 @@ class Drapes(Connection, frozen=True):
         shape, over = self.rope(instant).shape, self.drapes[1]
         length = shape.length if isinstance(shape, Rope) and shape.length is not None else ZERO
         rest = length - hanging
-        if not self.wound and over.owner in instant.arrangement.bodies:
+        if not self.wound and over.owner in instant.configuration.bodies:
             rest = rest - PI * (rim_radius(instant.body(over.owner), over.point) or ZERO)
-        return simplify(rest, order=instant.arrangement.order)
+        return simplify(rest, order=instant.configuration.order)
 
     def weights(self, hanging: Formula, rest: Formula, instant: Instant) -> Iterator[Fact]:
         """λ g b forward and λ g a back, with the energies −½ λ g b² and −½ λ g a² below the top."""
         rope, forward = self.rope(instant), self.heading(instant)[0]
-        shape, gravity = rope.shape, instant.arrangement.problem.gravity or ZERO
+        shape, gravity = rope.shape, instant.configuration.problem.gravity or ZERO
         assert isinstance(shape, Rope) and shape.length is not None
         over = self.drapes[1].owner
-        lies = self.wound or (over in instant.arrangement.surfaces and over != "ground")
+        lies = self.wound or (over in instant.configuration.surfaces and over != "ground")
         parts = [(hanging, forward, "of the part that hangs, forward")]
         if not lies:
             parts.append((rest, forward.turned(180), "of the part on the other side, back"))

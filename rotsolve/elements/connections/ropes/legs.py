@@ -68,23 +68,23 @@ class Course(Struct, frozen=True, dict=True):
         pulled = self.pulls.get(ref.owner)
         if pulled is not None:
             return unit(WORDS[pulled])
-        arrangement = self.instant.arrangement
-        surface = arrangement.surfaces.get(self.along or "")
+        configuration = self.instant.configuration
+        surface = configuration.surfaces.get(self.along or "")
         if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
-            return unit(uphill(surface) if ref.owner in arrangement.bodies else uphill(surface).turned(180))
+            return unit(uphill(surface) if ref.owner in configuration.bodies else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
-        if isinstance(arrangement.surfaces.get(ref.owner), Wall):
-            return unit(arrangement.surfaces[ref.owner].normal)
+        if isinstance(configuration.surfaces.get(ref.owner), Wall):
+            return unit(configuration.surfaces[ref.owner].normal)
         geometric = between(ref, neighbour, self.instant)
         if geometric is not None:
             return geometric
-        return self.leaving_mover(index, other) if ref.owner in arrangement.bodies else None
+        return self.leaving_mover(index, other) if ref.owner in configuration.bodies else None
 
     def travels(self, owner: str, surface: Surface) -> bool:
         """Whether a body travels along a surface."""
         instant = self.instant
-        line = instant.line(instant.host(owner)) if owner in instant.arrangement.bodies else None
+        line = instant.line(instant.host(owner)) if owner in instant.configuration.bodies else None
         return line is not None and (line[0] - uphill(surface)).sin() == ZERO
 
     def leaving_mover(self, index: int, other: int) -> Vector | None:
@@ -96,10 +96,10 @@ class Course(Struct, frozen=True, dict=True):
         ref, neighbour = self.points[index], self.points[other]
         line = self.instant.line(self.instant.host(ref.owner))
         if line is None:
-            hinged = ref.point not in (None, "rim", "center") and self.instant.arrangement.heavy
+            hinged = ref.point not in (None, "rim", "center") and self.instant.configuration.heavy
             if not hinged or self.wraps(index):
                 return None
-            hanging = neighbour.owner in self.instant.arrangement.bodies and self.same_line(other)
+            hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
             return unit(DOWN if hanging else UP)
         direction, words = line
         if words.endswith("slope"):
@@ -110,18 +110,18 @@ class Course(Struct, frozen=True, dict=True):
             if index in (0, len(self.points) - 1):
                 return None if neighbour.owner == "ceiling" else unit(UP)
             return unit(UP if ref.owner in self.under else DOWN)
-        lower = other > index and neighbour.owner in self.instant.arrangement.bodies and self.same_line(other)
+        lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
         return unit(DOWN if lower else UP)
 
     def same_line(self, index: int) -> bool:
         """Whether a neighbour hangs below: it travels too and the string does not go round it."""
         owner = self.points[index].owner
-        return self.instant.arrangement.line(owner, self.instant.state) is not None and not self.wraps(index)
+        return self.instant.configuration.line(owner, self.instant.state) is not None and not self.wraps(index)
 
     def wraps(self, index: int) -> bool:
         """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
         ref = self.points[index]
-        if ref.owner not in self.instant.arrangement.bodies or not self.instant.is_round(ref.owner):
+        if ref.owner not in self.instant.configuration.bodies or not self.instant.is_round(ref.owner):
             return False
         radii = {name for name, _ in self.instant.body(ref.owner).radii} | {"inner", "outer"}
         return ref.point is None or ref.point == "rim" or ref.point in radii
@@ -129,7 +129,7 @@ class Course(Struct, frozen=True, dict=True):
     def meeting(self, station: int, along: list[Vector], leg: int) -> Vector:
         """Where a leg meets a body: the tangent point of a rim, on the left of the running string when it turns clockwise."""
         ref = self.points[station]
-        if ref.owner not in self.instant.arrangement.bodies:
+        if ref.owner not in self.instant.configuration.bodies:
             return Vector()
         if not self.wraps(station):
             return self.instant.point(ref)
@@ -151,7 +151,7 @@ class Course(Struct, frozen=True, dict=True):
             return False
         name = self.instant.host(self.points[station].owner)
         weightless = all(piece.moment == ZERO for piece in self.instant.frame(name).pieces)
-        return weightless and not self.instant.arrangement.driven(name, self.instant.state)
+        return weightless and not self.instant.configuration.driven(name, self.instant.state)
 
     def strands(self) -> tuple[tuple[Leg, ...], ...]:
         """Runs of legs with one tension: cut at every pulley that has inertia."""
@@ -169,7 +169,7 @@ class Course(Struct, frozen=True, dict=True):
         for leg, side in stations:
             ref = (leg.first, leg.second)[side]
             index = self.points.index(ref)
-            if ref.owner in self.instant.arrangement.bodies and not self.wraps(index):
+            if ref.owner in self.instant.configuration.bodies and not self.wraps(index):
                 return ref.owner
         return strand[0].first.owner or strand[0].second.owner
 

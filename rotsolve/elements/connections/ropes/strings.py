@@ -21,7 +21,7 @@ from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
 
 if TYPE_CHECKING:
-    from rotsolve.motion.arrangement import Arrangement
+    from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
 
 
@@ -64,12 +64,12 @@ class String(Connection, frozen=True):
         ends = (self.string[0], self.string[-1])
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in ends)
 
-    def pace(self, arrangement: Arrangement, state: str) -> str:
+    def pace(self, configuration: Configuration, state: str) -> str:
         """Constant while all its legs keep their directions: bodies on lines and wheels turning about their centres."""
         for ref in self.string:
-            if ref.owner in arrangement.bodies and arrangement.line(ref.owner, state) is None:
-                pivot = arrangement.pivot(ref.owner, state)
-                if pivot is None or not arrangement.balanced(ref.owner, state):
+            if ref.owner in configuration.bodies and configuration.line(ref.owner, state) is None:
+                pivot = configuration.pivot(ref.owner, state)
+                if pivot is None or not configuration.balanced(ref.owner, state):
                     return "position"
         return "constant"
 
@@ -102,13 +102,13 @@ class String(Connection, frozen=True):
         """The tension of a strand, named after the body that it ends at where the string has several."""
         instant = course.instant
         component = "" if len(strand) == len(course.legs) else course.end_of(strand)
-        owner = next(ref.owner for ref in self.string if ref.owner in instant.arrangement.bodies)
+        owner = next(ref.owner for ref in self.string if ref.owner in instant.configuration.bodies)
         return instant.ask("tension", self.name, when=instant.span(instant.host(owner)), component=component)
 
     def pulls_of(self, leg: Leg, tension: Formula, instant: Instant) -> Iterator[Force]:
         """The tension on the bodies at both ends of a leg."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
-            if ref.owner in instant.arrangement.bodies:
+            if ref.owner in instant.configuration.bodies:
                 words = (
                     "tension ",
                     tension,
@@ -130,7 +130,7 @@ class String(Connection, frozen=True):
                 ref.owner: None
                 for leg in strand
                 for ref in (leg.first, leg.second)
-                if ref.owner in instant.arrangement.bodies
+                if ref.owner in instant.configuration.bodies
             }
         )
         turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
@@ -143,15 +143,15 @@ class String(Connection, frozen=True):
             bodies,
             sides[0],
             sides[1],
-            linear=self.pace(instant.arrangement, instant.state) == "constant",
+            linear=self.pace(instant.configuration, instant.state) == "constant",
         )
 
 
 def velocity_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
     """Velocity of the point of a body at an arm from its reference; the ground is at rest."""
-    return instant.motion(ref.owner).velocity_of(arm) if ref.owner in instant.arrangement.bodies else Vector()
+    return instant.motion(ref.owner).velocity_of(arm) if ref.owner in instant.configuration.bodies else Vector()
 
 
 def acceleration_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
     """Acceleration along a leg; a rim's centripetal part does not feed the string, which leaves it on a tangent."""
-    return instant.motion(ref.owner).acceleration_of(arm) if ref.owner in instant.arrangement.bodies else Vector()
+    return instant.motion(ref.owner).acceleration_of(arm) if ref.owner in instant.configuration.bodies else Vector()

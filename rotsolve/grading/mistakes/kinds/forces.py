@@ -82,9 +82,9 @@ def weight_at_end(scene: Scene) -> Made:
     """The arm L for ½ L of a rod that is hinged at its end."""
     first = scene.moments[0].state
     for name in each(
-        name for name in pulled(scene, "weight") if shape_of(scene.arrangement.bodies[name]).word == "rod"
+        name for name in pulled(scene, "weight") if shape_of(scene.configuration.bodies[name]).word == "rod"
     ):
-        held = scene.arrangement.pivot(name, first)
+        held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end"):
             words = f"the weight of the {spoken(name)} was taken to act at its end"
             yield words, Change(altered=of_forces((name,), farther))
@@ -93,8 +93,8 @@ def weight_at_end(scene: Scene) -> Made:
 def mass_at_end(scene: Scene) -> Made:
     """I = m L² and the weight at L, of a rod that is hinged at its end."""
     first = scene.moments[0].state
-    for name in each(name for name, body in scene.arrangement.bodies.items() if shape_of(body).word == "rod"):
-        held = scene.arrangement.pivot(name, first)
+    for name in each(name for name, body in scene.configuration.bodies.items() if shape_of(body).word == "rod"):
+        held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end") and name in scene.bodies:
             yield (
                 f"the {spoken(name)} was taken as a point mass at its end",

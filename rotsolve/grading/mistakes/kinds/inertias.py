@@ -45,9 +45,9 @@ def has_inertia(body: BodyFacts) -> bool:
 
 def turning(scene: Scene) -> Iterator[BodyFacts]:
     """The bodies that turn, and are never joined to another, so that their moment of inertia is theirs alone."""
-    states = [state.name for state in scene.arrangement.timeline.states]
+    states = [state.name for state in scene.configuration.timeline.states]
     joined = {
-        name for state in states for member in scene.arrangement.members(state) for name in (member.name, member.host)
+        name for state in states for member in scene.configuration.members(state) for name in (member.name, member.host)
     }
     return (body for body in scene.bodies.values() if has_inertia(body) and body.name not in joined)
 
@@ -130,7 +130,7 @@ def about_axis(scene: Scene, share: Callable[[Formula, Formula], Formula]) -> Ca
             return body
         frame = scene.history.instant(facts.state).frame(body.name)
         terms = [share(piece.moment, moved(piece, frame.reference)) for piece in frame.pieces]
-        formula = simplify(total(terms), order=scene.arrangement.order)
+        formula = simplify(total(terms), order=scene.configuration.order)
         return replace(body, inertia=Inertia(formula, formula, ""))
 
     def moved(piece: Piece, reference: Vector) -> Formula:

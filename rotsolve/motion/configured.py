@@ -1,4 +1,4 @@
-"""Arranged: a problem that has been read, made ready for the laws; refused where a value in it can not be."""
+"""Configured: a problem that has been read, made ready for the laws; refused where a value in it can not be."""
 
 from __future__ import annotations
 
@@ -7,25 +7,25 @@ from collections.abc import Iterator
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.language.problem import Problem
-from rotsolve.motion.arrangement import Arrangement
 from rotsolve.motion.checks.varying import check_values
 from rotsolve.motion.complete import completed
+from rotsolve.motion.configuration import Configuration
 
 
-def arranged(problem: Problem) -> Arrangement:
+def configured(problem: Problem) -> Configuration:
     """The problem with letters for what it leaves out; refused where a value in it can not be."""
     try:
-        arrangement = Arrangement(completed(problem))
-        check_values(arrangement)
+        configuration = Configuration(completed(problem))
+        check_values(configuration)
     except Unsolvable as error:
         fault = error.fault
         raise Unsolvable(
             fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
         ) from None
-    faults = list(negative_inertia(arrangement.problem))
+    faults = list(negative_inertia(configuration.problem))
     if faults:
         raise SceneError(faults, problem.lines, problem.file)
-    return arrangement
+    return configuration
 
 
 def negative_inertia(problem: Problem) -> Iterator[Fault]:

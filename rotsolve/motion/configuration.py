@@ -1,4 +1,4 @@
-"""Arrangement: which connections act at which state, which bodies are joined into one, and how each can move."""
+"""Configuration: which connections act at which state, which bodies are joined into one, and how each can move."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration
 
 
-class Arrangement(Struct, frozen=True, dict=True):
+class Configuration(Struct, frozen=True, dict=True):
     """A problem with its timeline; answers what is connected to what at each state.
 
     `alteration` is what is changed on purpose in what the laws say of it; nothing, save where a mistake is looked for.
