@@ -15,13 +15,13 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.configured import configured
 from rotsolve.scene.moment import read_seconds
 from rotsolve.scene.read import read_source
-from rotsolve.simulation.moving.compiling import compiled
-from rotsolve.simulation.moving.watches import watches
+from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.compiling import compiled
+from rotsolve.simulation.enclosing import enclosed
+from rotsolve.simulation.following import Event, Followed, Follower
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.steps.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
-from rotsolve.simulation.steps.enclosing import enclosed
-from rotsolve.simulation.steps.following import Event, Followed, Follower
-from rotsolve.simulation.steps.taylor import Unbounded
+from rotsolve.simulation.taylor import Unbounded
+from rotsolve.simulation.watches import watches
 
 FINEST = 2e-17  # tolerance of a step in floats below which nothing is gained
 OF_FLOATS = 1e-14  # accuracy that floats can give: their roundings alone come to a fifth of it

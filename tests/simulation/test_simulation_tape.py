@@ -12,10 +12,10 @@ from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.simulation.tape.harmonics import reduced
-from rotsolve.simulation.tape.linear import Contradictory, Linear
-from rotsolve.simulation.tape.series import FLOATS, Expansion, rough_value
-from rotsolve.simulation.tape.tape import BITS, Tape, Unwritable
+from rotsolve.algebra.tape import BITS, Tape, Unwritable
+from rotsolve.simulation.harmonics import reduced
+from rotsolve.simulation.linear import Contradictory, Linear
+from rotsolve.simulation.series import FLOATS, Expansion, rough_value
 
 m = mpmath
 SAME = {  # formulas, and what they mean

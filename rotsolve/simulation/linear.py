@@ -7,8 +7,8 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Negative, Product, Quotient, Sum, Symbol
-from rotsolve.simulation.tape.harmonics import reduced
-from rotsolve.simulation.tape.tape import ONE, ZERO, Block, Tape, Unwritable, vanishes
+from rotsolve.algebra.tape import ONE, ZERO, Block, Tape, Unwritable, vanishes
+from rotsolve.simulation.harmonics import reduced
 
 REST = ""  # stands for the part without unknowns
 Row = dict[str, int]  # unknown -> place of its coefficient; REST -> place of the rest; they add up to zero

@@ -17,6 +17,7 @@ from rotsolve.algebra.certified.ball import Precision, resolve
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
 from rotsolve.algebra.formula import ZERO as NOTHING
+from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
 from rotsolve.inquiry.questions import NotYet
@@ -27,14 +28,21 @@ from rotsolve.laws import newton, rules
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.simulation.moving.beginning import Beginning, beginning
-from rotsolve.simulation.moving.consistent import check_rules
-from rotsolve.simulation.moving.course import Course, Variable
-from rotsolve.simulation.moving.names import component_of, key, letters_in, path, refusal, said
-from rotsolve.simulation.moving.told import told_by_others
-from rotsolve.simulation.tape.linear import Contradictory, Linear, Row
-from rotsolve.simulation.tape.series import rough_value
-from rotsolve.simulation.tape.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
+from rotsolve.simulation.beginning import Beginning, beginning
+from rotsolve.simulation.course import (
+    Course,
+    Variable,
+    check_rules,
+    component_of,
+    key,
+    letters_in,
+    path,
+    refusal,
+    said,
+    told_by_others,
+)
+from rotsolve.simulation.linear import Contradictory, Linear, Row
+from rotsolve.simulation.series import rough_value
 
 RIGHT_ANGLE = PI / 2
 PLACES = (

@@ -10,12 +10,12 @@ from collections.abc import Callable, Sequence
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.simulation.moving.course import Course
-from rotsolve.simulation.moving.watches import REACHED, Watch
-from rotsolve.simulation.steps.bounded import Stretch, Tolerances, Unsettled
-from rotsolve.simulation.steps.taylor import Motion, Piece, Stepper, Unbounded, value
-from rotsolve.simulation.tape.series import BALLS, Expansion
-from rotsolve.simulation.tape.tape import Scalar
+from rotsolve.algebra.tape import Scalar
+from rotsolve.simulation.bounded import Stretch, Tolerances, Unsettled
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.taylor import Motion, Piece, Stepper, Unbounded, value
+from rotsolve.simulation.watches import REACHED, Watch
 
 BITS_AN_ORDER = 3.5  # by measurement
 ROOM = 1.25  # how much larger than it should be the box is tried

@@ -17,13 +17,12 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.algebra.tape import Scalar
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.moving.course import Course
-from rotsolve.simulation.moving.watches import Watch
-from rotsolve.simulation.steps.crossing import Hit, Lookout
-from rotsolve.simulation.steps.taylor import Motion, Stepper, Walker, order_for, value
-from rotsolve.simulation.tape.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
-from rotsolve.simulation.tape.tape import Scalar
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for, value
+from rotsolve.simulation.watches import Hit, Lookout, Watch
 
 ROUNDING = 2.0**-49  # of the terms of a polynomial: what working it out may add
 LOOKS = 64  # moments at which quantities that are no numbers of the state are compared, where all so far count

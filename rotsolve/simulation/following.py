@@ -8,16 +8,14 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
+from rotsolve.algebra.tape import Exact, Scalar
 from rotsolve.core.registry import TIME
 from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
-from rotsolve.simulation.moving.compiling import compiled
-from rotsolve.simulation.moving.course import Course
-from rotsolve.simulation.moving.opening import opening, standing
-from rotsolve.simulation.moving.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, place_of, told, watches
-from rotsolve.simulation.steps.bounded import (
+from rotsolve.simulation.beginning import opening, standing
+from rotsolve.simulation.bounded import (
     FLOAT_BITS,
     SAFETY,
     Reading,
@@ -31,8 +29,10 @@ from rotsolve.simulation.steps.bounded import (
     start_of,
     stretch,
 )
-from rotsolve.simulation.tape.series import BALLS, Expansion
-from rotsolve.simulation.tape.tape import Exact, Scalar
+from rotsolve.simulation.compiling import compiled
+from rotsolve.simulation.course import Course
+from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, place_of, told, watches
 
 READING_BITS = 192
 STEPS_LEAVE_OUT = 100.0  # times their tolerance: how far an event may be from its moment by what the steps leave out

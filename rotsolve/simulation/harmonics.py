@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.flints import fmpq
-from rotsolve.simulation.tape.series import needed
-from rotsolve.simulation.tape.tape import HALF, ONE, ZERO, Exact, Tape, vanishes
+from rotsolve.algebra.tape import HALF, ONE, ZERO, Exact, Tape, vanishes
+from rotsolve.simulation.series import needed
 
 MOST_TERMS = 60  # a longer sum is left as it was
 DEAR = ("times", "over", "power", "sin", "exp", "log", "atan", "asin", "acos")  # each costs a sum of products an order

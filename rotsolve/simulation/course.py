@@ -1,0 +1,188 @@
+"""Course: a scene as it moves: a tape, the numbers of its state with their rates, and all that can be told of it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from msgspec import Struct
+
+from rotsolve.algebra.tape import ONE, Exact, Tape, Unwritable, vanishes
+from rotsolve.core.facts import Facts
+from rotsolve.core.registry import SEPARATOR, TIME, Registry
+from rotsolve.inquiry.questions import NotYet
+from rotsolve.motion.instant import Instant
+from rotsolve.simulation.series import FLOATS, Expansion, nearest, needed
+
+
+class Variable(Struct, frozen=True):
+    """One number of the state of motion: its name, its letter, its first value, and the place of its rate on the tape.
+
+    An angle is counted from `origin` right angles, so that close to the vertical or level no digits are lost.
+    """
+
+    name: str
+    letter: str
+    start: Exact
+    rate: int
+    origin: int = 0
+
+
+class Course(Struct, frozen=True):
+    """A scene as it moves: a tape, the numbers of its state, and all that can be told of it by the state.
+
+    `outputs` are places on the tape by names; `letters` those of all letters of the laws.
+    """
+
+    tape: Tape
+    variables: tuple[Variable, ...]
+    outputs: Mapping[str, int]
+    letters: Mapping[str, int]
+    facts: Facts
+    moment: Instant
+
+
+def key(word: str, owner: str, when: str, component: str = "") -> str:
+    return SEPARATOR.join((word, owner, component, when))
+
+
+def letters_in(tape: Tape, *places: int) -> set[str]:
+    """The letters on which values rest."""
+    found = (tape.operations[place] for place in needed(tape, places))
+    return {operation.name for operation in found if operation.kind == "letter"}
+
+
+def component_of(letter: str) -> str:
+    return letter.split(SEPARATOR)[2]
+
+
+def path(letter: str) -> str:
+    """The name of a quantity as the scene language writes it: `block.velocity`, `pivot.force.x`, `string.block.tension`."""
+    word, owner, component, _ = letter.split(SEPARATOR)
+    if word == "tension" and component:
+        return f"{owner}.{component}.{word}"
+    return ".".join(filter(None, (owner, word, component)))
+
+
+def said(letter: str, registry: Registry) -> str:
+    """A quantity in words."""
+    return f"`{path(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
+
+
+def refusal(error: Unwritable, registry: Registry) -> NotYet:
+    """What can not be simulated, by its name."""
+    letter = str(error)
+    if letter in registry.quantities:
+        return NotYet(f"how `{path(letter)}` runs in time is not told")
+    if SEPARATOR not in letter and " " not in letter:
+        return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
+    return NotYet(f"{letter} is not simulated yet")
+
+
+ANTIDERIVATIVES: Mapping[str, tuple[str, Exact]] = {"cos": ("sin", ONE), "sin": ("cos", -ONE)}
+
+
+def told_by_others(
+    tape: Tape, variables: Sequence[Variable], letters: Mapping[str, int], used: Collection[str]
+) -> dict[str, int]:
+    """The places on the tape of those numbers of a state that others tell at any moment; what is `used` stays."""
+    found: dict[str, int] = {}
+    holding: set[str] = set()  # numbers by which others are told
+    for item in variables:
+        if item.letter in holding or item.letter in used:
+            continue
+        others = {other.rate: other for other in variables if other is not item and other.letter not in found}
+        place = antiderivative(tape, item.rate, others, letters)
+        if place is not None:
+            start = at_first(tape, place, variables, letters)
+            found[item.letter] = tape.sum([(place, ONE), (tape.number(item.start - start), ONE)])
+            holding |= letters_in(tape, place)
+    return found
+
+
+def antiderivative(tape: Tape, rate: int, others: Mapping[int, Variable], letters: Mapping[str, int]) -> int | None:
+    """What has a rate Σ c f(φ) φ̇, f constant, a sine or a cosine; None where it is not of this form."""
+    constant, terms = tape.combination(rate)
+    if not terms or not vanishes(constant):
+        return None
+    parts: list[tuple[int, Exact]] = []
+    for place, factor in terms.items():
+        if place in others:
+            parts.append((letters[others[place].letter], factor))
+            continue
+        found = of_product(tape, place, others, letters)
+        if found is None:
+            return None
+        parts.append((found[0], factor * found[1]))
+    return tape.sum(parts)
+
+
+def of_product(
+    tape: Tape, place: int, others: Mapping[int, Variable], letters: Mapping[str, int]
+) -> tuple[int, Exact] | None:
+    """The antiderivative of cos φ φ̇ or sin φ φ̇ with its sign."""
+    operation = tape.operations[place]
+    for function, speed in (operation.values, operation.values[::-1]) if operation.kind == "times" else ():
+        inner = tape.operations[function]
+        if speed in others and inner.kind in ANTIDERIVATIVES and inner.values == (letters[others[speed].letter],):
+            kind, sign = ANTIDERIVATIVES[inner.kind]
+            return tape.function(kind, inner.values[0]), sign
+    return None
+
+
+def at_first(tape: Tape, place: int, variables: Sequence[Variable], letters: Mapping[str, int]) -> Exact:
+    """What a sum of numbers of the state, of their sines and cosines is worth at first."""
+    starts = {letters[item.letter]: item.start for item in variables}
+    total, terms = tape.combination(place)
+    for value, factor in terms.items():
+        operation = tape.operations[value]
+        number = starts[value] if value in starts else starts[operation.values[0]]
+        if operation.kind in ANTIDERIVATIVES:
+            number = tape.constant(tape.function(operation.kind, tape.number(number)))
+        total = total + factor * number
+    return total
+
+
+OFF = 1e-7  # part of the largest acceleration by which the two may differ
+ASIDE = (0.137, -0.211, 0.093, 0.171, -0.059)  # how far from the first state the rules are held against each other
+PAIRS = {"velocity": "acceleration", "angular_velocity": "angular_acceleration"}
+
+
+def check_rules(course: Course) -> None:
+    """Refuse a scene whose speeds do not change as its accelerations say, at a state near the first one."""
+    pairs = [(path(speed), place, course.letters[rate]) for speed, place, rate in speeds_of(course)]
+    places = [place for _, *both in pairs for place in both]
+    expansion = Expansion(course.tape, [*places, *(item.rate for item in course.variables)], FLOATS)
+    lists = expansion.lists
+    state = [nearest(item.start) + ASIDE[k % len(ASIDE)] for k, item in enumerate(course.variables)]
+    letters = [course.letters[item.letter] for item in course.variables]
+    try:
+        expansion.begin({**dict(zip(letters, state, strict=True)), course.letters[TIME]: ASIDE[0]})
+    except (ValueError, ZeroDivisionError, OverflowError):
+        return  # beside where it starts it is no state of the scene
+    for item, place in zip(course.variables, letters, strict=True):
+        if place in lists:
+            lists[place].append(lists[item.rate][0])
+    if course.letters[TIME] in lists:
+        lists[course.letters[TIME]].append(1.0)
+    expansion.extend(1)
+    largest = max([abs(lists[rate][0]) for *_, rate in pairs], default=0.0)
+    for name, speed, rate in pairs:
+        if abs(slope(lists[speed]) - lists[rate][0]) > OFF * largest:
+            raise NotYet(f"the rules tell `{name}` for one moment alone, not how it goes on: not simulated yet")
+
+
+def speeds_of(course: Course) -> Sequence[tuple[str, int, str]]:
+    """The speeds that are told by others, with their places and the letters of their accelerations."""
+    found = []
+    accelerations = {tuple(letter.split(SEPARATOR)[:3]): letter for letter in course.letters if SEPARATOR in letter}
+    own = {item.letter for item in course.variables}
+    for letter, place in course.letters.items():
+        word, *rest = letter.split(SEPARATOR)
+        rate = accelerations.get((PAIRS.get(word, ""), *rest[:2]))
+        if rate is not None and letter not in own:
+            found.append((letter, place, rate))
+    return found
+
+
+def slope(series: Sequence[float]) -> float:
+    return series[1] if len(series) > 1 else 0.0

@@ -1,1 +1,0 @@
-"""Steps: a motion followed step by step, twice, through all that happens."""

@@ -1,1 +1,0 @@
-"""Tape: formulas as one list of operations, what they are worth, and linear equations on it."""
