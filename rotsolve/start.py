@@ -51,7 +51,7 @@ def solve(files: list[str]) -> NoReturn:
 def check(problem: str, answers: str, *typed: str) -> NoReturn:
     """`rotsolve check PROBLEM ANSWERS` or `--answer TEXT`, all else by default."""
     with orderly():
-        from rotsolve.grading.course.command import Request, run
+        from rotsolve.grading.course.command import CheckRequest, run_check
 
-        code = run(Request(problem, answers, typed, width=page_width(None)))
+        code = run_check(CheckRequest(problem, answers, typed, width=page_width(None)))
     sys.exit(code)

@@ -68,11 +68,11 @@ def check(
       1  something wrong or undecided, or a row that could not be marked
       2  a bad problem, bad answers, or wrong usage
     """
-    from rotsolve.grading.course.command import Request, run
+    from rotsolve.grading.course.command import CheckRequest, run_check
 
     if (answers is None) == (not typed):
         raise typer.BadParameter("either a file of answers, or --answer", param_hint="'ANSWERS'")
     chosen = (output, format, variant, variants, seed, width or page_width(output))
     with orderly():
-        code = run(Request(problem, answers or "", tuple(typed or ()), *chosen))
+        code = run_check(CheckRequest(problem, answers or "", tuple(typed or ()), *chosen))
     raise typer.Exit(code)

@@ -1,12 +1,13 @@
-"""Verdict: what is said about one answer, and the papers, parts and lines that are judged. Records only."""
+"""Verdict: what a comparison finds, what is said about one answer, and the papers, parts and lines that are judged. Records only."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Words
 
 RIGHT, WRONG, UNDECIDED = "right", "wrong", "can't decide"
@@ -41,7 +42,7 @@ class Paper(Struct, frozen=True):
     variant: str = ""
 
 
-class Part(Struct, frozen=True):
+class JudgedPart(Struct, frozen=True):
     """One answer, judged: its marks of how many, and whether it is right only by the student's own earlier answers."""
 
     name: str
@@ -52,7 +53,7 @@ class Part(Struct, frozen=True):
     followed: bool = False
 
 
-class Line(Struct, frozen=True):
+class JudgedLine(Struct, frozen=True):
     """One line of working, judged; `first_wrong` marks where the working leaves the right way."""
 
     text: str
@@ -64,7 +65,40 @@ class Marked(Struct, frozen=True):
     """A paper, marked: its parts in the order of `find`, its lines of working, and the sum of the marks."""
 
     student: str
-    parts: tuple[Part, ...]
-    lines: tuple[Line, ...]
+    parts: tuple[JudgedPart, ...]
+    lines: tuple[JudgedLine, ...]
     marks: Fraction
     of: Fraction
+
+
+class Finding(Struct, frozen=True):
+    """The outcome for one reading. A wrong one with flaws is right but for them, and keeps the marks that they leave."""
+
+    outcome: str
+    remarks: tuple[Remark, ...] = ()
+    flaws: tuple[str, ...] = ()
+
+    @property
+    def right(self) -> bool:
+        return self.outcome == RIGHT
+
+
+def found(outcome: str, kind: str, *words: str | Formula, flaws: tuple[str, ...] = ()) -> Finding:
+    """A finding with one remark."""
+    return Finding(outcome, (Remark(kind, tuple(words)),), flaws)
+
+
+def outcome_of(holds: bool | None) -> str:
+    """The outcome for what is proved, disproved or neither."""
+    return UNDECIDED if holds is None else RIGHT if holds else WRONG
+
+
+def all_findings(findings: Iterable[Finding]) -> Finding:
+    """The finding for several parts: right where all are, wrong where one is; every remark and flaw once."""
+    parts = list(findings)
+    outcomes = {part.outcome for part in parts}
+    outcome = next((one for one in (WRONG, UNDECIDED) if one in outcomes), RIGHT)
+    remarks = dict.fromkeys(remark for part in parts for remark in part.remarks)
+    flawed = outcome != WRONG or all(part.flaws for part in parts if part.outcome == WRONG)
+    flaws = dict.fromkeys(flaw for part in parts for flaw in part.flaws) if flawed else {}
+    return Finding(outcome, tuple(remarks), tuple(flaws))

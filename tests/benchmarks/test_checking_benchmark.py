@@ -11,7 +11,7 @@ import pytest
 sys.path.append(str(Path(__file__).resolve().parents[2] / "benchmarks"))
 
 import checking
-from rotsolve.grading.reading import read_answer
+from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.verdict import RIGHT, WRONG
 
 
@@ -28,7 +28,7 @@ def test_some_lines_have_two_readings() -> None:
     random = Random(5)
     for subject in checking.subjects():
         line = checking.two_ways(subject, random)
-        assert len(read_answer(line, subject.judge.texts.names(subject.target.name))) > 1, line
+        assert len(read_line(line, subject.judge.texts.names(subject.target.name))) > 1, line
 
 
 def test_the_table_has_a_row_for_each_kind() -> None:

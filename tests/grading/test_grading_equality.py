@@ -16,8 +16,9 @@ import rotsolve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.notation.text import to_latex, to_text
-from rotsolve.grading.comparing.formulas.equality import Domain, same
-from rotsolve.grading.reading import Names, read_answer
+from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import Names
 from rotsolve.solution import Solution
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
@@ -55,7 +56,7 @@ def solved(problem: str) -> Solution:
 
 
 @cache
-def scene(problem: str, answer: str) -> tuple[Formula, Domain, Names, dict[str, float]]:
+def scene(problem: str, answer: str) -> tuple[Formula, SampledRegion, Names, dict[str, float]]:
     """The closed form of an answer, the domain, the letters, and the scene's numbers."""
     solution = solved(problem)
     closed = next(item.closed for item in solution.derivation.answers if item.name == answer)
@@ -63,7 +64,7 @@ def scene(problem: str, answer: str) -> tuple[Formula, Domain, Names, dict[str, 
     givens = solution.problem.givens
     values = {given.name: evaluate(given.value, solution.problem.values).float for given in givens if given.value}
     names = Names.of([given.name for given in givens], solution.answers, asked=answer)
-    return closed, Domain.of(solution), names, values
+    return closed, SampledRegion.of(solution), names, values
 
 
 def number(formula: Formula, values: Mapping[str, float]) -> float:
@@ -268,8 +269,10 @@ def test_equivalent_forms(problem: str, answer: str) -> None:
         form = equivalent(closed, random, values)
         assert number(form, values) == pytest.approx(number(closed, values), rel=1e-9), "the generator is wrong"
         text = random.choice(STYLES)(form)
-        readings = read_answer(text, names)
-        verdicts = [same(reading.formula, closed, domain) for reading in readings if reading.formula is not None]
+        readings = read_line(text, names)
+        verdicts = [
+            same_everywhere(reading.formula, closed, domain) for reading in readings if reading.formula is not None
+        ]
         assert verdicts[0] is not False, f"{text} is {to_text(closed)}"
         undecided += [text] if verdicts[0] is None else []
     assert not undecided
@@ -292,7 +295,9 @@ def test_neighbours(problem: str, answer: str) -> None:
             pass  # undefined there, so it is another formula
         found += 1
         text = random.choice(STYLES)(slip)
-        verdicts = [same(reading.formula, closed, domain) for reading in read_answer(text, names) if reading.formula]
+        verdicts = [
+            same_everywhere(reading.formula, closed, domain) for reading in read_line(text, names) if reading.formula
+        ]
         assert verdicts[0] is False, f"{text} is not {to_text(closed)}"
         assert True not in verdicts, text
 
@@ -312,15 +317,15 @@ LETTERS = Names.of(["m", "M", "R", "r", "L", "beta", "g"], ["I", "J"])
 
 
 @cache
-def letters_domain() -> Domain:
-    return Domain.of(rotsolve.solve(SCENE))
+def letters_domain() -> SampledRegion:
+    return SampledRegion.of(rotsolve.solve(SCENE))
 
 
 def compared(left: str, right: str) -> bool | None:
-    one, other = (read_answer(text, LETTERS)[0].formula for text in (left, right))
+    one, other = (read_line(text, LETTERS)[0].formula for text in (left, right))
     assert one is not None
     assert other is not None
-    return same(one, other, letters_domain())
+    return same_everywhere(one, other, letters_domain())
 
 
 def test_points_have_the_order_of_the_scene_and_both_signs() -> None:
@@ -332,7 +337,7 @@ def test_points_have_the_order_of_the_scene_and_both_signs() -> None:
 
 
 def test_points_are_always_the_same() -> None:
-    again = Domain.of(rotsolve.solve(SCENE)).points
+    again = SampledRegion.of(rotsolve.solve(SCENE)).points
     assert [str(point["R"]) for point in again] == [str(point["R"]) for point in letters_domain().points]
 
 
@@ -373,20 +378,20 @@ def test_same(left: str, right: str, verdict: bool | None) -> None:
 
 @pytest.mark.parametrize("scale", ["1e-15", "1e12"])
 def test_points_have_the_size_of_the_numbers(scale: str) -> None:
-    domain = Domain.of(
+    domain = SampledRegion.of(
         rotsolve.solve(SCENE.replace("m: 2 kg", f"m: {scale} kg").replace("M: 5 kg", f"M: 3{scale[1:]} kg"))
     )
     assert all(0.5 <= point["m"] / float(scale) <= 6 for point in domain.points)
-    one, other = (read_answer(text, LETTERS)[0].formula for text in ("½m(R²+r²)", "½M(R²+r²)"))
+    one, other = (read_line(text, LETTERS)[0].formula for text in ("½m(R²+r²)", "½M(R²+r²)"))
     assert one is not None
     assert other is not None
-    assert same(one, other, domain) is False
+    assert same_everywhere(one, other, domain) is False
 
 
 def test_undeclared_letters_are_not_judged() -> None:
-    strange = read_answer("2q", Names.of(["q"]))[0].formula
+    strange = read_line("2q", Names.of(["q"]))[0].formula
     assert strange is not None
-    assert same(strange, Symbol("m"), letters_domain()) is None
+    assert same_everywhere(strange, Symbol("m"), letters_domain()) is None
 
 
 @pytest.mark.parametrize(

@@ -13,7 +13,8 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import AnswerError, LineReading, Names
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Paper
 from rotsolve.pipeline import solve
 
@@ -83,9 +84,9 @@ HOSTILE = (
 )
 
 
-def outcome(text: str, names: Names) -> tuple[Reading, ...] | AnswerError:
+def outcome(text: str, names: Names) -> tuple[LineReading, ...] | AnswerError:
     try:
-        readings = read_answer(text, names)
+        readings = read_line(text, names)
     except AnswerError as error:
         assert 0 <= error.start <= error.end <= max(len(text), error.start), (error.start, error.end)
         assert error.message
@@ -144,7 +145,7 @@ def test_what_is_printed_is_read_again(text: str) -> None:
     for reading in found if not isinstance(found, AnswerError) else ():
         if reading.kind == "formula" and reading.formula is not None:
             echo = to_text(reading.formula)
-            again = next(item.formula for item in read_answer(echo, NAMES) if item.kind == "formula")
+            again = next(item.formula for item in read_line(echo, NAMES) if item.kind == "formula")
             assert again is not None
             alike = agree(reading.formula, again)
             assert alike or (alike is None and to_text(again) == echo), echo

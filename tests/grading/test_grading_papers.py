@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.verdict import Line, Paper, Part
+from rotsolve.grading.verdict import JudgedLine, JudgedPart, Paper
 from rotsolve.pipeline import solve
 
 HERE = Path(__file__).parent
@@ -21,13 +21,13 @@ def judge(problem: str, marking: str) -> Judge:
     return Judge(solve(f"{text}\nmarking: {marking}\n" if marking else text))
 
 
-def said_of_part(part: Part) -> str:
+def said_of_part(part: JudgedPart) -> str:
     kinds = sorted({remark.kind for remark in part.verdict.remarks})
     assert part.followed == ("followed" in kinds)
     return " ".join([part.verdict.outcome, str(part.marks), *kinds])
 
 
-def said_of_line(line: Line) -> str:
+def said_of_line(line: JudgedLine) -> str:
     kinds = sorted({remark.kind for remark in line.verdict.remarks})
     return " ".join([line.verdict.outcome, *(["first"] if line.first_wrong else []), *kinds])
 

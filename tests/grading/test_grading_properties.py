@@ -16,9 +16,9 @@ from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.comparing.numbers import Typed, near, within
+from rotsolve.grading.comparing.numbers import Typed, is_near, within_tolerance
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Paper, Part
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Paper
 from rotsolve.language.marks import Tolerance
 from rotsolve.pipeline import solve
 from rotsolve.render.voice import TEXT
@@ -46,7 +46,7 @@ def judge(problem: str) -> Judge:
     return Judge(solve(PROBLEMS / f"{problem}.yaml"))
 
 
-def part(problem: str, name: str, text: str) -> Part:
+def part(problem: str, name: str, text: str) -> JudgedPart:
     return next(item for item in judge(problem).mark(Paper("one", {name: text})).parts if item.name == name)
 
 
@@ -118,9 +118,9 @@ def test_the_edge_of_a_tolerance_is_within_and_what_is_beyond_is_not(value: Frac
     share = Fraction(percent, 1000)
     sought = evaluate(Typed(Number(value)).value, {})
     edge = value * (1 + side * share)
-    assert near(Typed(Number(edge)), sought, share=share) is True
+    assert is_near(Typed(Number(edge)), sought, share=share) is True
     beyond = edge + side * value / 10**40
-    assert near(Typed(Number(beyond)), sought, share=share) is False
+    assert is_near(Typed(Number(beyond)), sought, share=share) is False
 
 
 @pytest.mark.parametrize(
@@ -141,7 +141,7 @@ def test_the_edge_of_a_tolerance_is_within_and_what_is_beyond_is_not(value: Frac
 def test_figures(number: str, sought: str, figures: int, holds: bool) -> None:
     """Half a unit of the last figure of the answer."""
     typed, value = Typed(Number(Fraction(number))), evaluate(Number(Fraction(sought)), {})
-    assert within(typed, value, Tolerance("", figures=figures), parse_unit("m")) is holds
+    assert within_tolerance(typed, value, Tolerance("", figures=figures), parse_unit("m")) is holds
 
 
 def printed(answer: Answer) -> list[str]:

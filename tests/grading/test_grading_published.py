@@ -12,8 +12,9 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import TIME
-from rotsolve.grading.comparing.formulas.equality import Domain, same
-from rotsolve.grading.reading import Names, read_answer
+from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import Names
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").glob("*/*.yaml"))
 UNDECIDED = {
@@ -34,7 +35,7 @@ def test_published_answers(file: Path) -> None:
     published = [item for item in solution.problem.answers if item.formula is not None]
     if not published:
         return
-    domain = Domain.of(solution)
+    domain = SampledRegion.of(solution)
     assert domain.points
     closed = dict(closed_forms(solution.derivation.answers))
     givens = [given.name for given in solution.problem.givens]
@@ -43,7 +44,7 @@ def test_published_answers(file: Path) -> None:
             continue
         names = Names.of([*givens, TIME], closed, asked=item.name)
         for text in (to_text(item.formula), to_text(item.formula, unicode=False), f"${to_latex(item.formula)}$"):
-            formulas = [reading.formula for reading in read_answer(text, names) if reading.unit is None]
-            found = same(formulas[0], closed[item.name], domain) if formulas[0] is not None else None
+            formulas = [reading.formula for reading in read_line(text, names) if reading.unit is None]
+            found = same_everywhere(formulas[0], closed[item.name], domain) if formulas[0] is not None else None
             expected = None if f"{file.stem}.{item.name}" in UNDECIDED else True
             assert found is expected, f"{item.name} = {text}"

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
-from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import AnswerError, LineReading, Names
 
 TABLE = Path(__file__).parent / "readings.txt"
 _LETTERS = "m m1 m2 M g R r L h k v theta theta0 beta omega omega0 t F I mu T b alpha tau"
@@ -19,7 +20,7 @@ SECTIONS = {
 }
 
 
-def shown(reading: Reading) -> Iterator[str]:
+def shown(reading: LineReading) -> Iterator[str]:
     """A reading as lines: kind, echo, figures; components and remarks below."""
     figures = "" if reading.figures is None else f" [{reading.figures}]"
     yield f"  {reading.kind}: {reading.text}{figures}"
@@ -32,7 +33,7 @@ def shown(reading: Reading) -> Iterator[str]:
 def report(text: str, names: Names) -> str:
     """All readings of a line, or its fault with the columns and what stands there."""
     try:
-        readings = read_answer(text, names)
+        readings = read_line(text, names)
     except AnswerError as error:
         unknown = " (unknown)" if error.unknown else ""
         return f"  ! [{error.start}:{error.end}] `{text[error.start : error.end]}`{unknown}: {error}"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
+from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 
 
 @pytest.mark.parametrize(
@@ -46,7 +46,7 @@ def test_what_is_a_direction(words: str, holds: bool) -> None:
     ],
 )
 def test_whether_one_is_the_other_turned_round(one: str, other: str, turned: bool | None) -> None:
-    assert turned_round(one, other) is turned
+    assert points_other_way(one, other) is turned
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve.grading.marking.judge import Judge
-from rotsolve.grading.verdict import Paper, Part
+from rotsolve.grading.verdict import JudgedPart, Paper
 from rotsolve.pipeline import solve
 
 HERE = Path(__file__).parent
@@ -28,7 +28,7 @@ def judge(problem: str) -> Judge:
     return Judge(solve(PROBLEMS / f"{problem}.yaml"))
 
 
-def part(problem: str, name: str, text: str) -> Part:
+def part(problem: str, name: str, text: str) -> JudgedPart:
     marked = judge(problem).mark(Paper("one", {name: text}))
     return next(item for item in marked.parts if item.name == name)
 

@@ -15,7 +15,9 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.mistakes import MISTAKES, Mistake, Scene, mistakes_in, with_mistake, wrong_answers
+from rotsolve.grading.mistakes.mistake import Mistake
+from rotsolve.grading.mistakes.scene import Scene
+from rotsolve.grading.mistakes.table import MISTAKES, mistakes_in, with_mistake, wrong_answers
 from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.read import read_file, read_source
 

@@ -1,6 +1,7 @@
 """Numbers: whether a typed number is within the tolerance of the number that is sought, |x − v| ≤ margin, in certified balls.
 
-A number on the very edge is within; where neither the balls nor exact arithmetic tell, nothing is decided.
+A number on the very edge is within; where neither the balls nor exact arithmetic tell, nothing is decided. Its unit has to measure what is
+asked: a frequency in Hz counts turns, an angular velocity in rad/s counts radians. Neither stands for the other, though both are 1/s.
 """
 
 from __future__ import annotations
@@ -14,8 +15,19 @@ from rotsolve.algebra.certified.ball import Ball, Certified, Precision, Undefine
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.limits import rational
-from rotsolve.algebra.units.dimension import NONE, Dimension
-from rotsolve.algebra.units.quantities import Unit, in_unit, unit_for
+from rotsolve.algebra.units.dimension import (
+    ANGLE,
+    ANGULAR_ACCELERATION,
+    ANGULAR_VELOCITY,
+    FREQUENCY,
+    NONE,
+    Dimension,
+    describe,
+    kind_of,
+)
+from rotsolve.algebra.units.quantities import in_unit, parse_unit, unit_for
+from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
+from rotsolve.grading.verdict import Remark
 from rotsolve.language.marks import Tolerance
 
 DIGITS = (15, 40, 120, 400)  # how closely both numbers are known, until they can be told apart
@@ -91,14 +103,14 @@ class Sought(Struct, frozen=True, dict=True):
         return self.dimension == NONE
 
 
-def within(typed: Typed, value: Certified, tolerance: Tolerance, unit: Unit) -> bool | None:
+def within_tolerance(typed: Typed, value: Certified, tolerance: Tolerance, unit: Unit) -> bool | None:
     """Whether |x − v| is no more than the tolerance allows; both numbers before `unit`. None where that can't be told."""
     if tolerance.share is not None:
-        return near(typed, value, share=tolerance.share)
+        return is_near(typed, value, share=tolerance.share)
     if tolerance.amount is not None:
-        return near(typed, value, margin=in_unit(tolerance.amount, unit))
+        return is_near(typed, value, margin=in_unit(tolerance.amount, unit))
     assert tolerance.figures is not None
-    return near(typed, value, margin=Number(half_figure(value, tolerance.figures)))
+    return is_near(typed, value, margin=Number(half_figure(value, tolerance.figures)))
 
 
 def half_figure(value: Certified, figures: int) -> Fraction:
@@ -108,11 +120,11 @@ def half_figure(value: Certified, figures: int) -> Fraction:
     return HALF * Fraction(10) ** (rounded(largest, figures)[1] - figures + 1) if largest else Fraction(0)
 
 
-def near(
+def is_near(
     typed: Typed, value: Certified, *, share: Fraction = Fraction(0), margin: Formula | None = None
 ) -> bool | None:
     """Whether |x − v| ≤ share · |v|, or ≤ margin."""
-    clear = clearly(typed, value, share, margin)
+    clear = near_by_floats(typed, value, share, margin)
     if clear is not None:
         return clear
     number = evaluate(typed.value, {})
@@ -125,10 +137,10 @@ def near(
             return True
         if gap > 0:
             return False
-    return True if any(value.equals(edge) for edge in edges(typed, share, margin)) else None
+    return True if any(value.equals(edge) for edge in tolerance_edges(typed, share, margin)) else None
 
 
-def clearly(typed: Typed, value: Certified, share: Fraction, margin: Formula | None) -> bool | None:
+def near_by_floats(typed: Typed, value: Certified, share: Fraction, margin: Formula | None) -> bool | None:
     """What floats tell where they are far from the edge; None where they are not, or where the number is not known so well."""
     number = typed.rational
     exact = margin is None or isinstance(margin, Number)
@@ -147,7 +159,7 @@ def share_ball(share: Fraction) -> Ball:
     return arb(share.numerator) / share.denominator
 
 
-def edges(typed: Typed, share: Fraction, margin: Formula | None) -> Iterator[Fraction]:
+def tolerance_edges(typed: Typed, share: Fraction, margin: Formula | None) -> Iterator[Fraction]:
     """The values for which a rational number lies exactly on the edge."""
     number = typed.rational
     if number is None or not (margin is None or isinstance(margin, Number)):
@@ -162,10 +174,10 @@ def edges(typed: Typed, share: Fraction, margin: Formula | None) -> Iterator[Fra
 def rounds_to(typed: Typed, value: Certified) -> bool:
     """Whether the typed number is the other, rounded to the figures that it has."""
     half = typed.half_unit
-    return half is not None and near(typed, value, margin=Number(half)) is True
+    return half is not None and is_near(typed, value, margin=Number(half)) is True
 
 
-def number_of(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
+def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
     """The certified value of a formula; None where a letter has no value, or it has none."""
     if not value.symbols() <= values.keys():
         return None
@@ -173,3 +185,78 @@ def number_of(value: Formula, values: Mapping[str, Formula]) -> Certified | None
         return evaluate(value, values)
     except (Undefined, ZeroDivisionError):
         return None
+
+
+TURNS = ("rev", "turn", "rpm")  # units that count turns
+ALIKE = {  # units that are taken for one another
+    ANGLE: ("rad", "°", "rev"),
+    ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
+    ANGULAR_ACCELERATION: ("rad/s²", "rev/s²", "°/s²"),
+}
+
+
+class Measured(Struct, frozen=True):
+    """The unit in which a typed number is meant; or the remark on a unit that does not measure what is asked."""
+
+    unit: Unit | None = None
+    fault: Remark | None = None
+
+
+def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = False) -> Measured:
+    """How a number in the typed unit is to be taken; `turns` says that a pure number counts turns."""
+    if not typed.dimension.matches(dimension):
+        return Measured(fault=Remark("dimension", (other_dimension(typed, dimension),)))
+    if dimension.matches(FREQUENCY):
+        return measured_rate(typed, wanted, dimension)
+    if is_hertz(typed) and dimension.angle and not dimension.matches(FREQUENCY):
+        return Measured(fault=Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",)))
+    if turns and typed.dimension == ANGLE:
+        if counts_turns(typed):
+            return Measured(ONE_UNIT)
+        return Measured(fault=Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",)))
+    return Measured(typed)
+
+
+def other_dimension(typed: Unit, dimension: Dimension) -> str:
+    """What is said of a unit that measures something else."""
+    kind, asked = kind_of(typed.dimension, "frequency" if is_hertz(typed) else None), describe(dimension, article=True)
+    here = f"is the unit of {kind.words}" if kind is not None else "is the unit of something else"
+    return f"{typed.text} {here}, but {asked} is asked for"
+
+
+def measured_rate(typed: Unit, wanted: Unit, dimension: Dimension) -> Measured:
+    """Hz beside rad/s: revolutions in a second are a frequency too, radians are not, and Hz is no angular velocity."""
+    if dimension.angle and is_hertz(typed):
+        said = f"{typed.text} counts turns: it measures a frequency, and ω = 2π f is in rad/s"
+        return Measured(fault=Remark("unit", (said,)))
+    if is_hertz(wanted) and typed.dimension.angle:
+        if counts_turns(typed):
+            return Measured(Unit(typed.text, typed.scale / 2, typed.pi_power - 1, FREQUENCY))
+        said = f"{typed.text} measures an angular frequency: f = ω/(2π) is in Hz"
+        return Measured(fault=Remark("unit", (said,)))
+    return Measured(typed)
+
+
+def is_hertz(unit: Unit) -> bool:
+    return "Hz" in unit.text
+
+
+def counts_turns(unit: Unit) -> bool:
+    return any(word in unit.text for word in TURNS)
+
+
+def without_unit(wanted: Unit, si: Unit, dimension: Dimension) -> tuple[Unit, ...]:
+    """The units that a number without one may be meant in, the likeliest first."""
+    return (si, wanted) if dimension.matches(NONE) else (wanted, si)
+
+
+def may_lack(unit: Unit, dimension: Dimension) -> bool:
+    """Whether a unit may be left out: radians may, where there is no other."""
+    return dimension.matches(NONE) and unit.scale == 1 and not unit.pi_power
+
+
+def likely_meant(typed: Unit | None, wanted: Unit, si: Unit, dimension: Dimension) -> tuple[Unit, ...]:
+    """Units in which a number may have been worked out, though another was written."""
+    alike = next((names for kind, names in ALIKE.items() if kind.matches(dimension)), ())
+    units = dict.fromkeys((wanted, si, *map(parse_unit, alike)))
+    return tuple(unit for unit in units if typed is None or unit.factor != typed.factor)

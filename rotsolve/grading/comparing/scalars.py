@@ -13,11 +13,19 @@ from rotsolve.algebra.certified.ball import Certified, rounded
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.comparing.finding import Finding, found, outcome_of
-from rotsolve.grading.comparing.numbers import Sought, Typed, number_of, rounds_to, within
-from rotsolve.grading.comparing.signs import right_but_for_sign, turned_round
-from rotsolve.grading.comparing.units import likely_meant, may_lack, measured, without_unit
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
+from rotsolve.grading.comparing.numbers import (
+    Sought,
+    Typed,
+    certified_number,
+    likely_meant,
+    may_lack,
+    measured_unit,
+    rounds_to,
+    within_tolerance,
+    without_unit,
+)
+from rotsolve.grading.comparing.signs import points_other_way, right_but_for_sign
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found, outcome_of
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
@@ -69,26 +77,26 @@ class Scalar(Struct, frozen=True, dict=True):
 
 def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     """The finding for a number with its unit."""
-    if typed.rational is None and number_of(typed.value, {}) is None:
+    if typed.rational is None and certified_number(typed.value, {}) is None:
         return found(UNDECIDED, "reading", "it has no value")
     sought = asked.sought
     if sought is None:
         return found(WRONG, "form", "a formula is asked for: the scene has no number for it")
     if typed.unit is None:
         return unitless_judged(typed, direction, asked, sought)
-    meant = measured(typed.unit, asked.unit, asked.dimension, asked.turns)
+    meant = measured_unit(typed.unit, asked.unit, asked.dimension, asked.turns)
     if meant.unit is None:
         assert meant.fault is not None
         return Finding(WRONG, (meant.fault,))
-    return valued(typed, meant.unit, direction, asked, sought) or slip(typed, meant.unit, asked, sought)
+    return value_judged(typed, meant.unit, direction, asked, sought) or slip(typed, meant.unit, asked, sought)
 
 
 def unitless_judged(typed: Typed, direction: str, asked: Scalar, sought: Sought) -> Finding:
     """The finding for a number without a unit, in whichever unit it is right."""
     if typed.rational == 0:
-        return valued(typed, asked.unit, direction, asked, sought) or slip(typed, asked.unit, asked, sought)
+        return value_judged(typed, asked.unit, direction, asked, sought) or slip(typed, asked.unit, asked, sought)
     for unit in without_unit(asked.unit, sought.si, asked.dimension):
-        finding = valued(typed, unit, direction, asked, sought)
+        finding = value_judged(typed, unit, direction, asked, sought)
         if finding is not None:
             return lacking_unit(finding, unit, asked)
     finding = slip(typed, asked.unit, asked, sought)
@@ -103,19 +111,19 @@ def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
     return Finding(finding.outcome, (*finding.remarks, *remark), (*finding.flaws, marks.UNIT))
 
 
-def valued(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Sought) -> Finding | None:
+def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Sought) -> Finding | None:
     """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
     value = sought.in_unit(unit)
-    turned = turned_round(direction, asked.direction) if direction and asked.direction else False
+    turned = points_other_way(direction, asked.direction) if direction and asked.direction else False
     if turned is None:
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
-    holds = within(signed, value, asked.marking.tolerance, unit)
+    holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None:
         return found(outcome_of(None), "tolerance", "it lies on the edge of the tolerance")
     if holds:
-        return well_formed(typed, value, asked)
-    if within(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
+        return form_judged(typed, value, asked)
+    if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
         return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
@@ -130,7 +138,7 @@ def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
     return typed if minus == (wanted == agrees) else typed.times(Fraction(-1))
 
 
-def well_formed(typed: Typed, value: Certified, asked: Scalar) -> Finding:
+def form_judged(typed: Typed, value: Certified, asked: Scalar) -> Finding:
     """A right number, with what its form costs: too few figures, or a number where a formula is wanted."""
     remarks: list[Remark] = []
     flaws: list[str] = []
@@ -165,10 +173,10 @@ def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:
     if rounds_to(typed, value):
         return too_few(typed)
     for other in likely_meant(typed.unit, asked.unit, sought.si, asked.dimension):
-        if within(typed, sought.in_unit(other), asked.marking.tolerance, other):
+        if within_tolerance(typed, sought.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
     for power in powers(typed, value):
-        if within(typed.times(Fraction(10) ** power), value, asked.marking.tolerance, unit):
+        if within_tolerance(typed.times(Fraction(10) ** power), value, asked.marking.tolerance, unit):
             return found(WRONG, "power", f"off by a factor of {10 ** abs(power)}: look at the prefixes of units")
     return Finding(WRONG)
 

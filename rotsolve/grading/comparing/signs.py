@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import re
 
-from rotsolve.grading.comparing.finding import Finding, found
-from rotsolve.grading.verdict import RIGHT, WRONG
+from rotsolve.grading.verdict import RIGHT, WRONG, Finding, found
 from rotsolve.language.marks import LENIENT, Marking
 
 OPPOSITE = {
@@ -15,7 +14,7 @@ OPPOSITE = {
     "inwards": "outwards",
 }
 OPPOSITE |= {other: one for one, other in OPPOSITE.items()}
-SAID = {  # other words for a direction
+SYNONYMS = {  # other words for a direction
     "anticlockwise": "counterclockwise",
     "anti-clockwise": "counterclockwise",
     "counter-clockwise": "counterclockwise",
@@ -34,22 +33,22 @@ SAID = {  # other words for a direction
     "uphill": "up",
     "downhill": "down",
 }
-SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SAID}, key=len)), re.IGNORECASE)
+SPOKEN = re.compile("|".join(sorted({*OPPOSITE, *SYNONYMS}, key=len)), re.IGNORECASE)
 BESIDE = re.compile(
     r"\b(?:i\.e\.|to the|towards the|straight|vertically|horizontally|directed|pointing|turning it|turning|and|along)(?=\W|$)|,"
 )
 WHERE = re.compile(r"\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
 
-Heading = frozenset[str]
+Directions = frozenset[str]
 
 
-def heading(words: str) -> Heading:
+def plain_directions(words: str) -> Directions:
     """A direction in words as a set of plain ones: "up and to the left" is up, left; where it is ("the slope") goes unsaid."""
     plain = WHERE.sub(" ", BESIDE.sub(" ", words.lower()))
-    return frozenset(SAID.get(word, word) for word in plain.split())
+    return frozenset(SYNONYMS.get(word, word) for word in plain.split())
 
 
-def opposite(direction: Heading) -> Heading:
+def opposite_directions(direction: Directions) -> Directions:
     """The other way."""
     return frozenset(OPPOSITE.get(word, word) for word in direction)
 
@@ -58,7 +57,7 @@ def is_direction(words: str) -> bool:
     """Whether every word says a direction."""
     if SPOKEN.search(words) is None:
         return False
-    parts = heading(words)
+    parts = plain_directions(words)
     return bool(parts) and parts <= OPPOSITE.keys()
 
 
@@ -73,10 +72,10 @@ def cut_direction(text: str) -> tuple[str, str]:
     return text, ""
 
 
-def turned_round(typed: str, sought: str) -> bool | None:
+def points_other_way(typed: str, sought: str) -> bool | None:
     """Whether a direction is the other way round, None where it is neither this nor the same."""
-    own, wanted = heading(typed), heading(sought)
-    return False if own == wanted else True if own == opposite(wanted) else None
+    own, wanted = plain_directions(typed), plain_directions(sought)
+    return False if own == wanted else True if own == opposite_directions(wanted) else None
 
 
 def right_but_for_sign(directed: bool, direction: str, positive: str, sign: int | None, marking: Marking) -> Finding:

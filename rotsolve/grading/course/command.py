@@ -3,45 +3,152 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
+from pathlib import Path
 
-from rotsolve.core.faults import SceneError
-from rotsolve.grading.course.judges import Judges
-from rotsolve.grading.course.request import BAD, Request
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.core.faults import Fault, SceneError
+from rotsolve.grading.course.examiner import Judges, NotMarked, variant_of
+from rotsolve.grading.course.report.page import Task
+from rotsolve.grading.course.report.student import student_page
+from rotsolve.grading.course.sheet import HandedInError, content_of, from_answers, read_sheet
+from rotsolve.grading.verdict import RIGHT, WRONG, Marked, Paper
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
+from rotsolve.run import coloured
 from rotsolve.run.attempt import failure, name_of, piped, source
 from rotsolve.run.scenes import PIPED
 
-__all__ = ["Request", "run"]
+ALL_RIGHT, NOT_ALL_RIGHT, BAD = 0, 1, 2
+TABLES = (".csv", ".tsv", ".tab")
+SUFFIXES = {".md": "markdown", ".markdown": "markdown", ".html": "html", ".htm": "html", ".json": "json"}
+FORMATS = ("text", "markdown", "html", "json")
+SEED = 1
 
 
-def run(request: Request) -> int:
+class CheckRequest(Struct, frozen=True):
+    """The problem, the answers in a file (`-` for standard input) or as typed, and how they are marked and shown."""
+
+    problem: str
+    answers: str = ""
+    typed: tuple[str, ...] = ()
+    output: str | None = None
+    format: str | None = None
+    variant: int | None = None
+    variants: int | None = None
+    seed: int = SEED
+    width: int = 120
+
+    @property
+    def of_class(self) -> bool:
+        """Whether the answers are a table."""
+        return self.answers.lower().endswith(TABLES)
+
+    @property
+    def shown_as(self) -> str:
+        """The format that was asked for, else that of the output file's name, else text."""
+        named_so = SUFFIXES.get(Path(self.output).suffix.lower()) if self.output and not self.of_class else None
+        return self.format or named_so or "text"
+
+
+def run_check(request: CheckRequest) -> int:
     """Mark what is handed in, and write what was asked for."""
     if request.problem == request.answers == PIPED:
-        return refuse("error: either the problem or the answers can come from standard input")
+        return refuse_check("error: either the problem or the answers can come from standard input")
     try:
         scene = source(request.problem, piped((request.problem,)))
         judges = Judges(scene, request.seed, request.variants)
     except Exception as error:
-        return refuse(failure(request.problem, error).message)
+        return refuse_check(failure(request.problem, error).message)
     for found in judges.solution.checks:
         if found.holds is False:
             said = release(TEXT.words(found.words))
-            return refuse(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
+            return refuse_check(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
     try:
         if request.of_class:
-            from rotsolve.grading.course.many import check
+            from rotsolve.grading.course.many import check_class
 
-            return check(request, judges)
-        from rotsolve.grading.course.single import check as check_one
+            return check_class(request, judges)
+        from rotsolve.grading.course.command import check_one
 
         return check_one(request, judges)
     except SceneError as error:
-        return refuse(error.render())
+        return refuse_check(error.render())
     except OSError as error:
-        return refuse(f"error: cannot write {request.output or name_of('')}: {error.strerror or error}")
+        return refuse_check(f"error: cannot write {request.output or name_of('')}: {error.strerror or error}")
 
 
-def refuse(message: str) -> int:
+def refuse_check(message: str) -> int:
     print(message, file=sys.stderr)
     return BAD
+
+
+def check_one(request: CheckRequest, judges: Judges) -> int:
+    """Mark one paper; the exit code says whether all of it is right."""
+    paper = read_paper(request, tuple(judges.task.letters))
+    if not paper.variant and request.variant is not None:
+        paper = replace(paper, variant=str(request.variant))
+    try:
+        marked = judges.judge(variant_of(paper)).mark(paper)
+    except NotMarked as reason:
+        raise HandedInError([Fault(str(reason), None, "", "variant")], (), name_of(request.answers)) from None
+    if request.typed:
+        marked = answered(marked)
+    elif judges.problem.vary is not None and not paper.variant:
+        print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
+    failed = show_paper(request, judges.task, marked, paper.variant)
+    return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
+
+
+def read_paper(request: CheckRequest, asked: Sequence[str]) -> Paper:
+    """The paper: as typed on the command line, or in a file."""
+    if request.typed:
+        return from_answers(request.typed, asked)
+    return read_sheet(content_of(request.answers), name_of(request.answers), asked)
+
+
+def answered(marked: Marked) -> Marked:
+    """The paper without what was not answered."""
+    parts = tuple(part for part in marked.parts if part.text)
+    return replace(marked, parts=parts, marks=sum(part.marks for part in parts), of=sum(part.of for part in parts))
+
+
+def all_right(marked: Marked) -> bool:
+    """Whether every answer is right, and no line of working wrong."""
+    answers = all(part.verdict.outcome == RIGHT for part in marked.parts)
+    return answers and not any(line.verdict.outcome == WRONG for line in marked.lines)
+
+
+def show_paper(request: CheckRequest, task: Task, marked: Marked, variant: str) -> int:
+    """Write the page to the file or to standard output; the exit code of a failure, else 0."""
+    if request.shown_as == "json":
+        from rotsolve.grading.course.showing.json import paper
+
+        return deliver_page(paper(task.title, marked, variant), request.output)
+    page = student_page(task, marked, variant)
+    if request.shown_as != "text":
+        from rotsolve.grading.course.showing import layout_named
+
+        return deliver_page(layout_named(request.shown_as).document(page), request.output)
+    from rotsolve.grading.course.showing.text import lines
+    from rotsolve.render import layout
+
+    found = lines(page, request.width)
+    if request.output is None and coloured():
+        from rotsolve.render.terminal import show as show_coloured
+
+        show_coloured(found, sys.stdout)
+        return ALL_RIGHT
+    return deliver_page(layout.page(found), request.output)
+
+
+def deliver_page(text: str, output: str | None) -> int:
+    """Write the text to a file, whole or not at all, or to standard output."""
+    if output is not None:
+        from rotsolve.run.delivery import write_file
+
+        return write_file(output, text)
+    sys.stdout.write(text)
+    return ALL_RIGHT

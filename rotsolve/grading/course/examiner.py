@@ -1,13 +1,31 @@
-"""Examiner: marks papers, each against the scene with the numbers of its variant."""
+"""Examiner: marks papers, each by the judge of the scene with the numbers of its variant."""
 
 from __future__ import annotations
 
+import os
 import re
-from collections.abc import Callable, Iterator, Sequence
-from typing import Protocol, TypeVar
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING, Protocol, TypeVar
 
+from msgspec.structs import replace
+
+from rotsolve.core.faults import Unsolvable
+from rotsolve.grading.course.report.page import Task
 from rotsolve.grading.verdict import Marked, Paper
+from rotsolve.inquiry.validity import ROOT
+from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
+from rotsolve.scene.read import read_source
+
+if TYPE_CHECKING:
+    from rotsolve.core.derivation import Answer
+    from rotsolve.grading.marking.explaining import Wrong
+    from rotsolve.grading.mistakes.mistake import Mistake
+    from rotsolve.grading.mistakes.table import WrongAnswers
+    from rotsolve.keys.variants import Variant
+    from rotsolve.keys.working import Worked
+    from rotsolve.solution import Solution
 
 HIGHEST = 10_000  # number of a variant
 NUMBER = re.compile(r"(?:variant|version|no\.?|#)?\s*(\d{1,5})(?:[.,]0+)?", re.IGNORECASE)
@@ -15,7 +33,7 @@ Given = TypeVar("Given")
 Done = TypeVar("Done")
 
 
-class Judge(Protocol):
+class Marker(Protocol):
     """What marks the papers of one variant."""
 
     def mark(self, paper: Paper) -> Marked: ...
@@ -25,7 +43,7 @@ class NotMarked(ValueError):
     """Why a paper can't be marked."""
 
 
-def mark(papers: Sequence[Paper | None], judge: Callable[[int], Judge]) -> Iterator[tuple[int, Marked | str]]:
+def mark_papers(papers: Sequence[Paper | None], judge: Callable[[int], Marker]) -> Iterator[tuple[int, Marked | str]]:
     """The place of each paper with its marks, or why it has none; variant by variant, so that one judge is held at a time.
 
     `judge` is asked for the numbers of the variants in rising order, 0 for the scene as it stands.
@@ -63,3 +81,77 @@ def variant_of(paper: Paper) -> int:
     if found is None or not 1 <= int(found[1]) <= HIGHEST:
         raise NotMarked(f"`{text[:40]}` is no number of a variant")
     return int(found[1])
+
+
+class Judges:
+    """The judge of the scene as it stands, and of each variant by its number."""
+
+    def __init__(self, scene: str | os.PathLike[str], seed: int, count: int | None) -> None:
+        self.seed, self.count = seed, count
+        self.problem = read_source(scene)
+        self.solution = solve_problem(self.problem)
+        self._wrong: WrongAnswers | None = None
+        self._worked: Iterator[tuple[Variant, Worked]] | None = None
+
+    @property
+    def task(self) -> Task:
+        """What is asked, with its letters."""
+        answers = self.solution.derivation.answers
+        return Task(self.problem.title, {answer.name: answer.symbol for answer in answers})
+
+    def judge(self, number: int) -> Marker:
+        """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
+        if number == 0:
+            return marker_of(self.solution)
+        if self.problem.vary is None:
+            raise NotMarked("the problem has no `vary`, so there are no variants of it")
+        if self.count is not None and number > self.count:
+            raise NotMarked(f"there are {self.count} variants, so none has the number {number}")
+        if self._worked is None:
+            from rotsolve.keys.variants import worked_variants
+
+            self._worked = worked_variants(self.problem, self.count or HIGHEST, self.seed)
+        try:
+            worked = next((worked for variant, worked in self._worked if variant.number == number), None)
+        except Unsolvable as error:
+            raise NotMarked(error.fault.message) from None
+        if worked is None:
+            raise NotMarked("there are no variants that can be used")
+        solution = self.varied(worked)
+        return marker_of(solution, self.wrong_for(solution) if self.alike(solution) else None)
+
+    @cached_property
+    def smooth(self) -> bool:
+        """Whether no number decides what slips or holds, so that the problem with a mistake in it is solved alike for all numbers."""
+        validity = self.solution.trace.validity
+        return validity is not None and not set(validity().decided) - {ROOT}
+
+    def alike(self, solution: Solution) -> bool:
+        """Whether the formulas of a variant are those of the problem, so that those of its mistakes are too."""
+        own, others = ([answer.closed for answer in one.derivation.answers] for one in (self.solution, solution))
+        return own == others and None not in own and self.smooth
+
+    def wrong_for(self, solution: Solution) -> Wrong:
+        """The answers to a variant with a mistake; the scene is solved with each mistake once for all variants."""
+
+        def wrong() -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
+            if self._wrong is None:
+                from rotsolve.grading.mistakes.table import WrongAnswers
+
+                self._wrong = WrongAnswers(self.problem)
+            return self._wrong.with_values(solution.problem.values)
+
+        return wrong
+
+    def varied(self, worked: Worked) -> Solution:
+        """The solution with the numbers of a variant; it is marked as the scene says, which the variant's own text leaves out."""
+        problem = replace(worked.problem, marking=self.problem.marking, answers=self.problem.answers)
+        derivation = replace(worked.like.derivation, givens=worked.shown(), answers=worked.answers)
+        return replace(worked.like, problem=problem, derivation=derivation)
+
+
+def marker_of(solution: Solution, wrong: Wrong | None = None) -> Marker:
+    """What marks answers to a solved scene."""
+    from rotsolve.grading.marking.judge import Judge
+
+    return Judge(solution, wrong)

@@ -7,17 +7,15 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from rotsolve.grading.course.examiner import mark
-from rotsolve.grading.course.handing.content import content_of
-from rotsolve.grading.course.handing.table import Entry, read_table
-from rotsolve.grading.course.judges import Judges
+from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, deliver_page
+from rotsolve.grading.course.examiner import Judges, mark_papers
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
 from rotsolve.grading.course.report.results import Course, Result
 from rotsolve.grading.course.report.summary import doubtful_variants, overview, summary_page, without_column
-from rotsolve.grading.course.request import ALL_RIGHT, BAD, NOT_ALL_RIGHT, Request
+from rotsolve.grading.course.sheet import content_of
 from rotsolve.grading.course.showing import layout_named
 from rotsolve.grading.course.showing.text import lines
-from rotsolve.grading.course.single import all_right, written
+from rotsolve.grading.course.table import Entry, read_table
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.render import layout
 from rotsolve.render.voice import TEXT
@@ -27,19 +25,19 @@ from rotsolve.run.advancing import advancing
 PAGES = "html"  # of a report, where nothing else is asked for
 
 
-def check(request: Request, judges: Judges) -> int:
+def check_class(request: CheckRequest, judges: Judges) -> int:
     """Mark a class; the exit code says whether all of it is right."""
-    fault = objection(request)
+    fault = report_objection(request)
     if fault:
         print(f"error: {fault}", file=sys.stderr)
         return BAD
     course = marked_course(request, judges)
-    failed = report(course, request) if request.output else show(course, request)
+    failed = report_class(course, request) if request.output else show_class(course, request)
     right = all(result.marked is not None and all_right(result.marked) for result in course.results)
     return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
 
 
-def objection(request: Request) -> str:
+def report_objection(request: CheckRequest) -> str:
     """Why the report can't be where or as it is asked for, '' where it can."""
     if request.output is None:
         return ""
@@ -53,7 +51,7 @@ def objection(request: Request) -> str:
     return ""
 
 
-def marked_course(request: Request, judges: Judges) -> Course:
+def marked_course(request: CheckRequest, judges: Judges) -> Course:
     """All rows of the table, marked."""
     task = judges.task
     handed = read_table(content_of(request.answers), request.answers, tuple(task.letters))
@@ -63,23 +61,23 @@ def marked_course(request: Request, judges: Judges) -> Course:
         papers = [replace(paper, variant=own) if paper and not paper.variant else paper for paper in papers]
     found: list[Marked | str] = ["" for _ in papers]
     with advancing("marking") as tell:
-        for done, (place, marked) in enumerate(mark(papers, judges.judge), 1):
+        for done, (place, marked) in enumerate(mark_papers(papers, judges.judge), 1):
             found[place] = marked
             tell(done / len(papers))
     rows = zip(handed.entries, papers, found, strict=True)
-    results = tuple(result(*row) for row in rows)
+    results = tuple(result_of_row(*row) for row in rows)
     seed = judges.seed if judges.problem.vary is not None else None
     return Course(task, handed.columns, results, handed.byte_order_mark, seed)
 
 
-def result(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
+def result_of_row(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
     """A row with its marks, or with the reason why it has none."""
     if isinstance(marked, Marked):
         return Result(replace(entry, paper=paper), marked)
     return Result(replace(entry, paper=paper, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
 
 
-def report(course: Course, request: Request) -> int:
+def report_class(course: Course, request: CheckRequest) -> int:
     """The folder, and on standard output what is in it."""
     folder, pages = Path(request.output or "."), layout_named(request.format or PAGES)
     with advancing("writing") as tell:
@@ -92,19 +90,19 @@ def report(course: Course, request: Request) -> int:
     return failed
 
 
-def show(course: Course, request: Request) -> int:
+def show_class(course: Course, request: CheckRequest) -> int:
     """The summary on standard output."""
     if request.shown_as == "json":
         from rotsolve.grading.course.showing.json import course as course_data
 
-        return written(course_data(course), None)
+        return deliver_page(course_data(course), None)
     page = summary_page(course)
     if request.shown_as != "text":
-        return written(layout_named(request.shown_as).document(page), None)
+        return deliver_page(layout_named(request.shown_as).document(page), None)
     found = lines(page, request.width)
     if coloured():
         from rotsolve.render.terminal import show as show_coloured
 
         show_coloured(found, sys.stdout)
         return ALL_RIGHT
-    return written(layout.page(found), None)
+    return deliver_page(layout.page(found), None)

@@ -1,4 +1,7 @@
-"""Explaining: what a wrong answer may come of: a number rounded too early, or a mistake with which the scene gives just that answer."""
+"""Explaining: what a wrong answer may come of: a number rounded before the end, or a mistake with which the scene gives just that answer.
+
+Rounded too early are g = 10 m/s², π = 3.14, or a given to fewer figures.
+"""
 
 from __future__ import annotations
 
@@ -10,25 +13,105 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ONE, Formula, Negative, Sum, Symbol, negate
-from rotsolve.core.derivation import Answer
-from rotsolve.grading.comparing.finding import Finding, found
-from rotsolve.grading.comparing.formulas.coefficients import numbers_stand, put_in
-from rotsolve.grading.comparing.formulas.formula import of_other_dimension
-from rotsolve.grading.comparing.numbers import Typed, near, number_of, rounds_to
-from rotsolve.grading.comparing.rounding import Rounded, rounded_answers, rounded_early, spread
+from rotsolve.algebra.certified.ball import Certified, rounded, value_of
+from rotsolve.algebra.formula import ONE, PI, Constant, Formula, Negative, Number, Sum, Symbol, negate
+from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.core.derivation import Answer, Words
+from rotsolve.grading.comparing.formulas import numbers_stand, of_other_dimension, put_in
+from rotsolve.grading.comparing.numbers import Typed, certified_number, is_near, rounds_to
 from rotsolve.grading.comparing.scalars import Scalar
-from rotsolve.grading.marking.target import Letters
-from rotsolve.grading.verdict import WRONG
+from rotsolve.grading.marking.target import SceneLetters
+from rotsolve.grading.verdict import WRONG, Finding, found
 from rotsolve.language import marks
+from rotsolve.language.problem import Given
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.mistake import Mistake
 
+FEWER = (1, 2, 3)  # figures to which a given may have been rounded
+PIS = ("3.14", "22/7", "3.1", "3")
+GRAVITIES = ("9.81", "9.8", "10")  # for one another
+LARGEST = Fraction(1, 20)  # the share that rounding to two figures may change at most: more is another number
+LEAST_ROUNDED = 2  # figures of a number of which it can be told how it came about
+EXACTLY = Fraction(1, 10_000)  # the share within which an exact number, 10/3, is that of another g
+TWO_FIGURES = Fraction(1, 200)  # the share by which rounding to two figures changes a number of middling size
+
+
+class Rounded(Struct, frozen=True):
+    """The answer with one number rounded, in SI units, and what was rounded in words."""
+
+    value: Certified
+    words: Words
+
+
+def rounded_answers(closed: Formula, values: Mapping[str, Formula], givens: Mapping[str, Given]) -> tuple[Rounded, ...]:
+    """The answers that come of one number rounded too early."""
+    found = []
+    for name in sorted(closed.symbols() & values.keys()):
+        for number, text in fewer_figures(givens[name]):
+            value = certified_number(closed, {**values, name: number})
+            if value is not None:
+                found.append(Rounded(value, (Symbol(name), f" = {text}")))
+    if closed.holds(Constant):
+        for text in PIS:
+            value = certified_number(with_pi(closed, Number(Fraction(text))), values)
+            if value is not None:
+                found.append(Rounded(value, (PI, f" = {text}")))
+    return tuple(found)
+
+
+def with_pi(closed: Formula, pi: Formula) -> Formula:
+    """The formula with another number for π."""
+    return closed.transform(lambda node: pi if node == PI else node)
+
+
+def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
+    """Other values for a given: to fewer figures in its own unit, and what else is taken for g."""
+    unit = given.unit
+    number = None if given.value is None else given.value if unit is None else in_unit(given.value, unit)
+    if not isinstance(number, Number):
+        return
+    others = [value_of(rounded(number.value, figures), figures) for figures in FEWER]
+    if given.name == "g" and Fraction(GRAVITIES[1]) <= number.value <= Fraction(GRAVITIES[0]):
+        others += [Fraction(text) for text in GRAVITIES]
+    for other in dict.fromkeys(others):
+        if other and other != number.value and abs(other - number.value) <= LARGEST * abs(number.value):
+            shown = format(float(other), "g")
+            yield (Number(other) if unit is None else other * unit.factor), unit.after(shown) if unit else shown
+
+
+def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -> Words | None:
+    """What was rounded, where that gives the typed number to its figures; `factor` is that of its unit."""
+    half = typed.half_unit
+    if typed.figures is not None and (half is None or typed.figures < LEAST_ROUNDED):
+        return None
+    number = Typed(typed.value * factor)
+    for answer in answers:
+        if (
+            is_near(number, answer.value, share=EXACTLY)
+            if half is None
+            else is_near(number, answer.value, margin=half * factor)
+        ):
+            return answer.words
+    return None
+
+
+def rounding_spread(closed: Formula, values: Mapping[str, Formula]) -> float:
+    """How far the answer may be off, as a share of it, where every number in it is rounded to about two figures: Σ |Δf|/|f|."""
+    exact = certified_number(closed, values)
+    if exact is None or not exact.float:
+        return 0.0
+    moved = [
+        certified_number(closed, {**values, name: (1 + TWO_FIGURES) * values[name]})
+        for name in closed.symbols() & values.keys()
+    ]
+    return sum(abs(other.float / exact.float - 1) for other in moved if other is not None)
+
+
 ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
 FAR = 0.1  # the share by which no number of two figures is rounded
 ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
-LEAST = 2  # figures of a number that may name a mistake
+LEAST_FOR_MISTAKE = 2  # figures of a number that may name a mistake
 MOST_TERMS = 12  # of a formula whose signs are turned
 ENOUGH = 3  # figures of a number that may be the answer to another question
 
@@ -46,7 +129,7 @@ class Mistaken(Struct, frozen=True):
 class Explaining:
     """Finds the mistakes behind wrong answers; the scene is solved with each of them once, as far as they are needed."""
 
-    def __init__(self, letters: Letters, wrong: Wrong | None = None) -> None:
+    def __init__(self, letters: SceneLetters, wrong: Wrong | None = None) -> None:
         self.letters = letters
         self._wrong = wrong  # where the mistakes of the scene are solved for other numbers already
         self._rest: Iterator[tuple[Mistake, Mapping[str, Answer]]] | None = None
@@ -58,7 +141,7 @@ class Explaining:
         """The scene with each mistake in it, the commonest first."""
         yield from self._solved
         if self._rest is None:
-            from rotsolve.grading.mistakes import wrong_answers  # a right answer needs none of them
+            from rotsolve.grading.mistakes.table import wrong_answers  # a right answer needs none of them
 
             self._rest = iter(wrong_answers(self.letters.problem) if self._wrong is None else self._wrong())
         for mistake, answers in self._rest:
@@ -102,19 +185,19 @@ class Explaining:
 
     def mistake_of_number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The mistake that gives a number."""
-        if typed.figures is not None and typed.figures < LEAST:
+        if typed.figures is not None and typed.figures < LEAST_FOR_MISTAKE:
             return None
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
         same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
-        rough = number_of(number.value, {})
+        rough = certified_number(number.value, {})
         for one in self.mistaken():
             answer = one.answers.get(name)
             if answer is None or answer.value is None or answer.unit != asked.unit or rough is None:
                 continue
             if abs(answer.value.float - rough.float) > FAR * abs(rough.float):
                 continue  # most are told apart by their size
-            if (same_unit and rounds_to(typed, answer.value)) or near(number, answer.value, share=ALIKE):
-                return told(one.mistake)
+            if (same_unit and rounds_to(typed, answer.value)) or is_near(number, answer.value, share=ALIKE):
+                return mistake_finding(one.mistake)
         return None
 
     def roughly(self, typed: Typed, asked: Scalar) -> Finding | None:
@@ -123,9 +206,9 @@ class Explaining:
         if closed is None or sought is None or not closed.symbols() <= asked.values.keys():
             return None
         if closed not in self._spreads:
-            self._spreads[closed] = spread(closed, asked.values)
+            self._spreads[closed] = rounding_spread(closed, asked.values)
         value = sought.in_unit(typed.unit or asked.unit)
-        if not near(typed, value, share=Fraction(self._spreads[closed])):
+        if not is_near(typed, value, share=Fraction(self._spreads[closed])):
             return None
         said = "close: as far off as when numbers on the way are rounded to two figures"
         return found(WRONG, "rounding", said, flaws=(marks.ROUNDING,))
@@ -142,7 +225,7 @@ class Explaining:
             terms = [negate(term) if index == place else term for index, term in enumerate(node.terms)]
             other = Sum(tuple(terms))
             if asked.closed is not None and asked.same(
-                formula.transform(partial(exchanged, node, other)), asked.closed
+                formula.transform(partial(node_replaced, node, other)), asked.closed
             ):
                 term = node.terms[place]
                 shown = term.operand if isinstance(term, Negative) else term
@@ -151,12 +234,12 @@ class Explaining:
 
     def mistake_of_formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake that gives a formula; None where none does."""
-        number = number_of(formula, asked.values)
+        number = certified_number(formula, asked.values)
         for one in self.mistaken():
             answer = one.answers.get(name)
             if answer is None or answer.closed is None:
                 continue
-            rough = in_si(answer)
+            rough = si_value(answer)
             if number is not None and rough is not None and abs(number.float - rough) > ROUGHLY * abs(rough):
                 continue  # most are told apart by their numbers
             both = put_in(answer.closed, formula, asked.values, {})
@@ -164,19 +247,19 @@ class Explaining:
                 continue  # what is 1 can be left out of any formula
             fits = not of_other_dimension(formula, asked) or numbers_stand(formula, both.missing, asked.numbers)
             if fits and asked.same(both.typed, both.closed):
-                return told(one.mistake)
+                return mistake_finding(one.mistake)
         return None
 
 
-def exchanged(old: Formula, new: Formula, node: Formula) -> Formula:
+def node_replaced(old: Formula, new: Formula, node: Formula) -> Formula:
     return new if node == old else node
 
 
-def in_si(answer: Answer) -> float | None:
+def si_value(answer: Answer) -> float | None:
     """The value of an answer in SI units, roughly."""
-    factor = None if answer.unit is None else number_of(answer.unit.factor, {})
+    factor = None if answer.unit is None else certified_number(answer.unit.factor, {})
     return None if answer.value is None or factor is None else answer.value.float * factor.float
 
 
-def told(mistake: Mistake) -> Finding:
+def mistake_finding(mistake: Mistake) -> Finding:
     return found(WRONG, "mistake", f"it looks as if {mistake.words}")

@@ -20,9 +20,9 @@ from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality
-from rotsolve.grading.comparing.numbers import HALF, Typed, number_of
+from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number
 from rotsolve.grading.comparing.scalars import Same
-from rotsolve.grading.marking.target import Letters
+from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.language.marks import Tolerance
 
 LONGEST = 32  # nodes of a closed form in which a given is eliminated
@@ -51,7 +51,7 @@ def own_number(typed: Typed, factor: Formula) -> Own:
 class Following:
     """The relations between the answers of a scene, each found when it is first needed."""
 
-    def __init__(self, letters: Letters, same: Same) -> None:
+    def __init__(self, letters: SceneLetters, same: Same) -> None:
         self.letters = letters
         self.same = same
         self._laws: dict[str, tuple[Equality, ...]] = {}
@@ -60,7 +60,7 @@ class Following:
     def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> tuple[str, ...]:
         """The earlier answers from which an answer follows; nothing where it follows from none."""
         for relation in self.relations(name, earlier):
-            own = {other: one for other, one in earlier.items() if other in letters_of(relation)}
+            own = {other: one for other, one in earlier.items() if other in relation_letters(relation)}
             if not own or self._holds(relation, name, given, {}, tolerance):
                 continue  # it says nothing of what went wrong
             if self._holds(relation, name, given, own, tolerance):
@@ -78,7 +78,9 @@ class Following:
         """The laws that speak of an answer, in letters of answers and givens."""
         if name not in self._laws:
             known = self.letters.answers
-            told = [law for law in self.told if name in letters_of(law) and len(letters_of(law) & known) > 1]
+            told = [
+                law for law in self.told if name in relation_letters(law) and len(relation_letters(law) & known) > 1
+            ]
             self._laws[name] = tuple(dict.fromkeys(told))
         return self._laws[name]
 
@@ -88,15 +90,15 @@ class Following:
         meanings = self.letters.meanings
         laws = [law for law in meanings.laws if not (law.left.holds(Integral) or law.right.holds(Integral))]
         answers = self.letters.answers | self.letters.givens
-        inner = {letter for law in laws for letter in letters_of(law) - answers if letter in meanings.keys}
+        inner = {letter for law in laws for letter in relation_letters(law) - answers if letter in meanings.keys}
         forms: dict[str, list[Formula]] = {}
         for known in (self.letters.givens, answers):  # constants, such as I = ½ M R², before what answers tell
             for letter in inner - forms.keys():
-                found = [self._by(law, letter, known, forms) for law in laws if letter in letters_of(law)]
+                found = [self._by(law, letter, known, forms) for law in laws if letter in relation_letters(law)]
                 short = dict.fromkeys(form for form in found if form is not None)
                 if short:
                     forms[letter] = list(short)[:MOST_FORMS]
-        return tuple(relation for law in laws for relation in self._put(law, letters_of(law) - answers, forms))
+        return tuple(relation for law in laws for relation in self._put(law, relation_letters(law) - answers, forms))
 
     def _by(
         self, law: Equality, letter: str, known: Collection[str], forms: Mapping[str, list[Formula]]
@@ -188,14 +190,14 @@ class Following:
     ) -> bool:
         """Whether left − right changes its sign within the tolerance round the number, and within the rounding of the earlier ones."""
         values = self.letters.values
-        numbers = {other: number_of(one.value, values) for other, one in earlier.items()}
-        number = number_of(given.value, {})
+        numbers = {other: certified_number(one.value, values) for other, one in earlier.items()}
+        number = certified_number(given.value, {})
         if number is None or not number.float or None in numbers.values():
             return False
         margin = self._margin(tolerance, number.float)
         sides = [(number.float - margin, number.float + margin)]
         for other, one in earlier.items():
-            half = number_of(one.half, {}) if one.half is not None else None
+            half = certified_number(one.half, {}) if one.half is not None else None
             middle, reach = numbers[other].float, 0.0 if half is None else half.float  # type: ignore[union-attr]
             sides.append((middle - reach, middle + reach))
         residue = self._with_true(
@@ -218,10 +220,10 @@ class Following:
         if tolerance.share is not None:
             return abs(number) * float(tolerance.share)
         if tolerance.amount is not None:
-            amount = number_of(tolerance.amount, {})
+            amount = certified_number(tolerance.amount, {})
             return 0.0 if amount is None else amount.float
         return float(HALF) * 10.0 ** (floor(log10(abs(number))) - (tolerance.figures or 1) + 1)
 
 
-def letters_of(relation: Equality) -> frozenset[str]:
+def relation_letters(relation: Equality) -> frozenset[str]:
     return relation.left.symbols() | relation.right.symbols()

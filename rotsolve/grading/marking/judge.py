@@ -10,19 +10,16 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.grading.comparing.finding import found
-from rotsolve.grading.comparing.formulas.equality import Domain, close, same, same_here
-from rotsolve.grading.comparing.numbers import Typed
+from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere, same_everywhere, same_here
+from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.scalars import lacking_unit
-from rotsolve.grading.comparing.units import measured
-from rotsolve.grading.marking.circles import circles
 from rotsolve.grading.marking.explaining import Explaining, Wrong
 from rotsolve.grading.marking.following import Following, Own, own_number
-from rotsolve.grading.marking.target import Letters, Target, targets_of
-from rotsolve.grading.marking.texts import CHAIN, Judged, Texts
-from rotsolve.grading.marking.working import Working
+from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
+from rotsolve.grading.marking.texts import CHAIN, JudgedText, Texts
+from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER
-from rotsolve.grading.verdict import WRONG, Marked, Paper, Part, Verdict
+from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Verdict, found
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
@@ -31,16 +28,16 @@ class Judge:
     """Judges answers to the questions of one solved scene; `wrong` gives its answers with a mistake, where they are known already."""
 
     def __init__(self, solution: Solution, wrong: Wrong | None = None) -> None:
-        self.letters = Letters.of(solution)
-        self.domain = Domain.of(solution)
+        self.letters = SceneLetters.of(solution)
+        self.domain = SampledRegion.of(solution)
         self.texts = Texts(self.letters)
         self.targets = {target.name: target for target in targets_of(self.letters, self.same, self.close)}
         self.following = Following(self.letters, self.same)
         self.explaining = Explaining(self.letters, wrong)
-        self.working = Working(self.letters, frozenset(self.targets), self.same, self.explaining)
+        self.working = WorkingJudge(self.letters, frozenset(self.targets), self.same, self.explaining)
         self._own: dict[tuple[str, str], Own | None] = {}
-        self._explained: dict[tuple[str, str], Judged] = {}
-        self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], Judged | None] = {}
+        self._explained: dict[tuple[str, str], JudgedText] = {}
+        self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], JudgedText | None] = {}
 
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
@@ -50,10 +47,10 @@ class Judge:
             text = paper.answers.get(target.name, "")
             one, followed = self._in_its_place(target, text, wrong)
             if target.name in round_in:
-                one, followed = unsolved(one, round_in[target.name]), False
+                one, followed = unsolved_judged(one, round_in[target.name]), False
             if one.finding.outcome == WRONG:
                 wrong[target.name] = text
-            parts.append(part(target, text, one, followed))
+            parts.append(judged_part(target, text, one, followed))
         total, of = (sum((getattr(one, word) for one in parts), Fraction(0)) for word in ("marks", "of"))
         return Marked(paper.student, tuple(parts), self.working.lines(paper.working), total, of)
 
@@ -66,7 +63,7 @@ class Judge:
                 holds[name] = (reading.formula.symbols() & self.targets.keys()) - self.letters.givens
         return circles(holds) if len(holds) > 1 else {}
 
-    def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[Judged, bool]:
+    def _in_its_place(self, target: Target, text: str, wrong: Mapping[str, str]) -> tuple[JudgedText, bool]:
         """A text judged by itself, then by the student's own earlier answers that are wrong, then for what it comes of."""
         one = self.texts.judged(target, text)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
@@ -83,7 +80,7 @@ class Judge:
             self._explained[key[:2]] = self._explain(target, one)
         return self._explained[key[:2]], False
 
-    def _follow(self, target: Target, text: str, wrong: Mapping[str, str]) -> Judged | None:
+    def _follow(self, target: Target, text: str, wrong: Mapping[str, str]) -> JudgedText | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
         one, given = self.texts.judged(target, text), self.own(target, text)
         owned = {name: self.own(self.targets[name], typed) for name, typed in wrong.items()}
@@ -98,9 +95,9 @@ class Judge:
         assert one.reading is not None and target.whole is not None
         if one.reading.kind == NUMBER and one.reading.unit is None and not target.whole.dimension.matches(NONE):
             finding = lacking_unit(finding, target.whole.unit, target.whole)
-        return Judged(one.reading, finding, one.read_as)
+        return JudgedText(one.reading, finding, one.read_as)
 
-    def _explain(self, target: Target, one: Judged) -> Judged:
+    def _explain(self, target: Target, one: JudgedText) -> JudgedText:
         """A wrong answer with what it comes of, where that is found."""
         reading, asked = one.reading, target.whole
         finding = None
@@ -112,7 +109,7 @@ class Judge:
                 finding = self.explaining.formula(target.name, self.letters.meant(reading.formula), asked)
         if finding is None:
             return one
-        return Judged(reading, replace(finding, remarks=(*finding.remarks, *one.finding.remarks)), one.read_as)
+        return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *one.finding.remarks)), one.read_as)
 
     def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
@@ -121,7 +118,7 @@ class Judge:
             self._own[key] = self._worth(target, self.texts.judged(target, text))
         return self._own[key]
 
-    def _worth(self, target: Target, one: Judged) -> Own | None:
+    def _worth(self, target: Target, one: JudgedText) -> Own | None:
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None:
             return None
@@ -131,7 +128,7 @@ class Judge:
             unit = (
                 asked.unit
                 if reading.unit is None
-                else measured(reading.unit, asked.unit, asked.dimension, asked.turns).unit
+                else measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns).unit
             )
             typed = Typed(reading.formula, reading.figures, reading.unit)
             return None if unit is None or typed.rational == 0 else own_number(typed, unit.factor)
@@ -140,7 +137,7 @@ class Judge:
 
     def close(self, left: Formula, right: Formula, share: Fraction) -> bool:
         """Whether two formulas differ by no more than a share in the scene's domain; the right one is the reference."""
-        return close(left, right, self.domain, share)
+        return close_everywhere(left, right, self.domain, share)
 
     def same(self, left: Formula, right: Formula) -> bool | None:
         """Whether two formulas are equal in the scene's domain, or for the signs of its numbers; the right one is the reference.
@@ -148,26 +145,40 @@ class Judge:
         None also where one has no value.
         """
         try:
-            everywhere = same(left, right, self.domain)
+            everywhere = same_everywhere(left, right, self.domain)
             return everywhere or same_here(left, right, self.domain) or everywhere
         except (Undefined, ZeroDivisionError):
             return None
 
 
-def unsolved(one: Judged, others: frozenset[str]) -> Judged:
+def unsolved_judged(one: JudgedText, others: frozenset[str]) -> JudgedText:
     """The finding for an answer that is told by others, and they by it."""
     if not others:
-        return Judged(one.reading, found(WRONG, "form", "the answer speaks of itself"), one.read_as)
+        return JudgedText(one.reading, found(WRONG, "form", "the answer speaks of itself"), one.read_as)
     listed = [word for name in sorted(others) for word in (", ", Symbol(name))][1:]
     finding = found(WRONG, "form", "nothing is solved: it is told by ", *listed, ", and that by this answer")
-    return Judged(one.reading, finding, one.read_as)
+    return JudgedText(one.reading, finding, one.read_as)
 
 
-def part(target: Target, text: str, one: Judged, followed: bool) -> Part:
+def judged_part(target: Target, text: str, one: JudgedText, followed: bool) -> JudgedPart:
     """One answer with its marks."""
     finding, marking = one.finding, target.marking
     earned = finding.right or bool(finding.flaws)
     left = marking.left(finding.flaws) if earned else Fraction(0)
     read = () if one.reading is None else one.reading.remarks
     verdict = Verdict(finding.outcome, one.read_as, (*read, *finding.remarks))
-    return Part(target.name, text, verdict, left, marking.points, followed)
+    return JudgedPart(target.name, text, verdict, left, marking.points, followed)
+
+
+def circles(holds: Mapping[str, frozenset[str]]) -> dict[str, frozenset[str]]:
+    """The answers that lead back to themselves, each with those on its way; `holds` are the answers whose letters each one holds."""
+    behind: dict[str, frozenset[str]] = {}
+    for name in holds:
+        reached, waiting = set[str](), list(holds[name])
+        while waiting:
+            other = waiting.pop()
+            if other not in reached:
+                reached.add(other)
+                waiting.extend(holds.get(other, ()))
+        behind[name] = frozenset(reached)
+    return {name: reached - {name} for name, reached in behind.items() if name in reached}

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import SEPARATOR, SPOKEN, TIME
-from rotsolve.grading.comparing.numbers import number_of
+from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.inquiry.compose.letters import in_letters
 from rotsolve.inquiry.meanings import Meanings
@@ -38,14 +38,14 @@ class Target(Struct, frozen=True):
     directional: bool = False  # whether the published answer is the direction alone
 
 
-class Letters(Struct, frozen=True, dict=True):
+class SceneLetters(Struct, frozen=True, dict=True):
     """The letters of a scene: which name what, their dimensions and values, and the closed forms of the answers."""
 
     solution: Solution
     meanings: Meanings
 
     @classmethod
-    def of(cls, solution: Solution) -> Letters:
+    def of(cls, solution: Solution) -> SceneLetters:
         assert solution.trace.meanings is not None
         return cls(solution, solution.trace.meanings())
 
@@ -147,10 +147,10 @@ class Letters(Struct, frozen=True, dict=True):
     @cached_property
     def numbers(self) -> dict[str, float]:
         """The numbers of givens and answers in SI units, as far as they have one."""
-        found = {name: number_of(value, {}) for name, value in self.values.items()}
+        found = {name: certified_number(value, {}) for name, value in self.values.items()}
         numbers = {name: value.float for name, value in found.items() if value is not None}
         for answer in self.solution.derivation.answers:
-            factor = number_of((answer.unit or ONE_UNIT).factor, {})
+            factor = certified_number((answer.unit or ONE_UNIT).factor, {})
             if answer.value is not None and factor is not None and not answer.components:
                 numbers[answer.name] = answer.value.float * factor.float
         return numbers
@@ -165,7 +165,7 @@ class Letters(Struct, frozen=True, dict=True):
         return {name: dimension for name, dimension in known.items() if dimension is not None}
 
 
-def targets_of(letters: Letters, same: Same, close: Close) -> Iterator[Target]:
+def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Target]:
     """What every answer is held against, in the order of the questions."""
     finds = {find.group: find for find in letters.problem.finds}
     published = {entry.name: entry for entry in letters.problem.answers}
@@ -173,21 +173,26 @@ def targets_of(letters: Letters, same: Same, close: Close) -> Iterator[Target]:
         marking = marking_of(letters.problem.marking, answer.name)
         find, entry = finds[answer.name], published.get(answer.name)
         if answer.word:
-            yield Target(answer.name, marking, word=answer.word, options=labels(find.choice))
+            yield Target(answer.name, marking, word=answer.word, options=option_labels(find.choice))
             continue
         told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
         rows = answer.rows
         entries = [part for row in rows for part in row] or answer.components
         parts = tuple(
-            scalar(part, marking, letters, (same, close), directed=not rows or len(rows) == 1) for part in entries
+            scalar_of(part, marking, letters, (same, close), directed=not rows or len(rows) == 1) for part in entries
         )
         directed = letters.meanings.directed(answer.name)
-        whole = None if rows else scalar(answer, marking, letters, (same, close), directed, counts_turns(find))
+        whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, asks_for_turns(find))
         yield Target(answer.name, marking, whole, parts, len(rows) or 1, directional=told and bool(answer.direction))
 
 
-def scalar(
-    answer: Answer, marking: Marking, letters: Letters, compare: tuple[Same, Close], directed: bool, turns: bool = False
+def scalar_of(
+    answer: Answer,
+    marking: Marking,
+    letters: SceneLetters,
+    compare: tuple[Same, Close],
+    directed: bool,
+    turns: bool = False,
 ) -> Scalar:
     """One number or formula of an answer."""
     return Scalar(
@@ -208,10 +213,10 @@ def scalar(
     )
 
 
-def labels(choice: Choice | None) -> tuple[str, ...]:
+def option_labels(choice: Choice | None) -> tuple[str, ...]:
     return () if choice is None else tuple(option.label for option in choice.options)
 
 
-def counts_turns(find: Find) -> bool:
+def asks_for_turns(find: Find) -> bool:
     """Whether the question is for a number of turns."""
     return [term.path.quantity for term in find.terms] == ["turns"]

@@ -8,17 +8,13 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.grading.comparing.finding import Finding, found
-from rotsolve.grading.comparing.readings import judged
-from rotsolve.grading.comparing.signs import cut_direction, is_direction, turned_round
-from rotsolve.grading.comparing.vectors import vector_judged
-from rotsolve.grading.marking.matrices import read_matrix
-from rotsolve.grading.marking.target import Letters, Target
-from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
-from rotsolve.grading.reading.lines.chains import members
-from rotsolve.grading.reading.lines.wording import bare
-from rotsolve.grading.reading.records import NUMBER, WORD
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Remark
+from rotsolve.grading.comparing.readings import scalar_judged, vector_judged
+from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
+from rotsolve.grading.marking.target import SceneLetters, Target
+from rotsolve.grading.reading.answers import read_line, read_matrix
+from rotsolve.grading.reading.lines import chain_members, without_asides
+from rotsolve.grading.reading.records import NUMBER, WORD, AnswerError, LineReading, Names
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM
 
 LONGEST_ECHO = 400  # characters of a line that is said back
@@ -26,10 +22,10 @@ CHAIN = "chain"  # the kind of a remark on the way to an answer
 NOTHING = re.compile(r"[\s?.\-–—/]*|n\s*/\s*a|idk|no idea|(?:i )?do(?:n't| not) know|no answer", re.IGNORECASE)
 
 
-class Judged(Struct, frozen=True):
+class JudgedText(Struct, frozen=True):
     """One text, judged by itself: the reading that was used (None where there is none), and what was found."""
 
-    reading: Reading | None
+    reading: LineReading | None
     finding: Finding
     read_as: str = ""
 
@@ -37,29 +33,29 @@ class Judged(Struct, frozen=True):
 class Texts:
     """Judges the texts that answer the questions of one solved scene."""
 
-    def __init__(self, letters: Letters) -> None:
+    def __init__(self, letters: SceneLetters) -> None:
         self.letters = letters
         self._names: dict[str, Names] = {}
-        self._judged: dict[tuple[str, str], Judged] = {}
+        self._judged: dict[tuple[str, str], JudgedText] = {}
 
-    def judged(self, target: Target, text: str) -> Judged:
+    def judged(self, target: Target, text: str) -> JudgedText:
         """What is found in a text."""
         known = self._judged.get((target.name, text))
         if known is None:
             known = self._judged[target.name, text] = self._judge(target, text)
         return known
 
-    def _judge(self, target: Target, text: str) -> Judged:
+    def _judge(self, target: Target, text: str) -> JudgedText:
         if NOTHING.fullmatch(text):
-            return Judged(None, found(WRONG, "empty", "not answered"))
+            return JudgedText(None, found(WRONG, "empty", "not answered"))
         if target.word:
-            return Judged(None, word_judged(text, target))
-        if is_direction(said(text)):
-            return Judged(None, direction_judged(said(text), target))
-        text = bare(text, self.names(target.name))
-        chain = members(text, self.names(target.name)) if target.rows == 1 else ()
+            return JudgedText(None, word_judged(text, target))
+        if is_direction(without_letter(text)):
+            return JudgedText(None, direction_judged(without_letter(text), target))
+        text = without_asides(text, self.names(target.name))
+        chain = chain_members(text, self.names(target.name)) if target.rows == 1 else ()
         if chain:
-            return chained([self._value(target, member) for member in chain], chain)
+            return chain_judged([self._value(target, member) for member in chain], chain)
         return self._value(target, text)
 
     def names(self, asked: str) -> Names:
@@ -69,14 +65,14 @@ class Texts:
             known = self._names[asked] = Names(self.letters.givens, self.letters.told, asked)
         return known
 
-    def _value(self, target: Target, text: str) -> Judged:
+    def _value(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""
         line, direction = cut_direction(text)
         try:
-            read = read_answer if target.rows == 1 else read_matrix
-            best = self._best(target, text, directed(read(line, self.names(target.name)), direction))
+            read = read_line if target.rows == 1 else read_matrix
+            best = self._best(target, text, with_direction(read(line, self.names(target.name)), direction))
         except AnswerError as error:
-            best = unread(error)
+            best = unreadable(error)
         plain = best.reading is not None and best.reading.figures is not None  # 4.36 m/s² can be read in one way only
         if best.finding.outcome == RIGHT or target.rows > 1 or plain:
             return best
@@ -87,34 +83,34 @@ class Texts:
             try:
                 others = (*others, *self._with_laws(line, target.name))
             except AnswerError as error:  # knows more letters, so that it blames the right one
-                best = unread(error)
+                best = unreadable(error)
         if not others:
             return best
-        other = self._best(target, text, directed(others, direction))
-        return other if best.reading is None or rank(other.finding) < rank(best.finding) else best
+        other = self._best(target, text, with_direction(others, direction))
+        return other if best.reading is None or preference(other.finding) < preference(best.finding) else best
 
-    def _with_laws(self, line: str, asked: str) -> tuple[Reading, ...]:
+    def _with_laws(self, line: str, asked: str) -> tuple[LineReading, ...]:
         """The readings of a line with letters that no motion has to be solved for, I for the moment of inertia, in terms of the givens."""
         names = Names(self.letters.givens | self.letters.constants, self.letters.told, asked)
         return tuple(
             replace(reading, written=reading.text, formula=formula)
-            for reading in read_answer(line, names)
+            for reading in read_line(line, names)
             if reading.formula is not None and (formula := self.letters.spelled_out(reading.formula)) is not None
         )
 
-    def _best(self, target: Target, text: str, readings: tuple[Reading, ...]) -> Judged:
+    def _best(self, target: Target, text: str, readings: tuple[LineReading, ...]) -> JudgedText:
         """By the reading that makes the line right, else by the likeliest one."""
-        tried: list[tuple[Reading, Finding]] = []
+        tried: list[tuple[LineReading, Finding]] = []
         for reading in readings:
             tried.append((reading, self._read(target, reading)))
-            if rank(tried[-1][1]) == 0:
+            if preference(tried[-1][1]) == 0:
                 break
-        reading, finding = min(tried, key=lambda item: rank(item[1]))
+        reading, finding = min(tried, key=lambda item: preference(item[1]))
         plain = reading is readings[0] and reading.kind == NUMBER  # a number with its unit, as it stands there
         echo = reading.text if len(readings) > 1 and len(text) <= LONGEST_ECHO and not plain else ""
-        return Judged(reading, finding, "" if echo == said(text) else echo)
+        return JudgedText(reading, finding, "" if echo == without_letter(text) else echo)
 
-    def _read(self, target: Target, reading: Reading) -> Finding:
+    def _read(self, target: Target, reading: LineReading) -> Finding:
         """The finding for one reading."""
         if reading.kind == WORD:
             return found(WRONG, "form", "words are no answer here")
@@ -124,9 +120,9 @@ class Texts:
         if target.parts:
             return vector_judged(reading, target.parts, target.whole)
         assert target.whole is not None
-        return judged(reading, target.whole)
+        return scalar_judged(reading, target.whole)
 
-    def meant(self, reading: Reading) -> Reading:
+    def meant(self, reading: LineReading) -> LineReading:
         """A reading with its formulas in the letters of closed forms."""
         if not self.letters.runs:
             return reading
@@ -139,12 +135,12 @@ class Texts:
         return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
 
 
-def chained(found_in: list[Judged], chain: tuple[str, ...]) -> Judged:
+def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedText:
     """What is found in a chain of values: its last member is the answer; an earlier one that is another value is said to be so."""
     *earlier, last = found_in
     finding = last.finding
     if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
-        return Judged(
+        return JudgedText(
             None, found(UNDECIDED, CHAIN, "what stands between the signs of equality does not belong together")
         )
     if finding.right and any(one.finding.right and FORM not in one.finding.flaws for one in earlier):
@@ -164,35 +160,37 @@ def chained(found_in: list[Judged], chain: tuple[str, ...]) -> Judged:
     return replace(last, finding=finding)
 
 
-def directed(readings: tuple[Reading, ...], direction: str) -> tuple[Reading, ...]:
+def with_direction(readings: tuple[LineReading, ...], direction: str) -> tuple[LineReading, ...]:
     """The readings with the direction that words behind the line tell."""
     return tuple(replace(one, direction=direction) for one in readings) if direction else readings
 
 
-def unread(error: AnswerError) -> Judged:
+def unreadable(error: AnswerError) -> JudgedText:
     """What is found in a text that can't be read."""
     remark = Remark("reading", (str(error),), error.start, error.end)
-    return Judged(None, Finding(UNDECIDED, (remark,)))
+    return JudgedText(None, Finding(UNDECIDED, (remark,)))
 
 
-def rank(finding: Finding) -> int:
+def preference(finding: Finding) -> int:
     """The order in which the readings of one line are preferred: none is called wrong while another may be right."""
     if finding.outcome == WRONG and finding.flaws:
         return 1
     return {RIGHT: 0, UNDECIDED: 2, WRONG: 3}[finding.outcome]
 
 
-def said(text: str) -> str:
+def without_letter(text: str) -> str:
     """A text without the letter of the answer in front."""
     return text.rpartition("=")[2].strip()
 
 
 def word_judged(text: str, target: Target) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (frozenset(plain(part) for part in words.split(",")) for words in (said(text), target.word))
-    if typed == wanted or plain(text) == plain(target.word):
+    typed, wanted = (
+        frozenset(folded(part) for part in words.split(",")) for words in (without_letter(text), target.word)
+    )
+    if typed == wanted or folded(text) == folded(target.word):
         return Finding(RIGHT)
-    known = {plain(label) for label in (*target.options, "none")}
+    known = {folded(label) for label in (*target.options, "none")}
     if typed <= known:
         return Finding(WRONG)
     return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
@@ -203,12 +201,12 @@ def direction_judged(text: str, target: Target) -> Finding:
     direction = "" if target.whole is None else target.whole.direction
     if not direction:
         return found(WRONG, "form", "words are no answer here")
-    if turned_round(text, direction) is not False:
+    if points_other_way(text, direction) is not False:
         return found(WRONG, "direction", f"it points another way: {direction}")
     if target.directional:
         return Finding(RIGHT)
     return found(WRONG, "form", "the direction is right; its size is asked for")
 
 
-def plain(words: str) -> str:
+def folded(words: str) -> str:
     return " ".join(words.lower().split())

@@ -18,49 +18,58 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
-from rotsolve.grading.comparing.finding import Finding, found, outcome_of, together
 from rotsolve.grading.comparing.scalars import Same
-from rotsolve.grading.marking.explaining import Explaining, told
-from rotsolve.grading.marking.target import Letters
-from rotsolve.grading.reading import AnswerError, Names, Reading, read_answer
-from rotsolve.grading.reading.records import EQUATION
-from rotsolve.grading.verdict import UNDECIDED, WRONG, Line, Remark, Verdict
+from rotsolve.grading.marking.explaining import Explaining, mistake_finding
+from rotsolve.grading.marking.target import SceneLetters
+from rotsolve.grading.reading.answers import read_line
+from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
+from rotsolve.grading.verdict import (
+    UNDECIDED,
+    WRONG,
+    Finding,
+    JudgedLine,
+    Remark,
+    Verdict,
+    all_findings,
+    found,
+    outcome_of,
+)
 from rotsolve.language.marks import ALL, marking_of
 
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")
 
 
-class Link(Struct, frozen=True):
+class LinkedEquation(Struct, frozen=True):
     """One equation of a line, and where it begins there."""
 
     text: str
     start: int
 
 
-class Working:
+class WorkingJudge:
     """Judges lines of working; each text once."""
 
-    def __init__(self, letters: Letters, answers: frozenset[str], same: Same, explaining: Explaining) -> None:
+    def __init__(self, letters: SceneLetters, answers: frozenset[str], same: Same, explaining: Explaining) -> None:
         self.letters = letters
         self.answers = answers
         self.same = same
         self.explaining = explaining
         self._judged: dict[str, Verdict] = {}
 
-    def lines(self, texts: tuple[str, ...]) -> tuple[Line, ...]:
+    def lines(self, texts: tuple[str, ...]) -> tuple[JudgedLine, ...]:
         """The verdict on each line; the first wrong one is marked."""
         verdicts = [self.verdict(text) for text in texts]
         first = next((index for index, verdict in enumerate(verdicts) if verdict.outcome == WRONG), None)
         return tuple(
-            Line(text, verdict, index == first)
+            JudgedLine(text, verdict, index == first)
             for index, (text, verdict) in enumerate(zip(texts, verdicts, strict=True))
         )
 
     def verdict(self, text: str) -> Verdict:
         known = self._judged.get(text)
         if known is None:
-            finding = together(self.link(link) for link in links(text))
+            finding = all_findings(self.link(link) for link in equations_of(text))
             known = self._judged[text] = Verdict(finding.outcome, "", finding.remarks)
         return known
 
@@ -71,10 +80,10 @@ class Working:
 
     # one equation
 
-    def link(self, link: Link) -> Finding:
+    def link(self, link: LinkedEquation) -> Finding:
         """The finding for one equation, by the reading that makes it right."""
         try:
-            readings = read_answer(link.text, self.names)
+            readings = read_line(link.text, self.names)
         except AnswerError as error:
             kind = "undeclared" if error.unknown else "reading"
             remark = Remark(kind, (str(error),), link.start + error.start, link.start + error.end)
@@ -82,7 +91,7 @@ class Working:
         tried = [self.equation(reading, link.text) for reading in readings]
         return next((finding for finding in tried if finding.right), tried[0])
 
-    def equation(self, reading: Reading, text: str) -> Finding:
+    def equation(self, reading: LineReading, text: str) -> Finding:
         """The finding for one reading of an equation."""
         if reading.kind != EQUATION or reading.formula is None or reading.right is None:
             return found(UNDECIDED, "form", "a line of working is an equation")
@@ -151,7 +160,7 @@ class Working:
 
     def nearly(self, left: Formula, right: Formula) -> bool | None:
         """Whether both sides agree to the tolerance, as a share of their largest term; None where they have no number."""
-        terms = [number.float for side in (left, right) for term in terms_of(side) if (number := self.value(term))]
+        terms = [number.float for side in (left, right) for term in side_terms(side) if (number := self.value(term))]
         sides = [self.value(side) for side in (left, right)]
         if None in sides:
             return None
@@ -197,7 +206,7 @@ class Working:
 
     def sign(self, left: Formula, right: Formula) -> Finding | None:
         """The term whose sign alone is wrong, where there are several: T in m g + T = m a."""
-        terms = [*terms_of(left), *(negate(term) for term in terms_of(right))]
+        terms = [*side_terms(left), *(negate(term) for term in side_terms(right))]
         for term in terms if len(terms) > 2 else ():
             if self.same(self.told(left - right - term - term), ZERO):
                 shown = term.operand if isinstance(term, Negative) else term
@@ -216,18 +225,18 @@ class Working:
             put = {name: form for name, form in forms.items() if form is not None}
             sides = [self.told(side.substitute(put)) for side in (left, right)]
             if self.same(*sides):
-                return told(one.mistake)
+                return mistake_finding(one.mistake)
         return None
 
 
-def links(text: str) -> Iterator[Link]:
+def equations_of(text: str) -> Iterator[LinkedEquation]:
     """The equations of a line: a = b, b = c of the chain a = b = c."""
     pieces = [match.span() for match in re.finditer("[^=]+", text)]
     if len(pieces) < 3:
-        yield Link(text, 0)
+        yield LinkedEquation(text, 0)
         return
     for (start, _), (_, end) in pairwise(pieces):
-        yield Link(text[start:end], start)
+        yield LinkedEquation(text[start:end], start)
 
 
 def one_is_a_number(left: Formula, right: Formula) -> bool:
@@ -235,6 +244,6 @@ def one_is_a_number(left: Formula, right: Formula) -> bool:
     return any(not side.symbols() and side != ZERO for side in (left, right))
 
 
-def terms_of(side: Formula) -> tuple[Formula, ...]:
+def side_terms(side: Formula) -> tuple[Formula, ...]:
     inner = side.operand if isinstance(side, Negative) else side
     return inner.terms if isinstance(inner, Sum) else (inner,)

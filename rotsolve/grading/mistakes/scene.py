@@ -1,19 +1,25 @@
-"""Scene: a problem in which mistakes are made: its part that is asked for, its facts, and its answers, right and with a mistake."""
+"""Scene: a problem in which mistakes are made: its part that is asked for, its facts, and its answers, right and with a mistake.
+
+A mistake is never named on a right answer: only what of an answer differs from the right one counts.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
 from functools import cached_property
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import equal
+from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.grading.mistakes.differing import Differing
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.grading.mistakes.numbers import reread
 from rotsolve.inquiry.answering import answer
 from rotsolve.inquiry.checks import disagreement
 from rotsolve.inquiry.compose import Composer
@@ -129,3 +135,102 @@ def answers_of(inquiry: Inquiry) -> dict[str, Answer]:
                 later = later or bool(waiting)
         pending = waiting if later else []
     return {one.name: one for one in Composer(inquiry).results.answers()}
+
+
+def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:
+    """An answer with something else written for letters, and with other numbers; without one where it has no closed form."""
+    closed = None if answer.closed is None else answer.closed.substitute(letters)
+    value = None
+    if closed is not None:
+        signed = (
+            Call("abs", (closed,)) if answer.components else closed
+        )  # the size of a vector, whatever its letters come to
+        value = value_in_unit(signed, ONE if answer.unit is None else answer.unit.factor, values)
+    parts = tuple(reread(part, letters, values) for part in answer.components)
+    return replace(answer, formula=closed, closed=closed, value=value, components=parts, remark=(), angle=None)
+
+
+def value_in_unit(closed: Formula, factor: Formula, values: Mapping[str, Formula]) -> Certified | None:
+    """The value in a unit; None where there is none."""
+    if closed.symbols() - set(values):
+        return None
+    try:
+        return evaluate(closed / factor, values)
+    except Undefined:
+        return None
+
+
+NEARLY = 1e-9  # relative: numbers closer than this are not told apart
+DIGITS = 10  # to which a difference of two forms is worked out
+
+
+class Differing(Struct, frozen=True):
+    """Compares answers of a scene, by the letters that are positive and the numbers of its givens."""
+
+    positive: frozenset[str]
+    values: Mapping[str, Formula]
+
+    def left_of(self, wrong: Answer, right: Answer) -> Answer | None:
+        """The wrong answer without its form where that is the right one, without its number where that is; None where nothing is left."""
+        parts = {part.name: part for part in right.components}
+        pairs = ((part, parts.get(part.name)) for part in wrong.components)
+        apart = any(twin is not None and self.left_of(part, twin) is not None for part, twin in pairs)
+        form = wrong.closed if wrong.closed is not None and self.differ(wrong.closed, right.closed) else None
+        value = wrong.value if wrong.value is not None and not same_number(wrong.value, right.value) else None
+        word = wrong.word if wrong.word != right.word else ""
+        if form is None and value is None and not word and not apart:
+            return None
+        formula, components = (None if form is None else wrong.formula), wrong.components if apart else ()
+        return replace(wrong, formula=formula, closed=form, value=value, word=word, components=components)
+
+    def differ(self, wrong: Formula, right: Formula | None) -> bool:
+        """Whether two closed forms are certainly not the same: a ball round their difference holds no 0.
+
+        Integrals are told apart by their numbers alone.
+        """
+        if wrong.holds(Integral):
+            return False
+        if right is None:
+            return True
+        try:
+            if equal(wrong, right, self.positive):
+                return False
+        except ArithmeticError:
+            return False
+        return any(certainly_apart(wrong - right, values) for values in self.points(wrong.symbols() | right.symbols()))
+
+    def points(self, letters: frozenset[str]) -> Iterator[dict[str, Formula]]:
+        """Numbers for letters: near those of the scene, where nothing agrees by chance, then those of the scene."""
+        own = {name: self.values.get(name, ONE) for name in sorted(letters | self.values.keys())}
+        yield {name: value * Number(Fraction(97 + 2 * place, 100)) for place, (name, value) in enumerate(own.items())}
+        yield own
+
+
+def certainly_apart(difference: Formula, values: Mapping[str, Formula]) -> bool:
+    """Whether a difference is certainly not 0 at some numbers."""
+    try:
+        return bool(evaluate(difference, values, digits=DIGITS, max_precision=1000).sign)
+    except (Undefined, ArithmeticError):
+        return False
+
+
+def same_number(wrong: Certified, right: Certified | None) -> bool:
+    """Whether two numbers are equal, or so close that no student tells them apart."""
+    if right is None:
+        return False
+    return bool(abs(wrong.ball - right.ball) <= NEARLY * abs(right.ball)) or wrong.ball.overlaps(right.ball)
+
+
+def same_answers(some: Mapping[str, Answer], others: Mapping[str, Answer]) -> bool:
+    """Whether two mistakes give the same answers: the same forms as they are written, and the same numbers."""
+    return some.keys() == others.keys() and all(same_answer(one, others[name]) for name, one in some.items())
+
+
+def same_answer(one: Answer, other: Answer) -> bool:
+    """Whether two answers have the same form and number, part by part."""
+    if one.closed != other.closed or one.word != other.word or len(one.components) != len(other.components):
+        return False
+    if (one.value is None) != (other.value is None):
+        return False
+    number = one.value is None or same_number(one.value, other.value)
+    return number and all(same_answer(part, twin) for part, twin in zip(one.components, other.components, strict=True))

@@ -8,15 +8,13 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Answer
-from rotsolve.grading.mistakes.differing import alike
-from rotsolve.grading.mistakes.kinds import accelerations, angles, energies, forces, inertias, misread
-from rotsolve.grading.mistakes.kinds.places import Made
-from rotsolve.grading.mistakes.mistake import Mistake
-from rotsolve.grading.mistakes.scene import Scene
+from rotsolve.grading.mistakes import energies, forces, inertias, misread
+from rotsolve.grading.mistakes.mistake import Made, Mistake
+from rotsolve.grading.mistakes.scene import Scene, same_answers
 from rotsolve.language.problem import Problem
 
 
-class Kind(Struct, frozen=True):
+class MistakeKind(Struct, frozen=True):
     """One entry: its name, what it is in general, and how it is made at each place of a scene where it can be."""
 
     name: str
@@ -28,46 +26,60 @@ class Kind(Struct, frozen=True):
         return (Mistake(self.name, words, change) for words, change in self.made(scene))
 
 
-MISTAKES: tuple[Kind, ...] = (
-    Kind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
-    Kind("equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions),
-    Kind("tension as weight", "T = m g is put for the tension on a body that falls or rises", forces.tension_as_weight),
-    Kind("no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy),
-    Kind("wrong shape factor", "the moment of inertia of another shape is used: m R² for ½ m R²", inertias.shapes),
-    Kind("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),
-    Kind("sine for cosine", "sine and cosine of an angle are exchanged", angles.sine_for_cosine),
-    Kind("degrees as radians", "30° is put in as 30 rad", misread.degrees),
-    Kind(
+MISTAKES: tuple[MistakeKind, ...] = (
+    MistakeKind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
+    MistakeKind(
+        "equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions
+    ),
+    MistakeKind(
+        "tension as weight", "T = m g is put for the tension on a body that falls or rises", forces.tension_as_weight
+    ),
+    MistakeKind(
+        "no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy
+    ),
+    MistakeKind(
+        "wrong shape factor", "the moment of inertia of another shape is used: m R² for ½ m R²", inertias.shape_factors
+    ),
+    MistakeKind("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),
+    MistakeKind("sine for cosine", "sine and cosine of an angle are exchanged", misread.sine_for_cosine),
+    MistakeKind("degrees as radians", "30° is put in as 30 rad", misread.degrees_as_radians),
+    MistakeKind(
         "revolutions as radians",
         "rev/min is put in as rad/s, or only its 2π or its 60 is left out",
-        misread.revolutions,
+        misread.revolutions_as_radians,
     ),
-    Kind("hertz as radians", "Hz is put in as rad/s", misread.hertz),
-    Kind("diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters),
-    Kind("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
-    Kind("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
-    Kind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
-    Kind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
-    Kind(
+    MistakeKind("hertz as radians", "Hz is put in as rad/s", misread.hertz_as_radians),
+    MistakeKind(
+        "diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters
+    ),
+    MistakeKind("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
+    MistakeKind("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
+    MistakeKind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
+    MistakeKind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
+    MistakeKind(
         "momentum kept", "momentum is taken as conserved in a blow though a support pushes too", energies.momentum_kept
     ),
-    Kind("energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept),
-    Kind("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
-    Kind("friction left out", "friction is left out", forces.no_friction),
-    Kind("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
-    Kind("mass for weight", "m is put for m g", forces.no_weight),
-    Kind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
-    Kind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
-    Kind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
-    Kind("mass at the end", "a hinged rod is taken as a point mass at its end", forces.mass_at_end),
-    Kind("radius left out", "the radius is left out of a torque", forces.no_radius),
-    Kind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
-    Kind("centripetal force left out", "m v²/r is left out of Newton's second law", accelerations.no_centripetal),
-    Kind("centre at rest", "α r is left out of Newton's second law for the forces of a hinge", accelerations.at_rest),
-    Kind("start from rest", "a velocity at the start is left out", misread.from_rest),
-    Kind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.exchanged),
-    Kind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
-    Kind("units not converted", "cm is put in as m, g as kg", misread.units),
+    MistakeKind(
+        "energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept
+    ),
+    MistakeKind("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
+    MistakeKind("friction left out", "friction is left out", forces.no_friction),
+    MistakeKind("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
+    MistakeKind("mass for weight", "m is put for m g", forces.no_weight),
+    MistakeKind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
+    MistakeKind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
+    MistakeKind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
+    MistakeKind("mass at the end", "a hinged rod is taken as a point mass at its end", forces.mass_at_end),
+    MistakeKind("radius left out", "the radius is left out of a torque", forces.no_radius),
+    MistakeKind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
+    MistakeKind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
+    MistakeKind(
+        "centre at rest", "α r is left out of Newton's second law for the forces of a hinge", forces.centre_at_rest
+    ),
+    MistakeKind("start from rest", "a velocity at the start is left out", misread.from_rest),
+    MistakeKind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
+    MistakeKind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
+    MistakeKind("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
 )
 
 
@@ -115,7 +127,7 @@ class WrongAnswers:
             given: list[Mapping[str, Answer]] = []
             for mistake in kind.mistakes(self.scene):
                 answers = self.scene.with_mistake(mistake)
-                if answers is not None and not any(alike(answers, other) for other in given):
+                if answers is not None and not any(same_answers(answers, other) for other in given):
                     given.append(answers)
                     yield mistake, answers
 

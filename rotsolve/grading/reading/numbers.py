@@ -1,26 +1,148 @@
-"""Numbers: a number with its unit as typed, and how many significant figures it has."""
+"""Numbers: a number with its unit as typed, and how many significant figures it has; `Nm` and `degrees` are understood, where a scene file
+asks for `N m` and `deg`.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
+from functools import lru_cache
 
 from msgspec import Struct
 
+from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Symbol
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
-from rotsolve.algebra.notation.tokens import FormulaError, Token
+from rotsolve.algebra.notation.limits import rational
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, suggest
 from rotsolve.algebra.units.dimension import kind_of
-from rotsolve.algebra.units.unit_table import AMBIGUOUS, UNITS
-from rotsolve.grading.reading.grammar.forks import Forks
-from rotsolve.grading.reading.grammar.formulas import read_formula
-from rotsolve.grading.reading.grammar.runs import LONGEST, meaning
-from rotsolve.grading.reading.records import NUMBER, Reading, echo
-from rotsolve.grading.reading.units import MARKS, looks_like_unit, read_unit
+from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
+from rotsolve.grading.reading.forks import Forks
+from rotsolve.grading.reading.formulas import read_formula
+from rotsolve.grading.reading.records import NUMBER, LineReading, echo
+from rotsolve.grading.reading.runs import LONGEST_RUN, REMEMBERED, run_meaning
+
+BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
+UNIT_MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
+PER_SECOND = {"ms": ("m", "s"), "rads": ("rad", "s")}  # before a negative power
+_INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
+
+
+def looks_like_unit(tokens: list[Token]) -> bool:
+    """Whether tokens, the last an `end`, can only be the words and marks of a unit."""
+    return all(token.kind in UNIT_MARKS or (token.kind == "name" and is_unit_run(token.text)) for token in tokens[:-1])
+
+
+def is_unit_run(name: str) -> bool:
+    """Whether a run of letters is one of units, and no function: sin is not s in."""
+    return bool(units_in_run(name)) and name not in FUNCTION_NAMES
+
+
+def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
+    """The unit that tokens write, the last of which is an `end`."""
+    words: list[Token] = []
+    for token in tokens:
+        if token.kind == ".":  # N.m is N·m
+            words.append(Token("*", "*", token.start, token.end))
+        else:
+            words += _unit_symbols(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
+    factors = Factors()
+    _collect_units(read_formula(text, words, frozenset(), forks), 1, factors, tokens)
+    return factors.unit()
+
+
+@lru_cache(REMEMBERED)
+def units_in_run(name: str) -> tuple[str, ...]:
+    """The units in a run of letters with the marks between them: `Nm` is N m, `m2` is m ^ 2; nothing if there is none."""
+    if name in UNITS:
+        return (name,)
+    meant = MEANT.get(name) or MEANT.get(name.lower())
+    if meant is not None:
+        return tuple(re.findall(r"[A-Za-zµ]+|/", meant))
+    powered = _INDEXED.fullmatch(name)
+    if powered:
+        before = units_in_run(powered[1])
+        return (*before, "^", powered[2]) if before else ()
+    return _units_side_by_side(name)
+
+
+def _units_side_by_side(name: str) -> tuple[str, ...]:
+    for units in (BASIC, UNITS):
+        for unit in sorted(units, key=len, reverse=True):
+            if name == unit:
+                return (unit,)
+            if name.startswith(unit) and len(name) <= 8:
+                rest = _units_side_by_side(name.removeprefix(unit))
+                if rest:
+                    return (unit, *rest)
+    return ()
+
+
+def _unit_symbols(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
+    """The symbols of the units that a token names."""
+    name = {"°": "deg"}.get(token.text, token.text)
+    found = units_in_run(name)
+    if not found:
+        hint = f": {AMBIGUOUS[name]}" if name in AMBIGUOUS else ""
+        message = f"`{name}` has several definitions{hint}" if hint else f"unknown unit `{name}`"
+        raise FormulaError(message, token.start, token.end, None if hint else suggest(name, UNITS))
+    if (
+        name in PER_SECOND and _negative_power_follows(token, tokens) and forks.choose(True)
+    ):  # ms⁻² is m s⁻², seldom 1/ms²
+        found = PER_SECOND[name]
+    return _in_columns_of(found, token)
+
+
+def _in_columns_of(words: tuple[str, ...], token: Token) -> list[Token]:
+    """Words that stand side by side in the columns of one token."""
+    kinds = {"^": "^", "/": "/", "2": "number", "3": "number"}
+    marks: list[Token] = []
+    start = token.start
+    for word in words:
+        end = min(start + len(word), token.end) if word is not words[-1] else token.end
+        marks.append(Token(kinds.get(word, "symbol"), word, start, end))
+        start = end
+    return marks
+
+
+def _negative_power_follows(token: Token, tokens: list[Token]) -> bool:
+    """Whether a negative power follows."""
+    after = tokens[tokens.index(token) + 1 :][:3]
+    marks = "".join(mark.text for mark in after)
+    return marks.startswith(("⁻", "^-", "^(-"))
+
+
+def _collect_units(formula: Formula, power: int, factors: Factors, tokens: list[Token]) -> None:
+    """The units of a product or quotient, to a power."""
+    match formula:
+        case Symbol(name):
+            factors.add(UNITS[name], power)
+        case Product(parts):
+            for part in parts:
+                _collect_units(part, power, factors, tokens)
+        case Quotient(above, below):
+            _collect_units(above, power, factors, tokens)
+            _collect_units(below, -power, factors, tokens)
+        case Power(base, exponent):
+            value = rational(exponent)
+            if value is None or value.denominator > 1 or not 0 < abs(value * power) <= MAX_UNIT_POWER:
+                raise _unit_fault(f"the power of a unit is a whole number from 1 to {MAX_UNIT_POWER}", tokens)
+            _collect_units(base, power * value.numerator, factors, tokens)
+        case Number(value) if value == 1:
+            pass
+        case _:
+            raise _unit_fault("this is no unit", tokens)
+
+
+def _unit_fault(message: str, tokens: list[Token]) -> FormulaError:
+    return FormulaError(message, tokens[0].start, tokens[-2].end)
+
 
 WEIGHT = "mg"  # seldom milligrams where both are letters
 NO_NAMES: frozenset[str] = frozenset()
 
 
-class Parts(Struct, frozen=True):
+class NumberAndUnit(Struct, frozen=True):
     """A line cut where a unit may begin: the number before it, and the unit (nothing but its `end` where there is none)."""
 
     number: tuple[Token, ...]
@@ -31,7 +153,7 @@ class Parts(Struct, frozen=True):
         return len(self.unit) > 1
 
 
-def cut(tokens: list[Token]) -> Parts:
+def cut_at_unit(tokens: list[Token]) -> NumberAndUnit:
     """The tokens before the first word that belongs to no number, and those from there on; `3/s` and `3 1/s` have 1/s."""
     at = unit_start(tokens)
     while at and at < len(tokens) - 1 and tokens[at - 1].kind in ("(", "["):
@@ -46,7 +168,7 @@ def cut(tokens: list[Token]) -> Parts:
     elif len(unit) > 1 and before and before[-1].kind == "*":
         before.pop()
     end = unit[0].start
-    return Parts((*before, Token("end", "", end, end)), tuple(unit))
+    return NumberAndUnit((*before, Token("end", "", end, end)), tuple(unit))
 
 
 def unit_start(tokens: list[Token]) -> int:
@@ -54,7 +176,7 @@ def unit_start(tokens: list[Token]) -> int:
     called = False
     for index, token in enumerate(tokens):
         if token.kind == "name":
-            if meaning(token.text, NO_NAMES) is None:
+            if run_meaning(token.text, NO_NAMES) is None:
                 return index
             called = called or token.text not in ("pi", "π")
         elif token.kind == "%" or (token.kind == "°" and not called):
@@ -62,17 +184,17 @@ def unit_start(tokens: list[Token]) -> int:
     return len(tokens) - 1
 
 
-def read_number(text: str, parts: Parts, forks: Forks) -> Reading:
+def read_number_with_unit(text: str, parts: NumberAndUnit, forks: Forks) -> LineReading:
     """The number with its unit."""
     number = list(parts.number)
     value = read_formula(text, number, NO_NAMES, forks)
     unit = read_unit(text, list(parts.unit), forks) if parts.has_unit else None
-    written, figures = literal(number)
+    written, figures = decimal_literal(number)
     shown = written or echo(value)
-    return Reading(NUMBER, unit.after(shown) if unit else shown, value, unit, figures)
+    return LineReading(NUMBER, unit.after(shown) if unit else shown, value, unit, figures)
 
 
-def literal(tokens: list[Token]) -> tuple[str, int | None]:
+def decimal_literal(tokens: list[Token]) -> tuple[str, int | None]:
     """A decimal number as it is printed, and its significant figures; nothing for what is no plain decimal.
 
     Zeros at the end of a whole number do not count: 1200 may be told to two figures.
@@ -84,7 +206,7 @@ def literal(tokens: list[Token]) -> tuple[str, int | None]:
     if not plain or plain[0].kind != "number":
         return "", None
     mantissa, _, exponent = plain[0].text.lower().partition("e")
-    power = exponent.replace("−", "-") or _power_of_ten(plain[1:])
+    power = exponent.replace("−", "-") or _exponent_of_ten(plain[1:])
     if power is None:
         return "", None
     digits = mantissa.replace(".", "").lstrip("0")
@@ -93,7 +215,7 @@ def literal(tokens: list[Token]) -> tuple[str, int | None]:
     return f"{sign}{mantissa}{raised}", max(figures, 1)
 
 
-def _power_of_ten(tokens: list[Token]) -> str | None:
+def _exponent_of_ten(tokens: list[Token]) -> str | None:
     """The exponent in `*10^3`, '' where nothing is there, None where something else is."""
     kinds = [token.kind for token in tokens]
     if not tokens:
@@ -106,7 +228,7 @@ def _power_of_ten(tokens: list[Token]) -> str | None:
     return digits if kinds[2:3] == ["^"] and digits.removeprefix("-").isdigit() else None
 
 
-def could_be_number(parts: Parts) -> bool:
+def could_be_number(parts: NumberAndUnit) -> bool:
     """Whether a number stands in front of what can be a unit; no bracket reaches from one into the other."""
     depth = sum((token.kind in "([") - (token.kind in ")]") for token in parts.number[:-1])
     return depth == 0 and len(parts.number) > 1 and (not parts.has_unit or looks_like_unit(list(parts.unit)))
@@ -115,15 +237,15 @@ def could_be_number(parts: Parts) -> bool:
 def are_letters(tokens: Iterable[Token], names: frozenset[str]) -> bool:
     """Whether all words are letters of the scene."""
     return all(
-        meaning(token.text, names) is not None if token.kind == "name" else token.kind not in ("°", "%")
+        run_meaning(token.text, names) is not None if token.kind == "name" else token.kind not in ("°", "%")
         for token in tokens
     )
 
 
-def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
+def is_strange_unit(parts: NumberAndUnit, names: frozenset[str]) -> bool:
     """Whether a number stands apart in front of words of which none begins with a letter of the scene: `12 hp`, `3.4 m/ss`."""
     words = [token.text for token in parts.unit if token.kind == "name"]
-    plain = all(token.kind == "name" or token.kind in MARKS for token in parts.unit[:-1])
+    plain = all(token.kind == "name" or token.kind in UNIT_MARKS for token in parts.unit[:-1])
     apart = parts.has_unit and len(parts.number) > 1 and parts.unit[0].start > parts.number[-2].end
     numeric = all(token.kind not in ("name", "√") for token in parts.number)
     strange = all(word in AMBIGUOUS or not begins_with_letter(word, names) for word in words)
@@ -132,10 +254,10 @@ def is_strange_unit(parts: Parts, names: frozenset[str]) -> bool:
 
 def begins_with_letter(word: str, names: frozenset[str]) -> bool:
     """Whether a letter of the scene stands first in a run, so that it is rather a product than a unit."""
-    return any(meaning(word[:end], names) is not None for end in range(1, min(len(word), LONGEST) + 1))
+    return any(run_meaning(word[:end], names) is not None for end in range(1, min(len(word), LONGEST_RUN) + 1))
 
 
-def likely_number(parts: Parts) -> bool:
+def likely_number(parts: NumberAndUnit) -> bool:
     """Whether `12 m` is likelier a length than a product of letters: by a decimal point, or by a space before m, N or km, not before g."""
     last, first = parts.number[-2], parts.unit[0]
     if any("." in token.text for token in parts.number):

@@ -15,16 +15,22 @@ from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, dimension_of, kind_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import MEANT, UNITS, Unit
-from rotsolve.grading.reading.grammar.forks import Forks, all_ways
-from rotsolve.grading.reading.grammar.formulas import HALF_TURN, Grammar, read_formula
-from rotsolve.grading.reading.grammar.runs import meaning
-from rotsolve.grading.reading.lines.commas import with_points
-from rotsolve.grading.reading.names import Names
-from rotsolve.grading.reading.numbers import begins_with_letter, is_kind
-from rotsolve.grading.reading.read import Reader, line_of
-from rotsolve.grading.reading.records import FORMULA, NUMBER, Reading
-from rotsolve.grading.reading.units import BASIC, is_unit, looks_like_unit, read_unit, split
-from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, noted
+from rotsolve.grading.reading.answers import AnswerParser, answer_line
+from rotsolve.grading.reading.forks import Forks, all_ways
+from rotsolve.grading.reading.formulas import HALF_TURN, Grammar, read_formula
+from rotsolve.grading.reading.lines import with_points
+from rotsolve.grading.reading.numbers import (
+    BASIC,
+    begins_with_letter,
+    is_kind,
+    is_unit_run,
+    looks_like_unit,
+    read_unit,
+    units_in_run,
+)
+from rotsolve.grading.reading.records import FORMULA, NUMBER, LineReading, Names
+from rotsolve.grading.reading.runs import run_meaning
+from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, with_remarks
 from rotsolve.grading.verdict import Remark
 
 UNIT_MARK = "unit:"  # before the name of a unit where letters may be called the same
@@ -40,7 +46,7 @@ _TELLS = re.compile(
 Dimensions = Mapping[str, Dimension]
 
 
-def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool = False) -> tuple[Reading, ...]:
+def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool = False) -> tuple[LineReading, ...]:
     """The readings of a line with units within its formula or behind it, and with degrees for the arguments of sin, cos and tan.
 
     `dimensions` are those of the letters; `known` says that the line is a formula in them, so that units in it are told by a decimal
@@ -49,42 +55,44 @@ def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool
     if known and _TELLS.search(text) is None:
         return ()
     try:
-        line = line_of(text, names)
+        line = answer_line(text, names)
         if line.word or line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):
             return ()
     except FormulaError:
         return ()
-    found: list[Reading] = []
-    raised = with_powers(line.tokens)
-    ways: list[Callable[[Forks], Reading]] = [lambda forks: _read(line.text, raised, names, dimensions, forks)]
+    found: list[LineReading] = []
+    raised = with_typed_powers(line.tokens)
+    ways: list[Callable[[Forks], LineReading]] = [
+        lambda forks: _read_with_units(line.text, raised, names, dimensions, forks)
+    ]
     if raised != line.tokens:
-        ways.insert(0, lambda forks: Reader(replace(line, tokens=raised), forks).line())
+        ways.insert(0, lambda forks: AnswerParser(replace(line, tokens=raised), forks).line())
     for way in ways:
         try:
             found += all_ways(way, 3 * len(line.tokens))
         except FormulaError:
             continue
-    found += [degrees for reading in list(found) for degrees in in_degrees(reading)]
+    found += [degrees for reading in list(found) for degrees in readings_in_degrees(reading)]
     return tuple(replace(reading, direction=line.direction) for reading in found)
 
 
-def _read(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> Reading:
+def _read_with_units(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> LineReading:
     """One way to read a line: a formula with its unit behind it, or with units in it."""
     tokens, remarks = with_points(tokens, forks)
-    at = unit_behind(tokens, names.letters)
+    at = unit_start_behind(tokens, names.letters)
     if 0 < at < len(tokens) - 1 and forks.choose(True):
         reading = _before_unit(text, tokens, at, names, dimensions, forks)
     else:
         reading = _within(text, tokens, names, dimensions, forks)
-    return noted(reading, remarks)
+    return with_remarks(reading, remarks)
 
 
-def is_likely(name: str) -> bool:
+def is_likely_unit(name: str) -> bool:
     """Whether a run of letters is one of units in a formula: h, t and d are rather letters that the scene does not have."""
-    return is_unit(name) and (len(name) > 1 or name in BASIC)
+    return is_unit_run(name) and (len(name) > 1 or name in BASIC)
 
 
-def with_powers(tokens: list[Token]) -> list[Token]:
+def with_typed_powers(tokens: list[Token]) -> list[Token]:
     """The tokens with the powers that were typed without a mark: m s-2 is m s^(-2), 4.9·10-3 is 4.9·10^(-3), 4.9 10^3 is 4.9·10^3."""
     result: list[Token] = []
     rest = list(tokens)
@@ -94,7 +102,7 @@ def with_powers(tokens: list[Token]) -> list[Token]:
         if token.text == "10" and before.kind == "number" and rest[0].kind in ("^", "raised"):
             result.append(Token("*", "*", token.start, token.start))
         result.append(token)
-        power = (token.kind == "name" and is_unit(token.text)) or (token.text == "10" and before.kind == "*")
+        power = (token.kind == "name" and is_unit_run(token.text)) or (token.text == "10" and before.kind == "*")
         close = len(rest) > 2 and token.end == rest[0].start and rest[0].end == rest[1].start
         if power and close and rest[0].kind == "-" and rest[1].text.isdigit() and len(rest[1].text) <= MOST_DIGITS:
             minus, digits = rest.pop(0), rest.pop(0)
@@ -107,19 +115,19 @@ def with_powers(tokens: list[Token]) -> list[Token]:
 # a unit behind a formula
 
 
-def unit_behind(tokens: list[Token], letters: frozenset[str]) -> int:
+def unit_start_behind(tokens: list[Token], letters: frozenset[str]) -> int:
     """Where the unit behind a formula begins; the end where there is none."""
     end = len(tokens) - 1
     bracketed = end > 0 and tokens[end - 1].kind in CLOSING
     start = index = end - bracketed
     while index:
         token = tokens[index - 1]
-        if token.kind == "name" and is_likely(token.text):
+        if token.kind == "name" and is_likely_unit(token.text):
             start = index = index - 1
             before = tokens[index - 1] if index else token
             if before.kind in JOINS and index > 1 and tokens[index - 2].kind in ("name", "raised"):
                 index -= 1
-            elif not (before.kind == "name" and meaning(before.text, letters) is None):
+            elif not (before.kind == "name" and run_meaning(before.text, letters) is None):
                 break
         elif token.kind == "raised" or (token.kind == "number" and tokens[index - 2].kind == "^"):
             index -= 1 if token.kind == "raised" else 2
@@ -132,7 +140,7 @@ def unit_behind(tokens: list[Token], letters: frozenset[str]) -> int:
 
 def _before_unit(
     text: str, tokens: list[Token], at: int, names: Names, dimensions: Dimensions, forks: Forks
-) -> Reading:
+) -> LineReading:
     """A formula with the unit that begins at a place. Where the formula measures the same, the unit is not needed; where it is a pure
     number times letters without dimension, the unit is its own; else the letters stand for numbers in SI units."""
     if not is_kind(tuple(tokens[at:])):
@@ -141,12 +149,12 @@ def _before_unit(
     formula = names.meant(read_formula(text, [*tokens[:at], end_at(tokens[at])], names.letters, forks))
     if not formula.symbols():
         return _worked_out(text, tokens, formula * unit.factor, unit.dimension)
-    own = _dimension(formula, dimensions)
+    own = _measured_dimension(formula, dimensions)
     said = f"a formula in letters has its unit by itself: {unit.text} is not needed"
     remark = Remark("form", (said,), tokens[at].start, tokens[-2].end)
     if own is not None and own.matches(unit.dimension):
-        return Reading(FORMULA, formula=formula, remarks=(remark,))
-    return Reading(FORMULA, unit.after(_typed(text, tokens[:at])), formula * unit.factor, unit)
+        return LineReading(FORMULA, formula=formula, remarks=(remark,))
+    return LineReading(FORMULA, unit.after(_typed(text, tokens[:at])), formula * unit.factor, unit)
 
 
 # units within a formula
@@ -159,7 +167,7 @@ class QuantityGrammar(Grammar):
         token = self.token
         if token.kind != "name" or not self.is_unit(token):
             return super().expand()
-        pieces = [_unit_token(word, token) for word in split(token.text)]
+        pieces = [_unit_token(word, token) for word in units_in_run(token.text)]
         self.tokens[self.index : self.index + 1] = pieces
         return len(pieces)
 
@@ -170,9 +178,9 @@ class QuantityGrammar(Grammar):
             and self.index > 0
             and self.tokens[self.index - 1].kind == "number"
         )
-        if not (is_likely(token.text) or (closed and is_unit(token.text))) or not self.behind_number():
+        if not (is_likely_unit(token.text) or (closed and is_unit_run(token.text))) or not self.behind_number():
             return False  # (500 g) is a mass
-        if meaning(token.text, self.letters) is not None:
+        if run_meaning(token.text, self.letters) is not None:
             return self.forks.choose(self.tokens[self.index - 1].end < token.start or self.in_unit())
         return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.letters)
 
@@ -201,7 +209,7 @@ def _unit_token(word: str, token: Token) -> Token:
     return Token(kind, UNIT_MARK + word if kind == "symbol" else word, token.start, token.end)
 
 
-def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> Reading:
+def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> LineReading:
     """A formula with units in it."""
     tokens = [Token("*", "*", token.start, token.end) if token.kind == "." else token for token in tokens]
     grammar = QuantityGrammar(text, tokens, names.letters, forks)
@@ -211,22 +219,26 @@ def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions
     units = {name: UNITS[name.removeprefix(UNIT_MARK)] for name in formula.symbols() if name.startswith(UNIT_MARK)}
     if any(word in unit.text for unit in units.values() for word in COUNTING):
         raise FormulaError("a number of turns stands by itself", tokens[0].start, tokens[-1].end)
-    measured = _dimension(formula, {**dimensions, **{name: unit.dimension for name, unit in units.items()}})
+    measured = _measured_dimension(formula, {**dimensions, **{name: unit.dimension for name, unit in units.items()}})
     if measured is None or (units and kind_of(measured) is None):
         raise FormulaError("its units do not fit together", tokens[0].start, tokens[-1].end)
     value = names.meant(formula.substitute({name: unit.factor for name, unit in units.items()}))
     if not value.symbols():
         return _worked_out(text, tokens, value, measured if units else None)
-    return Reading(FORMULA, _typed(text, tokens), value, unit_for(measured)) if units else Reading(FORMULA, "", value)
+    return (
+        LineReading(FORMULA, _typed(text, tokens), value, unit_for(measured))
+        if units
+        else LineReading(FORMULA, "", value)
+    )
 
 
-def _worked_out(text: str, tokens: list[Token], value: Formula, dimension: Dimension | None) -> Reading:
+def _worked_out(text: str, tokens: list[Token], value: Formula, dimension: Dimension | None) -> LineReading:
     """A number that is left to be worked out, in SI units."""
     unit: Unit | None = None if dimension is None or dimension == NONE else unit_for(dimension)
-    return Reading(NUMBER, _typed(text, tokens), value, unit)
+    return LineReading(NUMBER, _typed(text, tokens), value, unit)
 
 
-def _dimension(formula: Formula, known: Dimensions) -> Dimension | None:
+def _measured_dimension(formula: Formula, known: Dimensions) -> Dimension | None:
     """What a formula measures; None where that is not known, or its parts do not fit together."""
     try:
         return dimension_of(formula, known)
@@ -243,7 +255,7 @@ def _typed(text: str, tokens: list[Token]) -> str:
 # degrees
 
 
-def in_degrees(reading: Reading) -> Iterator[Reading]:
+def readings_in_degrees(reading: LineReading) -> Iterator[LineReading]:
     """The reading with sin(30) as sin 30°; nothing where no function is of a bare number."""
     if reading.formula is None or not reading.formula.holds(*TRIG):
         return

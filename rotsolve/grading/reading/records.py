@@ -1,22 +1,73 @@
-"""Records: one way to read a student's line, and why a line can not be read."""
+"""Records: the letters that a student's line may use, one way to read it, and why it can not be read."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterable
+from functools import cached_property
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, UnknownName
 from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.core.registry import TIME
 from rotsolve.grading.verdict import Remark
+
+SHORT_TIME = "t"
+
+
+class Names(Struct, frozen=True, dict=True):
+    """Letters that the scene declares, by their ASCII names: its givens, and the quantities that it asks for.
+
+    `asked` is the one that the line is to tell: `a = …` may stand in front. Without it a line with `=` is an equation.
+    `words` are the answers to a question that asks for a word. Where the time is among the letters, t means it unless t is declared.
+    """
+
+    givens: frozenset[str]
+    answers: frozenset[str] = frozenset()
+    asked: str = ""
+    words: tuple[str, ...] = ()
+
+    @classmethod
+    def of(
+        cls, givens: Iterable[str], answers: Iterable[str] = (), asked: str = "", words: Iterable[str] = ()
+    ) -> Names:
+        return cls(frozenset(givens), frozenset(answers), asked, tuple(words))
+
+    @cached_property
+    def letters(self) -> frozenset[str]:
+        """All names that may be typed."""
+        names = self.givens | self.answers
+        return names | {SHORT_TIME} if TIME in names else names
+
+    def meant(self, formula: Formula) -> Formula:
+        """The formula with the time by its name in the scene."""
+        if TIME not in self.letters or SHORT_TIME in self.givens or SHORT_TIME in self.answers:
+            return formula
+        return formula.substitute({SHORT_TIME: Symbol(TIME)})
+
+    def is_asked(self, typed: str) -> bool:
+        """Whether a spelling means the quantity that is asked for: `ω₀` is omega0."""
+        if typed == self.asked or self.asked in spellings(typed):
+            return True
+        return typed not in self.letters and spelled_alike(typed, self.asked)
+
+
+def spelled_alike(typed: str, name: str) -> bool:
+    """Whether a spelling differs from a name in underlines or capitals alone, `Fx` for F_x, or is w for ω."""
+    if typed[:1] == "w" and name == f"omega{typed[1:]}":
+        return True
+    return len(typed) > 1 and typed.replace("_", "").casefold() == name.replace("_", "").casefold()
+
 
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
 FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word", "equation"
 
 
-class Reading(Struct, frozen=True):
+class LineReading(Struct, frozen=True):
     """What a line says, read in one way; `written` is its echo where that is not just its formula.
 
     `formula` is that of a formula or the exact number in the unit as typed; of an equation it is the left side, with numbers in SI units.
@@ -30,10 +81,10 @@ class Reading(Struct, frozen=True):
     formula: Formula | None = None
     unit: Unit | None = None
     figures: int | None = None
-    parts: tuple[Reading, ...] = ()
+    parts: tuple[LineReading, ...] = ()
     right: Formula | None = None
     remarks: tuple[Remark, ...] = ()
-    polar: tuple[Reading, ...] = ()
+    polar: tuple[LineReading, ...] = ()
     direction: str = ""
 
     @property

@@ -1,26 +1,34 @@
-"""Vectors: by components, `(3, 4) N` and `3i + 4j`."""
+"""Vectors: by components, `(3, 4) N` and `3i + 4j`, and by size and direction, `5 N at 53°` and `5 N, 53.1° above the horizontal`.
+
+An angle without words is counted counterclockwise from the right. Where words leave open whether it is to the right or to the left,
+both are read.
+"""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
+from fractions import Fraction
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, add, divide, multiply, negate
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
-from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.grading.reading.grammar.forks import Forks
-from rotsolve.grading.reading.lines.commas import with_points
-from rotsolve.grading.reading.numbers import are_letters
-from rotsolve.grading.reading.records import NUMBER, VECTOR, Reading
-from rotsolve.grading.reading.units import looks_like_unit, read_unit
+from rotsolve.algebra.units.dimension import ANGLE
+from rotsolve.algebra.units.unit_table import UNITS, Unit, times_pi
+from rotsolve.grading.reading.forks import Forks
+from rotsolve.grading.reading.lines import with_points
+from rotsolve.grading.reading.numbers import are_letters, looks_like_unit, read_unit
+from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
 from rotsolve.grading.verdict import Remark
 
 AXES = ("i", "j", "k")
 OPENING, CLOSING = ("(", "[", "<"), (")", "]", ">")
 MOST_COMPONENTS = 9
 
-ReadValue = Callable[[list[Token]], Reading]
+ReadValue = Callable[[list[Token]], LineReading]
 
 
 def end_at(token: Token) -> Token:
@@ -28,7 +36,7 @@ def end_at(token: Token) -> Token:
     return Token("end", "", token.start, token.start)
 
 
-def closing(tokens: list[Token]) -> int:
+def closing_bracket(tokens: list[Token]) -> int:
     """The index of the bracket that closes the first one; −1 where the line begins with none."""
     if tokens[0].kind not in OPENING and tokens[0].text != "<":
         return -1
@@ -40,12 +48,12 @@ def closing(tokens: list[Token]) -> int:
     return -1
 
 
-def unit_behind(text: str, tokens: list[Token], forks: Forks) -> Unit | None:
+def unit_if_any(text: str, tokens: list[Token], forks: Forks) -> Unit | None:
     """The unit that the tokens are, the last of which is an `end`; None for nothing at all."""
     return read_unit(text, tokens, forks) if len(tokens) > 1 else None
 
 
-def parted(tokens: list[Token], forks: Forks) -> list[list[Token]]:
+def list_components(tokens: list[Token], forks: Forks) -> list[list[Token]]:
     """What stands in the brackets of a list: its components, each with an `end`; one alone where it is no list.
 
     Semicolons part them; else commas, of which those between digits may be decimal ones where others have a space behind.
@@ -75,48 +83,50 @@ def between_digits(tokens: list[Token], index: int) -> bool:
     return before.kind == after.kind == "number" and before.end == comma.start and comma.end == after.start
 
 
-def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> Reading | None:
+def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading | None:
     """A vector in brackets, perhaps with a unit behind them; None where the line is none."""
     if not any(token.kind in (",", ";") for token in tokens):
         return None
-    last = closing(tokens)
+    last = closing_bracket(tokens)
     if last < 0 or not any(token.kind in (",", ";") for token in tokens[1:last]):
         return None
     behind = tokens[last + 1 :]
     if not looks_like_unit(behind):
         return None
-    inside = parted([*tokens[1:last], end_at(tokens[last])], forks)
+    inside = list_components([*tokens[1:last], end_at(tokens[last])], forks)
     if len(inside) == 1:
         return None
     if len(inside) > MOST_COMPONENTS:
         raise FormulaError("a vector has two or three components", tokens[0].start, tokens[last].end)
-    unit = unit_behind(text, behind, forks)
+    unit = unit_if_any(text, behind, forks)
     parts = []
     for component in inside:
         if len(component) == 1:
             raise FormulaError("a component is missing", component[0].start - 1, component[0].start)
         pointed, remarks = with_points(component, forks)
-        parts.append(noted(read(pointed), remarks))
-    return vector(parts, unit)
+        parts.append(with_remarks(read(pointed), remarks))
+    return vector_of(parts, unit)
 
 
-def noted(reading: Reading, remarks: tuple[Remark, ...]) -> Reading:
+def with_remarks(reading: LineReading, remarks: tuple[Remark, ...]) -> LineReading:
     return replace(reading, remarks=(*reading.remarks, *remarks)) if remarks else reading
 
 
-def vector(parts: list[Reading], unit: Unit | None) -> Reading:
+def vector_of(parts: list[LineReading], unit: Unit | None) -> LineReading:
     """The vector with these components, all in the unit behind the bracket where that has one."""
     if unit is not None:
-        parts = [part if part.unit is not None else in_unit(part, unit) for part in parts]
+        parts = [part if part.unit is not None else part_in_unit(part, unit) for part in parts]
         inner = ", ".join(part.text.removesuffix(unit.text).strip() for part in parts)
         shown = unit.after(f"({inner})")
     else:
         shown = f"({', '.join(part.text for part in parts)})"
     remarks = tuple(remark for part in parts for remark in part.remarks)
-    return Reading(VECTOR, shown, unit=unit, parts=tuple(replace(part, remarks=()) for part in parts), remarks=remarks)
+    return LineReading(
+        VECTOR, shown, unit=unit, parts=tuple(replace(part, remarks=()) for part in parts), remarks=remarks
+    )
 
 
-def in_unit(part: Reading, unit: Unit) -> Reading:
+def part_in_unit(part: LineReading, unit: Unit) -> LineReading:
     return replace(part, unit=unit, written=unit.after(part.text))
 
 
@@ -143,9 +153,9 @@ def _split_axis(token: Token, letters: frozenset[str]) -> list[Token]:
     return [front, Token("axis", token.text[-1], token.end - 1, token.end)]
 
 
-def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> Reading:
+def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading:
     """`3i + 4j` with a unit in its terms, behind it, or behind its bracket; the tokens have their axes told apart."""
-    last = closing(tokens)
+    last = closing_bracket(tokens)
     if last > 0 and any(token.kind == "axis" for token in tokens[:last]) and looks_like_unit(tokens[last + 1 :]):
         behind = tokens[last + 1 :]
         tokens = [*tokens[1:last], end_at(tokens[last])]
@@ -153,21 +163,21 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
         final = max(index for index, token in enumerate(tokens) if token.kind == "axis")
         behind = tokens[final + 1 :] if looks_like_unit(tokens[final + 1 :]) else tokens[-1:]
         tokens = [*tokens[: len(tokens) - len(behind)], end_at(behind[0])]
-    unit = unit_behind(text, behind, forks)
-    found: dict[str, Reading] = {}
-    for term in terms_of(tokens):
-        axis, coefficient = component(term)
+    unit = unit_if_any(text, behind, forks)
+    found: dict[str, LineReading] = {}
+    for term in axis_terms(tokens):
+        axis, coefficient = axis_and_coefficient(term)
         if axis.text in found:
             raise FormulaError(f"two components along {axis.text}", axis.start, axis.end)
         pointed, remarks = with_points(coefficient, forks)
-        found[axis.text] = noted(read(pointed), remarks)
+        found[axis.text] = with_remarks(read(pointed), remarks)
     wanted = AXES if "k" in found else AXES[:2]
     shared = next((part.unit for part in found.values()), None)
-    nothing = Reading(NUMBER, "0", ZERO, shared)
-    return vector([found.get(axis, nothing) for axis in wanted], unit)
+    nothing = LineReading(NUMBER, "0", ZERO, shared)
+    return vector_of([found.get(axis, nothing) for axis in wanted], unit)
 
 
-def terms_of(tokens: list[Token]) -> list[list[Token]]:
+def axis_terms(tokens: list[Token]) -> list[list[Token]]:
     """The terms of a sum with their signs, each with an `end`."""
     level, cuts = 0, [0]
     for index, token in enumerate(tokens[:-1]):
@@ -183,7 +193,7 @@ def terms_of(tokens: list[Token]) -> list[list[Token]]:
     return [[*tokens[start:end], end_at(tokens[end])] for start, end in zip(cuts, ends, strict=True)]
 
 
-def component(term: list[Token]) -> tuple[Token, list[Token]]:
+def axis_and_coefficient(term: list[Token]) -> tuple[Token, list[Token]]:
     """The axis of a term, and what stands before it (1 where nothing does)."""
     places = [index for index, token in enumerate(term) if token.kind == "axis"]
     if not places:
@@ -200,3 +210,96 @@ def component(term: list[Token]) -> tuple[Token, list[Token]]:
     if rest[0].kind == "+":
         rest = rest[1:]
     return axis, rest
+
+
+# A comma between digits is a decimal one, and `rad/s` is no angle.
+_HINT = re.compile(
+    r"°|∠|@|deg|rad\b(?!\s*[/·*]|\s*s)|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis"
+)
+# What is rare is compiled when a line first needs it.
+_SPLIT = (
+    r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)(?:;|(?<![0-9]),|,(?![0-9])))(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
+    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
+)
+_DIRECTION_WORD = (
+    r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
+    r"|measured|axis|[+\-−]?[xy](?=[\s-]axis|$)|counter-?clockwise|anti-?clockwise|clockwise"
+)
+_PHRASE = rf"(?i:(?:(?<![A-Za-z\\])(?:{_DIRECTION_WORD})(?![A-Za-z])[\s,.$)\-]*)*)$"
+COUNTER = ("counter", "anti", "counterclockwise", "anticlockwise")  # before "clockwise"
+DEGREE, RADIAN = UNITS["deg"], UNITS["rad"]
+
+
+class SizeAndAngle(Struct, frozen=True):
+    """A line cut into a size, up to `end`, and an angle from `start` to `stop`, with the words behind it."""
+
+    end: int
+    start: int
+    stop: int
+    words: frozenset[str]
+
+    def any(self, *words: str) -> bool:
+        return not self.words.isdisjoint(words)
+
+
+def cut_polar(text: str, start: int) -> SizeAndAngle | None:
+    """Where size and angle stand in a line; None where it does not tell a direction by an angle."""
+    if _HINT.search(text, start) is None:
+        return None
+    match = re.compile(_SPLIT).search(text, start)
+    if match is None:
+        return None
+    size = text[start : match.start()]
+    if not size.strip() or size.count("(") != size.count(")"):
+        return None
+    phrase = re.compile(_PHRASE).search(text, match.end())
+    assert phrase is not None
+    words = frozenset(re.findall(r"[a-z]+|[-−](?=[xy])", phrase[0].lower()))
+    return SizeAndAngle(match.start(), match.end(), phrase.start(), words)
+
+
+def counterclockwise_angle(angle: Formula, half: Formula, cut: SizeAndAngle, forks: Forks) -> Formula:
+    """The angle counterclockwise from the right, where `half` is half a turn."""
+    down = cut.any("below", "under", "down", "downward", "downwards")
+    upright = cut.any("vertical", "y")
+    placed = down or cut.any("above", "over", "up", "upward", "upwards")
+    if not cut.words - {"of", "to", "the"} or (cut.any(*COUNTER, "positive", "+") and not placed and not upright):
+        return angle
+    if cut.any("clockwise") and not cut.any(*COUNTER):
+        return negate(angle)
+    if not placed:
+        down = not forks.choose(True)
+    right = cut.any("right", "positive", "+")
+    left = cut.any("left", "negative", "-", "−") or (not right and not forks.choose(True))
+    if upright:
+        angle = add(divide(half, Number(Fraction(2))), negate(angle))
+    turned = add(half, negate(angle)) if left else angle
+    return negate(turned) if down else turned
+
+
+def polar_vector(size: LineReading, angle: LineReading, cut: SizeAndAngle, forks: Forks) -> LineReading:
+    """The vector of a size at an angle, by its components."""
+    remarks = (*size.remarks, *angle.remarks)
+    if angle.unit is not None and angle.unit.dimension != ANGLE:
+        raise FormulaError("a direction is told by an angle, such as 53°", cut.start, cut.stop)
+    if angle.kind == NUMBER and angle.unit is None:
+        said = "an angle without a unit is read in degrees"
+        angle, remarks = taken_in_degrees(angle), (*remarks, Remark("unit", (said,), cut.start, cut.stop))
+    if size.kind not in (NUMBER, FORMULA) or size.formula is None or angle.formula is None:
+        raise FormulaError("a vector is told by its size and one angle", 0, cut.end)
+    unit = angle.unit if angle.unit is not None else RADIAN
+    factor = unit.factor
+    way = counterclockwise_angle(angle.formula, times_pi(1 / unit.scale, 1 - unit.pi_power), cut, forks)
+    shown = angle.unit.after(to_text(way)) if angle.unit is not None else to_text(way)
+    parts = []
+    for function in ("cos", "sin"):
+        value = multiply(size.formula, Call(function, (multiply(way, factor),)))
+        text = to_text(value) if size.unit is None else size.unit.after(to_text(value))
+        parts.append(LineReading(size.kind, text, value, size.unit, size.figures))
+    return LineReading(
+        VECTOR, f"{size.text} at {shown}", unit=size.unit, parts=tuple(parts), remarks=remarks, polar=(size, angle)
+    )
+
+
+def taken_in_degrees(angle: LineReading) -> LineReading:
+    return LineReading(NUMBER, DEGREE.after(angle.text), angle.formula, DEGREE, angle.figures)

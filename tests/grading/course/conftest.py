@@ -11,8 +11,8 @@ import pytest
 
 from rotsolve import cli
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.grading.course import judges
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Line, Marked, Paper, Part, Remark, Verdict
+from rotsolve.grading.course import examiner
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedLine, JudgedPart, Marked, Paper, Remark, Verdict
 from rotsolve.solution import Solution
 
 SCENE = """\
@@ -38,15 +38,15 @@ class MadeUp:
         parts = tuple(self.part(name, paper.answers.get(name, "")) for name in self.names)
         wrong = [number for number, text in enumerate(paper.working) if "bad" in text]
         lines = tuple(
-            Line(text, Verdict(WRONG, "", (MISTAKE,)) if number in wrong else Verdict(RIGHT), number in wrong[:1])
+            JudgedLine(text, Verdict(WRONG, "", (MISTAKE,)) if number in wrong else Verdict(RIGHT), number in wrong[:1])
             for number, text in enumerate(paper.working)
         )
         return Marked(paper.student, parts, lines, sum((part.marks for part in parts), Fraction(0)), Fraction(6))
 
-    def part(self, name: str, text: str) -> Part:
+    def part(self, name: str, text: str) -> JudgedPart:
         verdict = self.verdict(text)
         marks = {RIGHT: Fraction(2), WRONG: Fraction(0), UNDECIDED: Fraction(1, 3)}[verdict.outcome]
-        return Part(name, text, verdict, marks, Fraction(2), "own" in text)
+        return JudgedPart(name, text, verdict, marks, Fraction(2), "own" in text)
 
     def verdict(self, text: str) -> Verdict:
         remarks = [MISTAKE] if "bad" in text else []
@@ -87,5 +87,5 @@ def command(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
 @pytest.fixture
 def made_up(command: Command, monkeypatch: pytest.MonkeyPatch) -> Command:
     """The same with the judge that is made up."""
-    monkeypatch.setattr(judges, "judge_of", MadeUp)
+    monkeypatch.setattr(examiner, "marker_of", MadeUp)
     return command

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import pytest
 
-from rotsolve.grading.course.command import Request, run
+from rotsolve.grading.course.command import CheckRequest, run_check
 
 ROWS = 10_000
 SCENE = """\
@@ -143,7 +143,9 @@ def marked(tmp_path_factory: pytest.TempPathFactory) -> Marked:
     start, before = process_time(), sys.stdout
     printed = StringIO()
     with redirect_stdout(printed):
-        code = run(Request(str(folder / "scene.yaml"), str(folder / "class.csv"), output=str(folder / "report")))
+        code = run_check(
+            CheckRequest(str(folder / "scene.yaml"), str(folder / "class.csv"), output=str(folder / "report"))
+        )
     assert code == 1 and sys.stdout is before
     with (folder / "report" / "marks.csv").open(encoding="utf-8", newline="") as stream:
         found = {row["student"]: row for row in csv.DictReader(stream)}

@@ -6,7 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from rotsolve.grading.course.examiner import HIGHEST, NotMarked, mark, variant_of
+from rotsolve.grading.course.examiner import HIGHEST, NotMarked, mark_papers, variant_of
 from rotsolve.grading.verdict import Marked, Paper
 
 
@@ -41,7 +41,7 @@ def test_papers_are_marked_variant_by_variant(monkeypatch: pytest.MonkeyPatch) -
 
     said = ["3", "", "Variant 2", "#3", "7", "x", "0", "5", "2.0", "3", "999999"]
     papers = [paper("Mallory" if number == 9 else f"Student {number}", text) for number, text in enumerate(said)]
-    found = dict(mark([*papers, None], judge))
+    found = dict(mark_papers([*papers, None], judge))
     assert made == [0, 2, 3, 5, 7]
     assert sorted(found) == list(range(len(said)))
     marks = {place: int(one.marks) for place, one in found.items() if isinstance(one, Marked)}

@@ -35,7 +35,7 @@ WITHOUT = (  # what one right answer has no use for
     "rotsolve.grading.course.report.folder",
     "rotsolve.grading.course.report.results",
     "rotsolve.grading.course.report.summary",
-    "rotsolve.grading.course.handing.table",
+    "rotsolve.grading.course.table",
     "rotsolve.grading.course.showing.html",
     "rotsolve.grading.course.showing.json",
     "rotsolve.grading.course.showing.markdown",

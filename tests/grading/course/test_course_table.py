@@ -9,10 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.grading.course.handing.columns import SEPARATORS
-from rotsolve.grading.course.handing.naming import meant, split
-from rotsolve.grading.course.handing.sheet import read_sheet
-from rotsolve.grading.course.handing.table import KEPT, Entry, Handed, read_table
+from rotsolve.grading.course.sheet import asked_name, name_and_text, read_sheet
+from rotsolve.grading.course.table import KEPT, SEPARATORS, Entry, Handed, read_table
 
 ASKED = ("a", "alpha", "T", "omega0", "v_end")
 
@@ -70,7 +68,7 @@ def test_a_header_over_several_lines() -> None:
     ],
 )
 def test_spellings(said: str, name: str | None) -> None:
-    assert meant(said, ASKED) == name
+    assert asked_name(said, ASKED) == name
 
 
 @pytest.mark.parametrize(
@@ -91,7 +89,7 @@ def test_spellings(said: str, name: str | None) -> None:
     ],
 )
 def test_lines_with_a_name(line: str, parts: tuple[str, str] | None) -> None:
-    assert split(line) == parts
+    assert name_and_text(line) == parts
 
 
 def test_a_row_that_can_not_be_read_takes_no_other_with_it() -> None:

@@ -110,8 +110,8 @@ def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
 ) -> None:
     """They are solved once for all variants; solving each anew says the same."""
     Path("scene.yaml").write_text(scene, encoding="utf-8")
-    from rotsolve.grading.course.judges import Judges
-    from rotsolve.grading.mistakes import wrong_answers
+    from rotsolve.grading.course.examiner import Judges
+    from rotsolve.grading.mistakes.table import wrong_answers
     from rotsolve.keys.variants import worked_variants
     from rotsolve.scene.read import read_file
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import csv
 from io import StringIO
 
-from rotsolve.grading.course.handing.content import MARK
 from rotsolve.grading.course.report.page import amount
 from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.grading.course.sheet import MARK
 from rotsolve.grading.verdict import Marked
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.grading.course.handing.columns import Columns
-from rotsolve.grading.course.handing.table import Entry
 from rotsolve.grading.course.report.page import Task
+from rotsolve.grading.course.table import Columns, Entry
 from rotsolve.grading.verdict import Marked
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.grading.course.report.page import Judged, Judgements, Page, Paragraph, Section, Task, of
-from rotsolve.grading.verdict import UNDECIDED, Line, Marked, Part, Verdict
+from rotsolve.grading.verdict import UNDECIDED, JudgedLine, JudgedPart, Marked, Verdict
 
 FIRST = "wrong, here first"
 
@@ -27,7 +27,7 @@ def total(marked: Marked) -> str:
     return of(marked.marks, marked.of) + left
 
 
-def judged(task: Task, part: Part) -> Judged:
+def judged(task: Task, part: JudgedPart) -> Judged:
     """One answer; of one that is missing there is no more to say."""
     label, marks = task.letter(part.name), of(part.marks, part.of)
     if not part.text:
@@ -36,6 +36,6 @@ def judged(task: Task, part: Part) -> Judged:
     return Judged(label, part.text, part.verdict, said, marks)
 
 
-def working(number: int, line: Line) -> Judged:
+def working(number: int, line: JudgedLine) -> Judged:
     """One line of working."""
     return Judged((str(number),), line.text, line.verdict, FIRST if line.first_wrong else line.verdict.outcome)

@@ -10,7 +10,7 @@ from statistics import mean, median
 from rotsolve.core.derivation import Words
 from rotsolve.grading.course.report.page import Page, Paragraph, Section, Table, amount, of
 from rotsolve.grading.course.report.results import Course, Result
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Marked, Part
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
 
@@ -76,7 +76,7 @@ def tenth(paper: Marked) -> int:
 
 def by_answer(course: Course, papers: list[Marked]) -> Iterator[Table]:
     """Of each answer how often it was right, the one that went wrong most often first."""
-    parts: dict[str, list[Part]] = {}
+    parts: dict[str, list[JudgedPart]] = {}
     for paper in papers:
         for part in paper.parts:
             parts.setdefault(part.name, []).append(part)
@@ -90,7 +90,7 @@ def by_answer(course: Course, papers: list[Marked]) -> Iterator[Table]:
         yield Table(("answer", RIGHT, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
 
 
-def right(part: Part) -> bool:
+def right(part: JudgedPart) -> bool:
     return part.verdict.outcome == RIGHT
 
 

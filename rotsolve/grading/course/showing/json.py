@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Any
 
 from rotsolve.grading.course.report.results import Course, Result
-from rotsolve.grading.verdict import Line, Marked, Part, Verdict
+from rotsolve.grading.verdict import JudgedLine, JudgedPart, Marked, Verdict
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
 
@@ -45,12 +45,12 @@ def marked_data(marked: Marked, variant: str) -> dict[str, Any]:
     }
 
 
-def part_data(part: Part) -> dict[str, Any]:
+def part_data(part: JudgedPart) -> dict[str, Any]:
     marks = {"marks": number(part.marks), "of": number(part.of), "followed": part.followed}
     return {"name": part.name, "text": part.text, **verdict_data(part.verdict), **marks}
 
 
-def line_data(line: Line) -> dict[str, Any]:
+def line_data(line: JudgedLine) -> dict[str, Any]:
     return {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong}
 
 

@@ -17,8 +17,7 @@ from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.elements.shapes.round import Annulus
-from rotsolve.grading.mistakes.kinds.places import Made, each_and_all, of_bodies
-from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.grading.mistakes.mistake import Change, Made, each_and_all, of_bodies
 from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.bodies.rigid import Piece, tidy
 
@@ -43,7 +42,7 @@ def has_inertia(body: BodyFacts) -> bool:
     return body.inertia is not None and body.inertia.letter != ZERO
 
 
-def turning(scene: Scene) -> Iterator[BodyFacts]:
+def turning_bodies(scene: Scene) -> Iterator[BodyFacts]:
     """The bodies that turn, and are never joined to another, so that their moment of inertia is theirs alone."""
     states = [state.name for state in scene.configuration.timeline.states]
     joined = {
@@ -52,7 +51,7 @@ def turning(scene: Scene) -> Iterator[BodyFacts]:
     return (body for body in scene.bodies.values() if has_inertia(body) and body.name not in joined)
 
 
-def without(body: BodyFacts, facts: Facts) -> BodyFacts:
+def without_inertia(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body as if it took no torque to turn it."""
     return replace(body, inertia=NONE)
 
@@ -67,21 +66,21 @@ def is_pulley(body: BodyFacts) -> bool:
 
 def pulleys(scene: Scene) -> Made:
     """I = 0 of a wheel or pulley."""
-    for names, who in each_and_all(body.name for body in turning(scene) if is_pulley(body)):
-        yield f"the moment of inertia of {who} was left out", Change(altered=of_bodies(names, without))
+    for names, who in each_and_all(body.name for body in turning_bodies(scene) if is_pulley(body)):
+        yield f"the moment of inertia of {who} was left out", Change(altered=of_bodies(names, without_inertia))
 
 
 def rotational_energy(scene: Scene) -> Made:
     """½ I ω² = 0 of what travels and turns."""
-    rolling = (body for body in turning(scene) if body.motion.kind != "axis" and not is_pulley(body))
+    rolling = (body for body in turning_bodies(scene) if body.motion.kind != "axis" and not is_pulley(body))
     for names, who in each_and_all(body.name for body in rolling):
-        yield f"the rotation of {who} was left out", Change(altered=of_bodies(names, without))
+        yield f"the rotation of {who} was left out", Change(altered=of_bodies(names, without_inertia))
 
 
 # the axis
 
 
-def hinged(scene: Scene) -> Iterator[str]:
+def hinged_bodies(scene: Scene) -> Iterator[str]:
     """The bodies that turn about an axis which is not that through their centre of mass."""
     return (
         body.name
@@ -92,24 +91,24 @@ def hinged(scene: Scene) -> Iterator[str]:
 
 def parallel_axes(scene: Scene) -> Made:
     """I_cm for I_cm + m d²: of a hinged body in the laws, of any in the steps of a question for it."""
-    for names, who in each_and_all(hinged(scene)):
-        about = of_bodies(names, about_axis(scene, lambda own, moved: own if own != ZERO else moved))
+    for names, who in each_and_all(hinged_bodies(scene)):
+        about = of_bodies(names, with_axis_inertia(scene, lambda own, moved: own if own != ZERO else moved))
         words = f"the moment of inertia of {who} about the centre of mass was taken for that about the axis"
-        yield words, Change(altered=replace(about, equation=unmoved))
+        yield words, Change(altered=replace(about, equation=without_steiner_term))
     if any(term.path.quantity in ASKED for find in scene.problem.finds for term in find.terms):
-        yield "the parallel-axes theorem was left out", Change(altered=Alteration(equation=unmoved))
+        yield "the parallel-axes theorem was left out", Change(altered=Alteration(equation=without_steiner_term))
 
 
 def point_masses(scene: Scene) -> Made:
     """m d² for I_cm + m d², piece by piece."""
-    for names, who in each_and_all(hinged(scene)):
+    for names, who in each_and_all(hinged_bodies(scene)):
         words = f"{who} was taken as a point mass at its centre of mass"
-        yield words, Change(altered=of_bodies(names, about_axis(scene, lambda own, moved: moved)))
+        yield words, Change(altered=of_bodies(names, with_axis_inertia(scene, lambda own, moved: moved)))
 
 
 def twice_moving(scene: Scene) -> Made:
     """I + m d² for I: the energy of the centre of mass added to that about the axis, which holds it already."""
-    for names, who in each_and_all(hinged(scene)):
+    for names, who in each_and_all(hinged_bodies(scene)):
         words = f"the motion of the centre of mass of {who} was counted twice"
         yield words, Change(altered=of_bodies(names, counted_twice))
 
@@ -122,7 +121,9 @@ def counted_twice(body: BodyFacts, facts: Facts) -> BodyFacts:
     return replace(body, inertia=Inertia(formula, formula, ""))
 
 
-def about_axis(scene: Scene, share: Callable[[Formula, Formula], Formula]) -> Callable[[BodyFacts, Facts], BodyFacts]:
+def with_axis_inertia(
+    scene: Scene, share: Callable[[Formula, Formula], Formula]
+) -> Callable[[BodyFacts, Facts], BodyFacts]:
     """The body with a moment of inertia that each piece adds to in its own way, by its own moment and its m d²."""
 
     def changed(body: BodyFacts, facts: Facts) -> BodyFacts:
@@ -140,7 +141,7 @@ def about_axis(scene: Scene, share: Callable[[Formula, Formula], Formula]) -> Ca
     return changed
 
 
-def unmoved(equation: Equation) -> Equation:
+def without_steiner_term(equation: Equation) -> Equation:
     """A step by the parallel-axes theorem without its m d², which stands last."""
     if "parallel axes" not in equation.label or not isinstance(equation.right, Sum):
         return equation
@@ -150,38 +151,38 @@ def unmoved(equation: Equation) -> Equation:
 # the shape
 
 
-def shapes(scene: Scene) -> Made:
+def shape_factors(scene: Scene) -> Made:
     """Another factor of the table: m R² for ½ m R²."""
-    bodies = list(every(scene.problem.bodies))
+    bodies = list(bodies_and_parts(scene.problem.bodies))
     right = {body.name: body.inertia.formula for body in scene.bodies.values() if body.inertia is not None}
-    for among, size in ((ROUND, radius), (LONG, length)):
+    for among, size in ((ROUND, round_radius), (LONG, rod_length)):
         for factor, noun in among:
             told = with_factor(factor, size)
             sized = [body for body in bodies if size(body) is not None]
             about = {
-                body.name: (own(body), right.get(body.name, ZERO)) for body in sized
+                body.name: (shape_inertia(body), right.get(body.name, ZERO)) for body in sized
             }  # about the centre, and about its axis
             fitting = [body.name for body in sized if not any(is_zero(told(body) - one) for one in about[body.name])]
             for names, who in each_and_all(fitting):
                 yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, told))
     for names, who in each_and_all(body.name for body in bodies if isinstance(body.shape, Annulus)):
         words = f"in the moment of inertia of {who} the square of the inner radius was taken away instead of added"
-        yield words, Change(problem=with_inertia(names, hollowed))
+        yield words, Change(problem=with_inertia(names, hollowed_inertia))
 
 
-def every(bodies: Iterable[Body]) -> Iterator[Body]:
+def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
     """All bodies, and the bodies that are parts of others, each behind the whole."""
     for body in bodies:
         yield body
-        yield from every(part.body for part in body.parts)
+        yield from bodies_and_parts(part.body for part in body.parts)
 
 
-def radius(body: Body) -> Formula | None:
+def round_radius(body: Body) -> Formula | None:
     """The radius of a round shape that has a factor in the table."""
     return body.shape.outer if isinstance(body.shape, Shape) and tells_inertia(body) else None
 
 
-def length(body: Body) -> Formula | None:
+def rod_length(body: Body) -> Formula | None:
     return body.shape.length if isinstance(body.shape, Rod) and tells_inertia(body) else None
 
 
@@ -195,12 +196,12 @@ def with_factor(factor: Fraction, size: Callable[[Body], Formula | None]) -> Cal
     return lambda body: Number(factor) * (body.mass or ZERO) * (size(body) or ZERO) ** 2
 
 
-def own(body: Body) -> Formula:
+def shape_inertia(body: Body) -> Formula:
     """The moment of inertia of a shape about its centre of mass."""
     return shape_of(body).moment(body.mass or ZERO)
 
 
-def hollowed(body: Body) -> Formula:
+def hollowed_inertia(body: Body) -> Formula:
     """½ m (R² − r²) of an annulus."""
     sizes = dict(body.shape.radii) if isinstance(body.shape, Annulus) else {}
     return (body.mass or ZERO) * (sizes["outer"] ** 2 - sizes["inner"] ** 2) / 2

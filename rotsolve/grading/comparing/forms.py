@@ -51,7 +51,7 @@ class Yardstick:
         ranks: Iterable[Sequence[str]] = (),
     ) -> None:
         found: dict[Call, Symbol] = {}
-        reference = _lettered(reference, lambda call: found.setdefault(call, Symbol(f"#{len(found)}")))
+        reference = _with_letters(reference, lambda call: found.setdefault(call, Symbol(f"#{len(found)}")))
         atoms = [node for node in reference.walk(*TRIG) if isinstance(node, Call) and node.function in TRIG]
         self.field = Field([*atoms, PI, *(Symbol(name) for name in letters), *found.values()])
         self.calls: list[tuple[str, list[Ratio], Symbol]] = []
@@ -67,7 +67,7 @@ class Yardstick:
     def equals(self, formula: Formula) -> bool | None:
         """Whether the formula is the reference; None where only the whole exact layer can tell."""
         try:
-            found = self._compared(self.rooted(_lettered(formula, self._letter)))
+            found = self._compared(self.rooted(_with_letters(formula, self._letter)))
         except (ValueError, ArithmeticError):
             return None
         return None if found is False and self.calls else found  # letters for functions may depend on each other
@@ -153,7 +153,7 @@ class Yardstick:
         return not len(self.field.reduce(left[0] * right[1] - right[0] * left[1]))
 
 
-def _lettered(formula: Formula, letter: Callable[[Call], Symbol]) -> Formula:
+def _with_letters(formula: Formula, letter: Callable[[Call], Symbol]) -> Formula:
     """The formula with letters for functions that are no roots and no sine or cosine of a letter; tan x is sin x/cos x."""
 
     def change(node: Formula) -> Formula:
@@ -172,30 +172,30 @@ def _has_root(node: Formula) -> bool:
     )
 
 
-def extent(node: Formula) -> int:
+def term_count(node: Formula) -> int:
     """About how many terms the exact layer works with: those of the formula multiplied out, and more of them within functions."""
-    return sum(_extents(node))
+    return sum(_term_counts(node))
 
 
-def _extents(node: Formula) -> tuple[int, int]:
+def _term_counts(node: Formula) -> tuple[int, int]:
     """Bounds on the terms of the numerator and of the denominator."""
     if isinstance(node, (Number, Symbol)):
         return 1, 1
     above, below = 1, 1
     if isinstance(node, (Sum, Product)):
-        parts = [_extents(child) for child in node.children()]
+        parts = [_term_counts(child) for child in node.children()]
         below = prod([part[1] for part in parts])
         counts = [above * (below // under if isinstance(node, Sum) else 1) for above, under in parts]
         above = sum(counts) if isinstance(node, Sum) else prod(counts)
     elif isinstance(node, Quotient):
-        (above, below), (over, under) = _extents(node.numerator), _extents(node.denominator)
+        (above, below), (over, under) = _term_counts(node.numerator), _term_counts(node.denominator)
         above, below = above * under, below * over
     elif isinstance(node, Power) and isinstance(node.exponent, Number):
-        n, (above, below) = ceil(abs(node.exponent.value)), _extents(node.base)
+        n, (above, below) = ceil(abs(node.exponent.value)), _term_counts(node.base)
         above, below = (comb(count + n - 1, n) if count > 1 else 1 for count in (above, below))
     elif isinstance(node, Negative):
-        above, below = _extents(node.operand)
+        above, below = _term_counts(node.operand)
     else:
         within = isinstance(node, Call) and node.function in RADICALS and node.arguments[0].holds(*RADICALS)
-        above += (NESTED if within else 1) * sum([sum(_extents(child)) for child in node.children()])
+        above += (NESTED if within else 1) * sum([sum(_term_counts(child)) for child in node.children()])
     return min(above, HUGE), min(below, HUGE)

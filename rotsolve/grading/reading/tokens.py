@@ -12,7 +12,53 @@ from unicodedata import normalize
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, GREEK_LETTERS, RUN
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, SAME_MARK, FormulaError, Token
-from rotsolve.grading.reading.grammar.commands import CONTENT, FRACTION, NAMES, SILENT, command_mark, unknown_command
+from rotsolve.grading.reading.runs import RECIPROCAL
+
+NAMES = (  # commands that are letters or functions
+    GREEK_LETTERS
+    | {f"var{name}": GREEK_LETTERS[name] for name in ("epsilon", "theta", "phi", "rho", "sigma")}
+    | {name: name for name in (*FUNCTION_NAMES, *RECIPROCAL) if name not in ("sqrt", "integral")}
+    | {"imath": "i", "jmath": "j"}
+)
+FRACTION = frozenset(("frac", "dfrac", "tfrac", "cfrac"))
+_CONTENT = """
+    text textrm textit textbf textsf mathrm mathit mathbf mathsf mathcal boldsymbol bm rm operatorname mbox vec hat bar
+    overline unit si
+"""
+_SILENT = """
+    left right big Big bigg Bigg bigl bigr Bigl Bigr biggl biggr quad qquad displaystyle textstyle limits nolimits thinspace
+    , ; : ! ( ) [ ]
+"""
+CONTENT = frozenset(_CONTENT.split())  # how letters are set
+SILENT = frozenset((*_SILENT.split(), " "))  # what says nothing
+_MARKS = {
+    "*": "cdot times ast bullet",
+    "/": "div slash",
+    "|": "vert lvert rvert mid |",
+    "(": "langle lbrace {",
+    ")": "rangle rbrace }",
+    "=": "approx simeq",
+    "°": "degree circ",
+    ";": "\\",
+    "%": "%",
+    "relation": "le leq ge geq lt gt ne neq",
+}
+_MARK_OF = {command: mark for mark, commands in _MARKS.items() for command in commands.split()}
+
+
+def command_mark(word: str) -> str | None:
+    """The mark that a command stands for."""
+    return _MARK_OF.get(word)
+
+
+def unknown_command(found: str, start: int, end: int) -> FormulaError:
+    """The fault that no such command is known, with the one that was probably meant."""
+    from difflib import get_close_matches  # only a faulty text pays for this import
+
+    known = [*NAMES, *FRACTION, "sqrt", *CONTENT, *_MARK_OF]
+    meant = next(iter(get_close_matches(found[1:], known, n=1)), None)
+    return FormulaError(f"unknown LaTeX command `{found}`", start, end, f"\\{meant}" if meant else None)
+
 
 MAX_LENGTH = 600
 MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
@@ -36,7 +82,7 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
     if len(text) > MAX_LENGTH:
         message = f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}"
         raise FormulaError(message, MAX_LENGTH, len(text))
-    reader = _Reader(text if end is None else text[:end])
+    reader = _Lexer(text if end is None else text[:end])
     at, last = start, len(reader.text)
     while at < last:
         at = reader.step(at)
@@ -44,7 +90,7 @@ def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
     return reader.tokens
 
 
-class _Reader:
+class _Lexer:
     """Reads a line from left to right; each method takes the place where something begins and gives the place after it."""
 
     def __init__(self, text: str) -> None:
@@ -205,12 +251,12 @@ class _Reader:
         raise FormulaError(f"unexpected character `{shown}`", start, end)
 
 
-_SPECIAL: dict[str, Callable[[_Reader, str, int, int], int]] = {
-    "name": _Reader.name,
-    "command": _Reader.command,
-    "brace": _Reader.brace,
-    "degree": _Reader.degree,
-    "other": _Reader.other,
+_SPECIAL: dict[str, Callable[[_Lexer, str, int, int], int]] = {
+    "name": _Lexer.name,
+    "command": _Lexer.command,
+    "brace": _Lexer.brace,
+    "degree": _Lexer.degree,
+    "other": _Lexer.other,
 }
 
 

@@ -1,40 +1,46 @@
-"""Reading: all that a student's line can mean, the likeliest first."""
+"""Answers: all that a student's line can mean, the likeliest first; and a matrix, of which each row is a line of its own."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Iterator
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.tokens import FormulaError, Token
-from rotsolve.grading.reading.grammar.forks import Forks, all_ways
-from rotsolve.grading.reading.grammar.formulas import read_formula
-from rotsolve.grading.reading.grammar.tokens import tokens_of
-from rotsolve.grading.reading.lines.chains import EQUALS
-from rotsolve.grading.reading.lines.commas import with_points
-from rotsolve.grading.reading.lines.directions import direction_behind
-from rotsolve.grading.reading.names import Names
+from rotsolve.grading.reading.forks import Forks, all_ways
+from rotsolve.grading.reading.formulas import read_formula
+from rotsolve.grading.reading.lines import EQUALS, direction_behind, with_points
 from rotsolve.grading.reading.numbers import (
-    Parts,
+    NumberAndUnit,
     are_letters,
     could_be_number,
-    cut,
+    cut_at_unit,
     is_kind,
     is_strange_unit,
     likely_number,
-    read_number,
+    read_number_with_unit,
+    read_unit,
 )
-from rotsolve.grading.reading.polar import Cut, cut_polar, polar_vector
-from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, WORD, AnswerError, Reading
-from rotsolve.grading.reading.units import read_unit
-from rotsolve.grading.reading.vectors import by_axes, end_at, noted, read_axes, read_list
+from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, VECTOR, WORD, AnswerError, LineReading, Names
+from rotsolve.grading.reading.tokens import tokens_of
+from rotsolve.grading.reading.vectors import (
+    SizeAndAngle,
+    by_axes,
+    cut_polar,
+    end_at,
+    polar_vector,
+    read_axes,
+    read_list,
+    with_remarks,
+)
 
 _WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
 
 
-class Line(Struct, frozen=True):
+class AnswerLine(Struct, frozen=True):
     """A student's line, cut into what does not depend on how it is read.
 
     `tokens` are those of its value; of a vector told by size and angle those of the size, and `angle` those of the angle.
@@ -45,20 +51,20 @@ class Line(Struct, frozen=True):
     word: str
     tokens: list[Token]
     direction: str = ""
-    polar: Cut | None = None
+    polar: SizeAndAngle | None = None
     angle: tuple[Token, ...] = ()
 
 
-def read_answer(text: str, names: Names) -> tuple[Reading, ...]:
+def read_line(text: str, names: Names) -> tuple[LineReading, ...]:
     """All readings that a line allows; AnswerError where there is none."""
     try:
-        line = line_of(text, names)
-        return told_apart(all_ways(lambda forks: Reader(line, forks).line(), len(line.tokens)))
+        line = answer_line(text, names)
+        return with_distinct_echoes(all_ways(lambda forks: AnswerParser(line, forks).line(), len(line.tokens)))
     except FormulaError as error:
         raise AnswerError.of(error, text) from None
 
 
-def told_apart(readings: list[Reading]) -> tuple[Reading, ...]:
+def with_distinct_echoes(readings: list[LineReading]) -> tuple[LineReading, ...]:
     """The readings; where two have one echo, as those of `5 m`, it says which has the unit."""
     if len({reading.has_units for reading in readings}) < 2:
         return tuple(readings)
@@ -71,16 +77,16 @@ def told_apart(readings: list[Reading]) -> tuple[Reading, ...]:
     )
 
 
-def line_of(text: str, names: Names) -> Line:
+def answer_line(text: str, names: Names) -> AnswerLine:
     """The line without the name in front and without the words behind."""
     start = after_name(text, names)
-    word = word_of(text[start:].strip(" \t$"), names) if names.words else ""
+    word = word_answer(text[start:].strip(" \t$"), names) if names.words else ""
     if word:
-        return Line(text, names, word, [])
+        return AnswerLine(text, names, word, [])
     polar = cut_polar(text, start)
     if polar is not None:
         angle = tokens_of(text, polar.start, polar.stop)
-        return Line(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
+        return AnswerLine(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
     direction, end = direction_behind(text, start)
     tokens = tokens_of(text, start, end)
     if "x" in text or "X" in text:
@@ -89,10 +95,10 @@ def line_of(text: str, names: Names) -> Line:
         del tokens[-2]  # the end of a sentence
     if len(tokens) == 1:
         raise FormulaError("the answer is empty", start, max(end, start))
-    return Line(text, names, "", tokens, direction)
+    return AnswerLine(text, names, "", tokens, direction)
 
 
-def word_of(value: str, names: Names) -> str:
+def word_answer(value: str, names: Names) -> str:
     """The word that answers a question, as the scene has it where only its capitals differ; '' where a line is none."""
     folded = {word.casefold(): word for word in names.words}
     typed = " ".join(value.rstrip(".!").split())
@@ -126,18 +132,18 @@ def times_sign(token: Token, text: str, names: Names) -> Token:
     return token
 
 
-class Reader:
+class AnswerParser:
     """One way of reading a line."""
 
-    def __init__(self, line: Line, forks: Forks) -> None:
+    def __init__(self, line: AnswerLine, forks: Forks) -> None:
         self.text, self.names, self.forks = line.text, line.names, forks
         self.source = line
 
-    def line(self) -> Reading:
+    def line(self) -> LineReading:
         """What the line says."""
         line = self.source
         if line.word:
-            return Reading(WORD, line.word)
+            return LineReading(WORD, line.word)
         if any(token.kind == "=" for token in line.tokens):
             return self.equation(line.tokens)
         if line.polar is not None:
@@ -156,28 +162,28 @@ class Reader:
             else value
         )
 
-    def pointed(self, tokens: list[Token]) -> Reading:
+    def pointed(self, tokens: list[Token]) -> LineReading:
         """A value in which commas may be decimal ones."""
         tokens, remarks = with_points(tokens, self.forks)
-        return noted(self.value(tokens), remarks)
+        return with_remarks(self.value(tokens), remarks)
 
-    def value(self, tokens: list[Token]) -> Reading:
+    def value(self, tokens: list[Token]) -> LineReading:
         """A number with its unit, or a formula in the letters of the scene."""
-        parts, letters = cut(tokens), self.names.letters
+        parts, letters = cut_at_unit(tokens), self.names.letters
         if could_be_number(parts) and self.is_number(parts):
-            return read_number(self.text, parts, self.forks)
+            return read_number_with_unit(self.text, parts, self.forks)
         if is_strange_unit(parts, letters):
             read_unit(self.text, list(parts.unit), self.forks)  # says which word is no unit
         formula = self.names.meant(read_formula(self.text, tokens, letters, self.forks))
-        return Reading(FORMULA if formula.symbols() else NUMBER, formula=formula)
+        return LineReading(FORMULA if formula.symbols() else NUMBER, formula=formula)
 
-    def is_number(self, parts: Parts) -> bool:
+    def is_number(self, parts: NumberAndUnit) -> bool:
         """Whether a number with what can be a unit is one; where the unit can be letters too, it has to be of a known kind."""
         if not parts.has_unit or not are_letters(parts.unit, self.names.letters):
             return True
         return is_kind(parts.unit) and self.forks.choose(likely_number(parts))
 
-    def equation(self, tokens: list[Token]) -> Reading:
+    def equation(self, tokens: list[Token]) -> LineReading:
         """left = right."""
         signs = [index for index, token in enumerate(tokens) if token.kind == "="]
         if len(signs) > 1:
@@ -190,11 +196,71 @@ class Reader:
             sides.append(self.pointed(side))
         left, right = sides
         remarks = (*left.remarks, *right.remarks)
-        return Reading(EQUATION, f"{left.text} = {right.text}", in_si(left), right=in_si(right), remarks=remarks)
+        return LineReading(
+            EQUATION, f"{left.text} = {right.text}", si_formula(left), right=si_formula(right), remarks=remarks
+        )
 
 
-def in_si(side: Reading) -> Formula | None:
+def si_formula(side: LineReading) -> Formula | None:
     """The formula of one side of an equation, a number in SI units."""
     if side.formula is None or side.unit is None:
         return side.formula
     return side.formula * side.unit.factor
+
+
+LATEX = re.compile(r"\\begin\{[pb]?matrix\}(?P<inside>.*)\\end\{[pb]?matrix\}", re.DOTALL)
+NESTED = re.compile(r"\s*[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
+FLAT = re.compile(r"\s*[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
+LARGEST = 4000  # characters of a matrix
+OPEN, CLOSE = "[(", "])"
+
+
+class MatrixRow(Struct, frozen=True):
+    """The entries of one row between brackets, and where they begin in the line."""
+
+    text: str
+    start: int
+
+
+def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
+    """The one reading of a matrix, its rows as vectors; AnswerError where it can not be read."""
+    shape = None if len(text) > LARGEST else LATEX.search(text) or NESTED.search(text) or FLAT.search(text)
+    if shape is None:
+        raise AnswerError("a matrix is written row by row: `[[1, 0], [0, 2]] kg m²`", 0, len(text))
+    inside, start = shape["inside"], shape.start("inside")
+    unit = text[shape.end() :].strip()
+    rows = latex_rows(inside, start) if shape.re is LATEX else bracketed_rows(inside, start) or flat_rows(inside, start)
+    return (LineReading(VECTOR, text.strip(), parts=tuple(read_row(row, unit, names) for row in rows)),)
+
+
+def read_row(row: MatrixRow, unit: str, names: Names) -> LineReading:
+    """One row, with the unit behind the whole matrix."""
+    try:
+        return next(iter(read_line(f"({row.text}) {unit}".strip(), names)))
+    except AnswerError as error:
+        start = row.start - 1 + error.start
+        raise AnswerError(error.message, start, row.start - 1 + error.end, error.suggestion, error.unknown) from None
+
+
+def latex_rows(inside: str, start: int) -> Iterator[MatrixRow]:
+    for match in re.finditer(r"(?:(?!\\\\).)+", inside, re.DOTALL):
+        if match[0].strip():
+            yield MatrixRow(match[0].replace("&", ","), start + match.start())
+
+
+def flat_rows(inside: str, start: int) -> Iterator[MatrixRow]:
+    return (MatrixRow(match[0], start + match.start()) for match in re.finditer("[^;]+", inside))
+
+
+def bracketed_rows(inside: str, start: int) -> list[MatrixRow]:
+    """What stands between brackets of the outermost level."""
+    rows, depth, first = [], 0, 0
+    for index, character in enumerate(inside):
+        if character in OPEN:
+            depth += 1
+            first = index + 1 if depth == 1 else first
+        elif character in CLOSE:
+            depth -= 1
+            if depth == 0:
+                rows.append(MatrixRow(inside[first:index], start + first))
+    return rows

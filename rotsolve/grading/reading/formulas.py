@@ -18,9 +18,8 @@ from rotsolve.algebra.notation.letters import from_superscript
 from rotsolve.algebra.notation.limits import MAX_TREE_DEPTH, check_depth, check_power
 from rotsolve.algebra.notation.parse import Parser
 from rotsolve.algebra.notation.tokens import FormulaError, Token, read_number
-from rotsolve.grading.reading.grammar.forks import Forks
-from rotsolve.grading.reading.grammar.functions import EULER, INVERSE, RECIPROCAL, TAKES_POWER
-from rotsolve.grading.reading.grammar.runs import REMEMBERED, fault, meaning
+from rotsolve.grading.reading.forks import Forks
+from rotsolve.grading.reading.runs import EULER, INVERSE, RECIPROCAL, REMEMBERED, TAKES_POWER, run_fault, run_meaning
 
 ELLIPTIC = "K"  # which is an integral before a bracket, where no letter is called so
 HALF_TURN = Number(Fraction(180))
@@ -37,19 +36,19 @@ def read_formula(text: str, tokens: list[Token], names: frozenset[str], forks: F
     return result
 
 
-def _product(factors: list[Formula]) -> Formula:
+def _product_of(factors: list[Formula]) -> Formula:
     return factors[0] if len(factors) == 1 else Product(tuple(factors))
 
 
 @lru_cache(REMEMBERED)
-def _plain(text: str) -> Number:
+def _known_number(text: str) -> Number:
     return Number(read_number(text))
 
 
-def number_of(token: Token) -> Number:
+def literal_number(token: Token) -> Number:
     """The exact number that a token writes; the same few are met over and over."""
     try:
-        return _plain(token.text)
+        return _known_number(token.text)
     except FormulaError:
         return Number(read_number(token.text, token.start))  # fails again, at its place
 
@@ -82,9 +81,9 @@ class Grammar(Parser):
             return 1
         powered = token.text.endswith(EULER) and self.tokens[self.index + 1].kind in ("^", "raised")
         names = self.letters | {EULER} if powered else self.letters
-        found = meaning(token.text, names)
+        found = run_meaning(token.text, names)
         if found is None:
-            raise fault(token, names)
+            raise run_fault(token, names)
         start, end = token.start, token.end
         pieces = [Token(piece.kind, piece.text, start + piece.start, start + piece.end) for piece in found[:-1]]
         last = found[-1]
@@ -105,7 +104,7 @@ class Grammar(Parser):
             if not in_run and not self.forks.choose(not fraction and not function and (close or spaced)):
                 break
             below.append(self.factor())
-        return [Quotient(numerator, _product(below))]
+        return [Quotient(numerator, _product_of(below))]
 
     def factor(self) -> Formula:
         result = super().factor()
@@ -125,7 +124,7 @@ class Grammar(Parser):
         token = self.next()
         letter = "e" if "e" in token.text else "E" if "E" in token.text else ""
         if letter not in self.letters or self.forks.choose(True):
-            return number_of(token)
+            return literal_number(token)
         cut = token.text.index(letter)
         sign = [mark for mark in token.text[cut + 1] if mark in "+-−"]
         after = token.start + cut + 1
@@ -139,7 +138,7 @@ class Grammar(Parser):
         """The exponent; one that begins without a bracket may go on: `e^-kt`, `x^1/2`."""
         if self.token.kind == "raised":
             mark = self.next()
-            raised = _plain(from_superscript(mark.text))
+            raised = _known_number(from_superscript(mark.text))
             check_power(base, raised, start, mark.end)
             return raised
         closed = self.tokens[self.index + 1].kind in ("(", "[")
@@ -156,7 +155,7 @@ class Grammar(Parser):
         factors = [first]
         while natural and self.multiplies() and self.forks.choose(self.tight()):
             factors.append(self.factor())
-        result = _product(factors)
+        result = _product_of(factors)
         if self.token.kind == "/" and (natural or self.at_root(result)) and self.forks.choose(natural or result == ONE):
             result = self.divided(result)[0]
             above, below = result.children()
@@ -227,12 +226,12 @@ class Grammar(Parser):
                     break
                 factors.append(self.primary())
             elif self.token.kind == "/" and self.forks.choose(root and len(factors) > 1):
-                factors = self.divided(_product(factors))
+                factors = self.divided(_product_of(factors))
                 break
             else:
                 break
         self.depth -= 1
-        return _product(factors)
+        return _product_of(factors)
 
     def goes_on(self, factors: list[Formula], root: bool, numeric: bool) -> bool:
         """Whether the factor ahead belongs to the argument: sin 2θ, sin ωt, √2gh."""

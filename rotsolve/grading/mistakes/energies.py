@@ -16,8 +16,7 @@ from rotsolve.core.facts import Force
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, moved, spoken
-from rotsolve.grading.mistakes.kinds.places import Made
-from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.grading.mistakes.mistake import Change, Made
 from rotsolve.inquiry.planning import SECOND_CHOICE
 from rotsolve.laws import momentum
 
@@ -49,11 +48,11 @@ def halves(scene: Scene) -> Made:
         ("in the energy of the spring", lambda term: term in stored),
     )
     for where, fits in kinds if stored else kinds[:-1]:
-        altered = Alteration(equation=doubled(of_energy, fits))
+        altered = Alteration(equation=without_halves(speaks_of_energy, fits))
         yield f"the half was left out {where}", Change(altered=altered, aside=(NEWTON,))
 
 
-def of_energy(equation: Equation) -> bool:
+def speaks_of_energy(equation: Equation) -> bool:
     """Whether an equation is a law of energy, or says what a kinetic energy is that is asked for."""
     return equation.family == ENERGY or "kinetic energy" in equation.label
 
@@ -75,7 +74,7 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
     def timed(equation: Equation) -> bool:
         return equation.family == KINEMATICS and equation.label.startswith("constant")
 
-    twice = doubled(timed, lambda term: True)
+    twice = without_halves(timed, lambda term: True)
 
     def changed(equation: Equation) -> Equation:
         if not timed(equation):
@@ -88,7 +87,9 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
     return changed
 
 
-def doubled(concerns: Callable[[Equation], bool], fits: Callable[[Formula], bool]) -> Callable[[Equation], Equation]:
+def without_halves(
+    concerns: Callable[[Equation], bool], fits: Callable[[Formula], bool]
+) -> Callable[[Equation], Equation]:
     """Some equations without the halves in front of some terms."""
 
     def whole(term: Formula) -> Formula:
@@ -134,23 +135,23 @@ def energy_kept(scene: Scene) -> Made:
     """K₁ = K₂ through an event in place of its momenta; e = 1 where bodies bounce."""
     for encounter in (one for one in scene.history.encounters.values() if not blows_from_outside(one)):
         words = f"kinetic energy was taken as conserved in the {spoken(encounter.name)}"
-        yield words, Change(altered=Alteration(event=in_event(encounter.name, elastic)))
+        yield words, Change(altered=Alteration(event=in_event(encounter.name, elastic_laws)))
 
 
-def elastic(encounter: Encounter, section: str) -> Iterator[Equation]:
+def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
     if encounter.restitution is not None:
         _, approach, separation = encounter.restitution
         yield from momentum.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
         return
-    before = [term for meeting in encounter.meetings for term in kinetic(meeting, after=False)]
-    after = [term for meeting in encounter.meetings for term in kinetic(meeting, after=True)]
+    before = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=False)]
+    after = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=True)]
     names = tuple(sorted(meeting.body.name for meeting in encounter.meetings))
     label = "conservation of kinetic energy"
     yield Equation(*moved(before, after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
 
 
-def kinetic(meeting: Meeting, *, after: bool) -> list[Formula]:
+def kinetic_terms(meeting: Meeting, *, after: bool) -> list[Formula]:
     """½ m v² + ½ I ω² of a body just before an event, or just after it."""
     velocity, spin = (meeting.after, meeting.spin_after) if after else (meeting.before, meeting.spin_before)
     if after and meeting.held is not None:
@@ -166,10 +167,10 @@ def momentum_kept(scene: Scene) -> Made:
     for encounter in scene.history.encounters.values():
         if encounter.pivot:
             words = f"momentum was taken as conserved in the {spoken(encounter.name)}, though the support pushes too"
-            yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported)))
+            yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported_momenta)))
 
 
-def unsupported(encounter: Encounter, section: str) -> Iterator[Equation]:
+def unsupported_momenta(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The momenta of an event without the impulse of the support."""
     for group in encounter.groups:
         members = [meeting for meeting in encounter.meetings if meeting.body.name in group]

@@ -16,7 +16,6 @@ from rotsolve.algebra.notation.tokens import (
     resolve,
     side_by_side,
 )
-from rotsolve.grading.reading.grammar.functions import RECIPROCAL
 
 _FUNCTION = "|".join(
     sorted((name for name in FUNCTION_NAMES if FUNCTION_NAMES[name] in FUNCTIONS), key=len, reverse=True)
@@ -26,11 +25,11 @@ REMEMBERED = 4096  # runs: students write the same few over and over
 MOST_STRANGE = (
     2  # letters at the end of a run that are told to be strange by themselves: x in mgx, but not orce in force
 )
-LONGEST = 24  # of a run in which the strange part is looked for
+LONGEST_RUN = 24  # of a run in which the strange part is looked for
 
 
 @lru_cache(REMEMBERED)
-def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
+def run_meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
     """The letters and functions side by side in a run, with their columns in it; None where it holds anything else."""
     if run in RECIPROCAL and run not in names:
         return (Token("function", run, 0, len(run)),)
@@ -40,14 +39,14 @@ def meaning(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
         found = [whole] if whole is not None else side_by_side(token, names, ())
     except FormulaError:
         return None  # a part of it could be two of them
-    return tuple(found) if found else _around_function(run, names)
+    return tuple(found) if found else _with_function_inside(run, names)
 
 
-def _around_function(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
+def _with_function_inside(run: str, names: frozenset[str]) -> tuple[Token, ...] | None:
     """`mgsintheta`: a function with the run of its argument behind it, which the program's own notation does not allow."""
-    for match in re.finditer(_FUNCTION, run) if len(run) <= LONGEST else ():
-        head = meaning(run[: match.start()], names) if match.start() else ()
-        tail = meaning(run[match.end() :], names) if match.end() < len(run) else None
+    for match in re.finditer(_FUNCTION, run) if len(run) <= LONGEST_RUN else ():
+        head = run_meaning(run[: match.start()], names) if match.start() else ()
+        tail = run_meaning(run[match.end() :], names) if match.end() < len(run) else None
         if head is not None and tail is not None:
             cut = match.end()
             behind = [Token(token.kind, token.text, token.start + cut, token.end + cut) for token in tail]
@@ -55,19 +54,19 @@ def _around_function(run: str, names: frozenset[str]) -> tuple[Token, ...] | Non
     return None
 
 
-def fault(token: Token, names: frozenset[str]) -> FormulaError:
+def run_fault(token: Token, names: frozenset[str]) -> FormulaError:
     """Why a run has no meaning; of `mgx` the x is told to be strange, and `v2` is perhaps meant as v²."""
     run = token.text
     ends = (
         [end for end in range(1, len(run)) if run[end].isalpha() and run[end] not in INDICES]
-        if len(run) <= LONGEST
+        if len(run) <= LONGEST_RUN
         else []
     )
-    known = max((end for end in ends if meaning(run[:end], names) is not None), default=0)
+    known = max((end for end in ends if run_meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
     if known and len(strange.text) > MOST_STRANGE and run.isalpha():  # a word
         return UnknownName(f"unknown name `{run}`", token.start, token.end)
-    if meaning(strange.text, names) is not None:  # a function in the midst of a run
+    if run_meaning(strange.text, names) is not None:  # a function in the midst of a run
         strange = token
     try:
         resolve(strange, names, (), split=True)
@@ -78,3 +77,9 @@ def fault(token: Token, names: frozenset[str]) -> FormulaError:
     except FormulaError as error:
         return error
     return UnknownName(f"unknown name `{run}`", token.start, token.end)
+
+
+RECIPROCAL = {"cot": "tan", "sec": "cos", "csc": "sin", "cosec": "sin"}  # cot x is 1/tan x
+INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}  # sin⁻¹ x may be arcsin x
+TAKES_POWER = frozenset(("sqrt", "log", "exp", "asin", "acos", "atan"))  # √x² is √(x²), but sin θ² is likelier (sin θ)²
+EULER = "e"  # the base of the exponential, where no letter of the scene is called so

@@ -1,4 +1,4 @@
-"""Mistakes with forces: of the wrong sign, left out, without the radius in their torque, at another point, or of another size."""
+"""Mistakes with forces and accelerations: of a wrong sign, left out, without their radius, at another point, or of another size."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Symbol, negate, total
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ENERGY, Equation
@@ -17,38 +17,48 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import shape_of
-from rotsolve.grading.mistakes.kinds.places import Made, each, each_and_all, listed, of_bodies, of_forces, of_owners
-from rotsolve.grading.mistakes.mistake import Change
+from rotsolve.grading.mistakes.mistake import (
+    Change,
+    Made,
+    and_joined,
+    each,
+    each_and_all,
+    of_bodies,
+    of_forces,
+    of_owners,
+)
 from rotsolve.motion.bodies.rigid import direction_of
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
 
-def pulled(scene: Scene, role: str) -> Iterator[str]:
+def pulled_bodies(scene: Scene, role: str) -> Iterator[str]:
     """The bodies on which a force of some role acts."""
     return (body.name for body in scene.bodies.values() if any(force.role == role for force in body.forces))
 
 
-def backwards(role: str) -> Callable[[Force, BodyFacts], Force]:
+def reversed_force(role: str) -> Callable[[Force, BodyFacts], Force]:
     """A force of some role the other way."""
     return lambda force, body: replace(force, size=negate(force.size)) if force.role == role else force
 
 
 def gravity_sign(scene: Scene) -> Made:
     """−m g for m g."""
-    for name in each(pulled(scene, "weight")):
+    for name in each(pulled_bodies(scene, "weight")):
         words = f"the weight of the {spoken(name)} was given the wrong sign"
-        yield words, Change(altered=of_forces((name,), backwards("weight")))
+        yield words, Change(altered=of_forces((name,), reversed_force("weight")))
 
 
 def tension_sign(scene: Scene) -> Made:
     """−T for T in the law of what hangs from a string."""
     motions = {name: body.motion for name, body in scene.bodies.items()}
-    hanging = (name for name in pulled(scene, "tension") if motions[name].kind == "line" and not motions[name].turns)
+    hanging = (
+        name for name in pulled_bodies(scene, "tension") if motions[name].kind == "line" and not motions[name].turns
+    )
     for name in each(hanging):
         words = f"the tension on the {spoken(name)} was given the wrong sign"
-        yield words, Change(altered=of_forces((name,), backwards("tension")), aside=(ENERGY,))
+        yield words, Change(altered=of_forces((name,), reversed_force("tension")), aside=(ENERGY,))
 
 
 def tension_as_weight(scene: Scene) -> Made:
@@ -82,7 +92,7 @@ def weight_at_end(scene: Scene) -> Made:
     """The arm L for ½ L of a rod that is hinged at its end."""
     first = scene.moments[0].state
     for name in each(
-        name for name in pulled(scene, "weight") if shape_of(scene.configuration.bodies[name]).word == "rod"
+        name for name in pulled_bodies(scene, "weight") if shape_of(scene.configuration.bodies[name]).word == "rod"
     ):
         held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end"):
@@ -98,11 +108,11 @@ def mass_at_end(scene: Scene) -> Made:
         if held is not None and held.point in ("start", "end") and name in scene.bodies:
             yield (
                 f"the {spoken(name)} was taken as a point mass at its end",
-                Change(altered=of_bodies((name,), gathered)),
+                Change(altered=of_bodies((name,), gathered_at_end)),
             )
 
 
-def gathered(body: BodyFacts, facts: Facts) -> BodyFacts:
+def gathered_at_end(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body with its mass twice as far from its axis as its centre of mass is."""
     far = body.cm + body.cm
     formula = simplify(body.mass * far.dot(far))
@@ -125,34 +135,34 @@ def rubbing(scene: Scene) -> Iterator[tuple[tuple[str, ...], str]]:
             if item.role == "friction":
                 bodies.setdefault(item.owner, []).append(f"the {spoken(body.name)}")
     for owner in each(bodies):
-        yield (owner,), listed(bodies[owner])
+        yield (owner,), and_joined(bodies[owner])
     if len(bodies) > 1:
-        yield tuple(bodies), listed(list(dict.fromkeys(name for names in bodies.values() for name in names)))
+        yield tuple(bodies), and_joined(list(dict.fromkeys(name for names in bodies.values() for name in names)))
 
 
 def friction_sign(scene: Scene) -> Made:
     """μ N the other way; of friction that no one knows, its torque the other way."""
     for owners, who in rubbing(scene):
         words = f"the friction on {who} was given the wrong sign"
-        yield words, Change(altered=of_owners(owners, other_way))
-        turned = Change(altered=of_owners(owners, turned_round), aside=(ENERGY,))
+        yield words, Change(altered=of_owners(owners, reversed_friction))
+        turned = Change(altered=of_owners(owners, with_other_torque), aside=(ENERGY,))
         yield f"the torque of the friction on {who} was given the wrong sign", turned
 
 
-def other_way(item: Force | Couple) -> Force | Couple:
+def reversed_friction(item: Force | Couple) -> Force | Couple:
     if isinstance(item, Couple):
         return replace(item, torque=negate(item.torque))
     return replace(item, size=negate(item.size))
 
 
-def turned_round(item: Force | Couple) -> Force | Couple:
+def with_other_torque(item: Force | Couple) -> Force | Couple:
     return replace(item, arm=-item.arm) if isinstance(item, Force) else item
 
 
 def no_friction(scene: Scene) -> Made:
     """0 for μ N; of what rolls also 0 in Newton's second law alone, as if it need not turn."""
     for owners, who in rubbing(scene):
-        words, smooth = f"the friction on {who} was left out", of_owners(owners, none)
+        words, smooth = f"the friction on {who} was left out", of_owners(owners, zeroed)
         yield words, Change(altered=smooth)
         rubbed = (body for body in scene.bodies.values() if any(item.owner in owners for item in body.acting))
         rolling = frozenset(body.name for body in rubbed if body.motion.turns and body.motion.kind != "axis")
@@ -161,13 +171,13 @@ def no_friction(scene: Scene) -> Made:
             yield words, Change(altered=sliding, aside=(ENERGY,))
 
 
-def none(item: Force | Couple) -> Force | Couple:
+def zeroed(item: Force | Couple) -> Force | Couple:
     return replace(item, torque=ZERO) if isinstance(item, Couple) else replace(item, size=ZERO)
 
 
 def normal_as_weight(scene: Scene) -> Made:
     """N = m g, whatever the slope."""
-    for names, who in each_and_all(pulled(scene, "friction")):
+    for names, who in each_and_all(pulled_bodies(scene, "friction")):
         words = f"the normal force on {who} was taken as its weight"
         yield words, Change(altered=of_forces(names, rubbed_by_weight))
 
@@ -224,14 +234,14 @@ def levelled(name: str, pair: tuple[Formula, Formula]) -> Callable[[Equation], E
     """T₁ = T₂ wherever the law of rotation of a wheel stands."""
 
     def changed(equation: Equation) -> Equation:
-        if not turns(equation, name):
+        if not is_rotation_of(equation, name):
             return equation
         return replace(equation, left=pair[0], right=pair[1])
 
     return changed
 
 
-def turns(equation: Equation, name: str) -> bool:
+def is_rotation_of(equation: Equation, name: str) -> bool:
     """Whether an equation is the law of rotation of a body."""
     return equation.bodies == (name,) and equation.label.startswith("Newton's law for rotation")
 
@@ -242,17 +252,66 @@ def turns(equation: Equation, name: str) -> bool:
 def no_reaction(scene: Scene) -> Made:
     """Σ F = m a of a hinged body, across the line to its hinge but without the force of that, in place of the torques about it."""
     for name in each(body.name for body in scene.bodies.values() if body.motion.kind == "axis" and body.cm.parts):
-        altered = replace(of_bodies((name,), unsupported), equation=without_rotation({name}))
+        altered = replace(of_bodies((name,), without_reaction), equation=without_rotation({name}))
         words = f"the force of the support on the {spoken(name)} was left out"
         yield words, Change(altered=altered, aside=(ENERGY,))
 
 
 def without_rotation(names: Collection[str]) -> Callable[[Equation], Equation | None]:
     """All equations but the laws of rotation of some bodies."""
-    return lambda equation: None if any(turns(equation, name) for name in names) else equation
+    return lambda equation: None if any(is_rotation_of(equation, name) for name in names) else equation
 
 
-def unsupported(body: BodyFacts, facts: Facts) -> BodyFacts:
+def without_reaction(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body as its weight and other pulls would move its centre of mass on its circle."""
     forces = tuple(force for force in body.forces if force.role != "reaction")
     return replace(body, forces=forces, axes=(direction_of(body.cm).turned(90),))
+
+
+def centre_at_rest(scene: Scene) -> Made:
+    """0 for α r in Newton's second law of what turns about an axis, as if its centre of mass stood still."""
+    rates = frozenset(
+        Symbol(letter)
+        for facts in scene.moments
+        for body in facts.bodies
+        if body.motion.kind == "axis" and body.cm.parts
+        for letter in body.motion.spin_rate.symbols()
+    )
+    if rates:
+        altered = Alteration(equation=lambda equation: without_rates(equation, rates))
+        yield "the acceleration of the centre of mass was left out", Change(altered=altered)
+
+
+def without_rates(equation: Equation, rates: Collection[Formula]) -> Equation:
+    """Newton's second law without angular accelerations."""
+    if not equation.label.startswith("Newton's second law"):
+        return equation
+    sides = (side.transform(lambda node: ZERO if node in rates else node) for side in (equation.left, equation.right))
+    left, right = sides
+    return replace(equation, left=left, right=right)
+
+
+def no_centripetal(scene: Scene) -> Made:
+    """0 for m v²/r and m r ω² in Newton's second law."""
+    speeds = frozenset(speed for facts in scene.moments for body in facts.bodies for speed in speed_letters(body))
+    if speeds:
+        altered = Alteration(equation=lambda equation: without_squares(equation, speeds))
+        yield "the acceleration towards the centre of the circle was left out", Change(altered=altered)
+
+
+def speed_letters(body: BodyFacts) -> Iterator[Formula]:
+    """The letters of its speeds, where its centre of mass goes round in a circle."""
+    if body.cm.parts or body.motion.bend is not None:
+        rates = [body.motion.spin, *(size for size, _ in body.motion.velocity.parts)]
+        yield from (Symbol(name) for rate in rates for name in rate.symbols())
+
+
+def without_squares(equation: Equation, speeds: Collection[Formula]) -> Equation:
+    """Newton's second law without the squares of speeds."""
+    if not equation.label.startswith("Newton's second law"):
+        return equation
+
+    def change(node: Formula) -> Formula:
+        return ZERO if isinstance(node, Power) and node.base in speeds else node
+
+    return replace(equation, left=equation.left.transform(change), right=equation.right.transform(change))

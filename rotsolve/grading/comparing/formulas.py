@@ -1,0 +1,219 @@
+"""Formulas: one held against the closed form that is asked: equal, right with numbers put in, of another sign or dimension.
+
+Numbers are put in for letters in `g/3` for ⅔ g sin θ with θ = 30°, or stand there as a rounded coefficient.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from fractions import Fraction
+from functools import partial
+from itertools import islice, product
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
+from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
+from rotsolve.grading.comparing.numbers import Typed, certified_number
+from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, value_judged
+from rotsolve.grading.comparing.signs import right_but_for_sign
+from rotsolve.grading.verdict import RIGHT, WRONG, Finding, found, outcome_of
+from rotsolve.language import marks
+
+USUAL = 1 / 100  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
+ROUNDED = 1 / 400  # the share by which a number put in for a letter may differ from it
+MOST_WAYS = 32  # in which the numbers of a formula may be letters
+MOST_PLACES = 40  # of a decimal that may be rounded
+LEAST = 2  # figures of a number that may be rounded
+
+
+class Put(Struct, frozen=True):
+    """A formula and its closed form, written in givens, both with the numbers of the letters that do not stand in the formula."""
+
+    typed: Formula
+    closed: Formula
+    missing: tuple[str, ...]
+
+
+def put_in(
+    closed: Formula, typed: Formula, values: Mapping[str, Formula], answers: Mapping[str, Formula]
+) -> Put | None:
+    """The numbers that a formula has in place of letters put into both sides: T + (2 kg) a/2, where `answers` tell T and a by givens.
+
+    None where a letter has no number.
+    """
+    written = typed.substitute({name: answers[name] for name in typed.symbols() - values.keys() if name in answers})
+    missing = (written.symbols() | closed.symbols()) - typed.symbols()
+    if not missing <= values.keys():
+        return None
+    put = {name: values[name] for name in missing}
+    return Put(written.substitute(put), closed.substitute(put), tuple(sorted(missing)))
+
+
+def numbers_stand(typed: Formula, missing: Iterable[str], numbers: Mapping[str, float]) -> bool:
+    """Whether a formula that has lost its units can have the numbers of letters in it: they stand there, or are worked into a decimal."""
+    found = numbers_in(typed)
+    return has_decimal(typed) or all(
+        any(letters_with_number(value, {name: numbers.get(name, 0)}, USUAL) for value in found) for name in missing
+    )
+
+
+def numbers_in(typed: Formula) -> frozenset[Fraction]:
+    """The different numbers that stand in a formula."""
+    return frozenset(node.value for node in typed.walk(Number) if isinstance(node, Number))
+
+
+def has_decimal(typed: Formula) -> bool:
+    """Whether a number of two figures or more, not a whole one, stands in a formula: 0.67, 9.81."""
+    return any(is_decimal(value) for value in numbers_in(typed))
+
+
+def rounding_share(typed: Formula) -> float:
+    """The share by which a formula may be off because its decimals are rounded: a unit of the last figure of each."""
+    return sum(
+        float(Fraction(1, 10 ** decimal_places(value)) / abs(value)) for value in numbers_in(typed) if is_decimal(value)
+    )
+
+
+def decimal_places(value: Fraction) -> int:
+    """The decimal places of a number that has so many and no more."""
+    return next(count for count in range(MOST_PLACES) if (value * 10**count).denominator == 1)
+
+
+def is_decimal(value: Fraction) -> bool:
+    """Whether a number is a decimal fraction with so many figures."""
+    rest, twos, fives = value.denominator, 0, 0
+    while rest % 2 == 0:
+        rest, twos = rest // 2, twos + 1
+    while rest % 5 == 0:
+        rest, fives = rest // 5, fives + 1
+    if rest > 1 or value.denominator == 1 or max(twos, fives) >= MOST_PLACES:
+        return False
+    digits = value.numerator * 10 ** max(twos, fives) // value.denominator
+    return len(str(abs(digits)).rstrip("0")) >= LEAST
+
+
+def with_letters(typed: Formula, numbers: Mapping[str, float]) -> Iterator[tuple[Formula, tuple[str, ...]]]:
+    """A formula with letters for the numbers that they have, m₁ (g + a) for m₁ (9.81 + a), in all ways, and which letters these are."""
+    letters = {value: letters_with_number(abs(value), numbers) for value in sorted(numbers_in(typed))}
+    choices = [[(value, ""), *((value, name) for name in names)] for value, names in letters.items() if names]
+    for chosen in islice(product(*choices), MOST_WAYS):
+        put = {value: Symbol(name) for value, name in chosen if name}
+        if put:
+            yield typed.transform(partial(letter_for, put), Number), tuple(symbol.name for symbol in put.values())
+
+
+def letters_with_number(value: Fraction, numbers: Mapping[str, float], share: float = ROUNDED) -> list[str]:
+    """The letters that have a number, perhaps rounded."""
+    try:
+        size = float(value)
+    except OverflowError:
+        return []
+    return [name for name, number in numbers.items() if number and abs(size - number) <= share * abs(number)]
+
+
+def letter_for(put: Mapping[Fraction, Symbol], node: Formula) -> Formula:
+    """The letter for a number, with its sign."""
+    letter = put.get(node.value) if isinstance(node, Number) else None
+    if letter is None or not isinstance(node, Number):
+        return node
+    return Negative(letter) if node.value < 0 else letter
+
+
+EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
+
+
+def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -> Finding:
+    """The finding for a formula; `measured` says that units in it tell what it measures, and that this is what is asked for."""
+    if asked.closed is None:
+        return worked_out(formula, asked)
+    holds = asked.same(formula, asked.closed)
+    if holds:
+        if asked.marking.form == marks.NUMBER and asked.sought is not None:
+            return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
+        return Finding(RIGHT)
+    if holds is None:
+        return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
+    misfit = "" if measured else of_other_dimension(formula, asked)
+    partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
+    if partly is not None or misfit:
+        return partly or found(WRONG, "dimension", misfit)
+    if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
+        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
+    return Finding(WRONG)
+
+
+def partly_numeric(formula: Formula, asked: Scalar, *, fits: bool, measured: bool = False) -> Finding | None:
+    """The finding for a formula that is right with numbers of letters put in, or but for a rounded coefficient; else None.
+
+    One that does not measure what is asked (`fits`) has lost the units of its numbers.
+    """
+    finding = put_in_for_letters(formula, asked, fits, measured) or put_in_beside(formula, asked)
+    return finding if finding is None or fits else lacking_unit(finding, asked.unit, asked)
+
+
+def put_in_for_letters(formula: Formula, asked: Scalar, fits: bool, measured: bool) -> Finding | None:
+    """The finding where the numbers of the letters that a formula lacks make the closed form equal to it."""
+    both = None if asked.closed is None else put_in(asked.closed, formula, asked.values, asked.answers)
+    if both is None or not (fits or numbers_stand(formula, both.missing, asked.numbers)):
+        return None
+    if not (measured or formula.symbols() <= asked.values.keys() or numbers_in(formula)):
+        return None  # made of other answers alone: no number stands in it
+    holds = asked.same(both.typed, both.closed) if both.missing else False
+    if holds is None:  # sin 35° and its like, which exact algebra does not know
+        holds = asked.close(both.typed, both.closed, EXACTLY)
+    if holds:
+        return with_numbers(asked, both.missing)
+    if has_decimal(formula):
+        share = min(Fraction(rounding_share(formula)), asked.marking.tolerance.share or Fraction(USUAL))
+        if asked.close(both.typed, both.closed, share) and is_near_answer(both.typed, asked, share):
+            return with_numbers(asked, both.missing, rounded=True)
+    return None
+
+
+def is_near_answer(formula: Formula, asked: Scalar, share: Fraction) -> bool:
+    """Whether a formula is within a share of the answer for the scene's own numbers, where it has one for them."""
+    number = certified_number(formula, asked.values)
+    if number is None or asked.sought is None:
+        return True
+    value = asked.sought.in_unit(asked.sought.si)
+    return abs(number.float - value.float) <= share * abs(value.float)
+
+
+def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
+    """The finding where a formula is right with letters in place of their numbers."""
+    for meant, names in with_letters(formula, asked.numbers):
+        if asked.closed is not None and not of_other_dimension(meant, asked) and asked.same(meant, asked.closed):
+            return with_numbers(asked, names)
+    return None
+
+
+def with_numbers(asked: Scalar, names: Iterable[str], *, rounded: bool = False) -> Finding:
+    """What is said of a right formula in which there are numbers of these letters."""
+    listed = [word for name in sorted(names) for word in (", ", Symbol(name))][1:]
+    put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if listed else ("right",)
+    said = (*put, ", but a number in it is rounded") if rounded else put
+    return found(RIGHT, "numbers", *said, flaws=(marks.FORM,) if asked.marking.form == marks.EXACT else ())
+
+
+def worked_out(formula: Formula, asked: Scalar) -> Finding:
+    """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
+    number = certified_number(formula, asked.values)
+    if asked.sought is None or number is None:
+        return found(outcome_of(None), "equality", "there is no closed form to compare it with")
+    value = Typed(formula.substitute(asked.values))
+    return value_judged(value, asked.sought.si, "", asked, asked.sought) or Finding(WRONG)
+
+
+def of_other_dimension(formula: Formula, asked: Scalar) -> str:
+    """What is said of a formula that measures something else; '' where it does not, or where that is not known."""
+    if not formula.symbols() <= asked.dimensions.keys():
+        return ""
+    try:
+        found_dimension = dimension_of(formula, asked.dimensions)
+    except DimensionError as error:
+        return f"its parts do not fit together: {error.message}"
+    if found_dimension.matches(asked.dimension):
+        return ""
+    here, wanted = describe(found_dimension, article=True), describe(asked.dimension, article=True)
+    return f"it measures {here}, but {wanted} is asked for"

@@ -1,1 +1,0 @@
-"""Handing in: answers of one student, or of a class, as text that says where everything stands."""

@@ -1,0 +1,219 @@
+"""Sheet: what one student hands in, as lines of text or as YAML; its bytes as text, and the asked names in any of their spellings."""
+
+from __future__ import annotations
+
+import codecs
+import re
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from rotsolve.algebra.notation.letters import RUN, name_to_text, spellings
+from rotsolve.core.faults import Fault, SceneError, Span
+from rotsolve.grading.reading.records import spelled_alike
+from rotsolve.grading.verdict import Paper
+from rotsolve.language.words import hint, quoted
+from rotsolve.run.scenes import PIPED
+from rotsolve.scene.tree.nodes import List, Map, Node, Text, compose
+
+BYTES = 50_000_000  # a class of a hundred thousand, with its working
+MARK = "\ufeff"  # at the start of a file that a spreadsheet has saved as UTF-8
+OTHER_MARKS = {codecs.BOM_UTF16_LE: "UTF-16", codecs.BOM_UTF16_BE: "UTF-16"}
+SAVE = "save it as UTF-8; spreadsheets call it `CSV UTF-8`"
+
+
+class HandedInError(SceneError):
+    """Answers that can't be read: every fault of the file, with its place."""
+
+
+def content_of(file: str) -> str:
+    """The text of a file, or of standard input for `-`, with plain line breaks; a byte order mark stays in front."""
+    try:
+        content = sys.stdin.buffer.read(BYTES + 1) if file == PIPED else bytes_of(Path(file))
+    except OSError as error:
+        raise file_error(f"can't read {quoted(file)}: {error.strerror or error}") from None
+    if len(content) > BYTES:
+        raise file_error(f"the file has more than {BYTES} bytes", "split the class", file)
+    return decoded(content, file).replace("\r\n", "\n").replace("\r", "\n")
+
+
+def bytes_of(path: Path) -> bytes:
+    with path.open("rb") as stream:
+        return stream.read(BYTES + 1)
+
+
+def decoded(content: bytes, file: str) -> str:
+    """The bytes as UTF-8."""
+    for mark, encoding in OTHER_MARKS.items():
+        if content.startswith(mark):
+            raise file_error(f"the file is {encoding}, not UTF-8", SAVE, file)
+    if b"\0" in content:
+        raise file_error("this is no text file: it holds a NUL byte", SAVE, file)
+    try:
+        return content.decode("utf-8")
+    except UnicodeDecodeError as error:
+        before = content[: error.start]
+        line = before.count(b"\n") + 1
+        start = before.rpartition(b"\n")[2].decode("utf-8")
+        byte = f"the byte {content[error.start]:02X}"
+        raise file_error(f"{byte} is not UTF-8", SAVE, file, Span(line, len(start) + 1)) from None
+
+
+def file_error(message: str, help: str = "", file: str = "", span: Span | None = None) -> HandedInError:
+    """The error of a file with a single fault."""
+    return HandedInError([Fault(message, span, help, "file")], (), file)
+
+
+LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
+LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
+MATHEMATICS = re.compile(
+    r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL
+)  # $a = 2 m$ as a whole
+
+
+def asked_name(name: str, asked: Iterable[str]) -> str | None:
+    """The asked name that is meant, None where it is none of them."""
+    names = tuple(asked)
+    if name.strip() in names:
+        return name.strip()
+    plain = name.strip().translate(LATEX)
+    if not re.fullmatch(RUN, plain):
+        return None
+    said = {plain, *spellings(plain)}
+    printed = {name_to_text(text) for text in said}
+    exactly = next((item for item in names if item in said or name_to_text(item) in printed), None)
+    found = [item for item in names if spelled_alike(plain, item)]
+    return exactly or (found[0] if len(found) == 1 else None)
+
+
+def name_and_text(line: str) -> tuple[str, str] | None:
+    """`a = 2 m`, `a: 2 m` or `a ≈ 2 m` as name and text; None where the line is not of that form."""
+    whole = MATHEMATICS.fullmatch(line)
+    match = LINE.fullmatch(next(filter(None, whole.groups()), "") if whole else line)
+    return (match["name"], match["text"].rstrip()) if match else None
+
+
+YAML = (".yaml", ".yml")
+STUDENT_KEY, VARIANT_KEY, WORKING_KEY = "student", "variant", "working"
+OWN = (STUDENT_KEY, VARIANT_KEY, WORKING_KEY)  # keys beside the names of the answers
+MARGIN = re.compile(r"\s|#|-\s|[\w\\$]+:(\s|$)")  # how each line of a YAML map begins
+LINES, LONGEST = 10_000, 200_000
+
+
+def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
+    """The paper of one student. The file's name says whether it is YAML; of what has no such name, its lines do."""
+    text = text.removeprefix(MARK)
+    lines = text.split("\n")
+    if not text.strip():
+        raise HandedInError([Fault("nothing is handed in", None, f"write `{asked[0]} = …`", "file")], (), file)
+    if len(lines) > LINES or len(text) > LONGEST:
+        message = f"more than {LINES} lines or {LONGEST} characters"
+        raise HandedInError([Fault(message, None, "hand in one student's answers; a class is a .csv")], (), file)
+    named_so = file.lower().endswith(YAML)
+    if named_so or all(MARGIN.match(line) for line in lines if line):
+        return from_yaml(text, file, asked)
+    return from_lines(lines, file, asked)
+
+
+def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
+    """`a = …` is an answer, the last one where there are several; `student:` and `variant:` say whose; all else is working."""
+    told: dict[str, str] = {}
+    found: dict[str, int] = {}
+    working: dict[int, str] = {}
+    for number, line in enumerate(lines):
+        said = name_and_text(line)
+        name = asked_name(said[0], asked) if said else None
+        if said and name is None and said[0].lower() in OWN[:2] and ":" in line:
+            told[said[0].lower()] = said[1]
+        elif said and name is not None:
+            if name in found:
+                working[found[name]] = lines[found[name]].strip()
+            found[name] = number
+        elif line.strip() and not line.lstrip().startswith("#"):
+            working[number] = line.strip()
+    answers = {name: text_after(lines[found[name]]) for name in asked if name in found}
+    if not answers:
+        raise HandedInError([no_answer_fault(asked, "=")], lines, file)
+    return Paper(
+        told.get(STUDENT_KEY, ""), answers, tuple(working[key] for key in sorted(working)), told.get(VARIANT_KEY, "")
+    )
+
+
+def text_after(line: str) -> str:
+    said = name_and_text(line)
+    return said[1] if said else line.strip()
+
+
+def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
+    """`a: …`, and beside the answers `student`, `variant` and `working`, a text or a list of them."""
+    root, lines = compose(text, file)
+    if not isinstance(root, Map):
+        raise HandedInError([Fault("answers are a map", root.span, f"write `{asked[0]}: …`")], lines, file)
+    faults: list[Fault] = []
+    told: dict[str, str] = {}
+    working: tuple[str, ...] = ()
+    for key, node in root.entries:
+        name = asked_name(key.value, asked) or key.value
+        if name not in asked and name not in OWN:
+            faults.append(Fault(f"{quoted(name)} is not asked", key.span, hint(name, (*asked, *OWN), "keys")))
+        elif name in told:
+            faults.append(Fault(f"{quoted(name)} stands here twice", key.span, "leave one out"))
+        elif name == WORKING_KEY and name not in asked:
+            told[name] = ""
+            working = tuple(line for item in item_texts(node, faults) for line in item.split("\n") if line.strip())
+        else:
+            told[name] = single_text(name, node, faults).replace("\n", " ")
+    answers = {name: told[name] for name in asked if told.get(name)}
+    if faults or not answers:
+        raise HandedInError(faults or [no_answer_fault(asked, ":")], lines, file)
+    student, variant = ("" if name in asked else told.get(name, "") for name in (STUDENT_KEY, VARIANT_KEY))
+    return Paper(student, answers, working, variant)
+
+
+def no_answer_fault(asked: Sequence[str], sign: str) -> Fault:
+    blank = " " if sign == "=" else ""
+    return Fault("there is no answer", None, f"write `{asked[0]}{blank}{sign} …`; asked: {', '.join(asked)}")
+
+
+def item_texts(node: Node, faults: list[Fault]) -> list[str]:
+    """The texts of a list, or the one text."""
+    nodes = node.items if isinstance(node, List) else (node,)
+    return [single_text(WORKING_KEY, item, faults) for item in nodes]
+
+
+def single_text(name: str, node: Node, faults: list[Fault]) -> str:
+    """One text; of anything else, what to write instead."""
+    if isinstance(node, Text):
+        return node.value.strip()
+    help = 'write it in quotes, as "(3, 4) N"' if isinstance(node, List) else "write one text"
+    faults.append(Fault(f"{quoted(name)} is no single text", node.span, help))
+    return ""
+
+
+def from_answers(texts: Sequence[str], asked: Sequence[str]) -> Paper:
+    """The answers of the command line, each `a = …`, or the text alone where one thing is asked."""
+    answers: dict[str, str] = {}
+    faults: list[Fault] = []
+    for number, text in enumerate(texts, 1):
+        said = name_and_text(text)
+        name = asked_name(said[0], asked) if said else None
+        if name in answers:
+            faults.append(Fault(f"{quoted(str(name))} is answered twice", Span(number, 1), "leave one out"))
+        elif said and name is not None:
+            answers[name] = said[1]
+        elif len(asked) == 1 and len(texts) == 1:
+            answers[asked[0]] = text.strip()
+        else:
+            faults.append(unnamed_fault(text, said[0] if said else "", number, asked))
+    given = {name: text for name, text in answers.items() if text}
+    if faults or not given:
+        raise HandedInError(faults or [no_answer_fault(asked, "=")], texts, "--answer")
+    return Paper("", given)
+
+
+def unnamed_fault(text: str, name: str, number: int, asked: Sequence[str]) -> Fault:
+    """An answer that does not say which of those that are asked it is."""
+    span = Span(number, 1, max(1, len(name or text)))
+    if re.fullmatch(r"\S+", name):
+        return Fault(f"{quoted(name)} is not asked", span, hint(name, asked, "asked"))
+    return Fault("which answer is this?", span, f"write `{asked[0]} = …`; asked: {', '.join(asked)}")

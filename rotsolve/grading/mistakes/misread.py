@@ -1,0 +1,224 @@
+"""Mistakes in reading the scene: a number without the factor of its unit, another letter, a diameter for a radius, sine for cosine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.unit_table import UNITS, Unit
+from rotsolve.core.vectors.heading import heading
+from rotsolve.grading.mistakes.mistake import MOST, Change, Made, and_joined, each
+from rotsolve.language.keys import Element
+from rotsolve.language.problem import Body, Condition, Problem
+
+if TYPE_CHECKING:
+    from rotsolve.grading.mistakes.scene import Scene
+
+TURNS = ("rev", "rpm", "turn")  # in the text of a unit that counts revolutions
+MINUTE = Number(UNITS["min"].scale)
+
+
+def misread_givens(scene: Scene, fits: Callable[[Unit], bool], wrong: Callable[[Unit], Formula], words: str) -> Made:
+    """Each given in a unit that is misread times its wrong factor, then all of them; `words` speak of its {name} and {unit}."""
+    found = [
+        (given.name, given.unit.text, wrong(given.unit))
+        for given in scene.problem.givens
+        if given.value is not None and given.unit is not None and fits(given.unit)
+    ]
+    alone = [[one] for one in found] if len(found) <= MOST else []
+    for group in [*alone, *([found] if len(found) > 1 else [])]:
+        names = and_joined([to_text(Symbol(name)) for name, _, _ in group])
+        units = and_joined(list(dict.fromkeys(unit for _, unit, _ in group)))
+        told = words.format(name=names, unit=units, are="was" if len(group) == 1 else "were")
+        yield told, Change(factors={name: factor for name, _, factor in group})
+
+
+def is_in_degrees(unit: Unit) -> bool:
+    return unit.pi_power == 1 and UNITS["°"].text in unit.text
+
+
+def is_in_turns(unit: Unit) -> bool:
+    """Revolutions, also by the minute."""
+    return unit.pi_power == 1 and any(word in unit.text for word in TURNS)
+
+
+def by_minutes(unit: Unit) -> bool:
+    return is_in_turns(unit) and ("min" in unit.text or "rpm" in unit.text)
+
+
+def is_in_hertz(unit: Unit) -> bool:
+    return "Hz" in unit.text
+
+
+def scaled(unit: Unit) -> bool:
+    """A multiple of an SI unit."""
+    return not unit.pi_power and unit.scale != 1
+
+
+def without_factor(unit: Unit) -> Formula:
+    return ONE / unit.factor
+
+
+def without_turn(unit: Unit) -> Formula:
+    return ONE / (2 * PI)
+
+
+def degrees_as_radians(scene: Scene) -> Made:
+    """30 rad for 30°."""
+    return misread_givens(scene, is_in_degrees, lambda unit: 180 / PI, "{name} in degrees {are} taken as in radians")
+
+
+def revolutions_as_radians(scene: Scene) -> Made:
+    """300 rad/s for 300 rev/min; or only the 2π or only the 60 of its factor left out."""
+    yield from misread_givens(
+        scene, is_in_turns, without_factor, "{name} in {unit} {are} taken as in radians and seconds"
+    )
+    yield from misread_givens(
+        scene, is_in_turns, without_turn, "the 2π was left out when {name} {are} turned into radians"
+    )
+    yield from misread_givens(scene, by_minutes, lambda unit: MINUTE, "the minutes of {name} were taken for seconds")
+
+
+def hertz_as_radians(scene: Scene) -> Made:
+    """50 rad/s for 50 Hz."""
+    return misread_givens(scene, is_in_hertz, without_turn, "{name} in {unit} {are} taken as in rad/s")
+
+
+def units_not_converted(scene: Scene) -> Made:
+    """20 m for 20 cm."""
+    return misread_givens(scene, scaled, without_factor, "{name} in {unit} {are} not turned into SI units")
+
+
+# letters
+
+
+def diameters(scene: Scene) -> Made:
+    """2 R for R; ½ R where the radius was taken for a diameter."""
+    found = radius_letters(scene.problem.bodies)
+    for name in each(found):
+        letter = Symbol(name)
+        yield f"the diameter was put for {to_text(letter)}", Change(letters={name: 2 * letter})
+        yield f"{to_text(letter)} was halved, as if it were a diameter", Change(letters={name: letter / 2})
+    if len(found) > 1:
+        names = and_joined([to_text(Symbol(name)) for name in found])
+        yield f"diameters were put for {names}", Change(letters={name: 2 * Symbol(name) for name in found})
+
+
+def letters_exchanged(scene: Scene) -> Made:
+    """m₂ for m₁ and m₁ for m₂; so for two radii."""
+    masses = [body.mass.name for body in scene.problem.bodies if isinstance(body.mass, Symbol)]
+    for names in (masses, radius_letters(scene.problem.bodies)):
+        for one, other in combinations(each(names), 2):
+            words = f"{to_text(Symbol(one))} and {to_text(Symbol(other))} were exchanged"
+            yield words, Change(letters={one: Symbol(other), other: Symbol(one)})
+
+
+def from_rest(scene: Scene) -> Made:
+    """0 for a velocity at the start."""
+    lines = scene.problem.states[0].conditions if scene.problem.states else ()
+    speeds = [
+        line.value.name
+        for line in lines
+        if line.path is not None
+        and isinstance(line.value, Symbol)
+        and line.path.quantity in ("velocity", "angular_velocity")
+    ]
+    for name in each(speeds):
+        yield f"{to_text(Symbol(name))} was left out, as if the motion began at rest", Change(letters={name: ZERO})
+
+
+def radius_letters(bodies: Iterable[Body]) -> list[str]:
+    """The letters of the radii of some bodies and their parts, each once."""
+    return list(dict.fromkeys(name for body in bodies for name in radii_of(body)))
+
+
+def radii_of(body: Body) -> Iterator[str]:
+    told: Iterable[Formula | None] = (
+        body.radius,
+        getattr(body.shape, "radius", None),
+        *(size for _, size in (*body.radii, *getattr(body.shape, "radii", ()))),
+    )
+    yield from (size.name for size in told if isinstance(size, Symbol))
+    for part in body.parts:
+        yield from radii_of(part.body)
+
+
+Turn = Callable[[Formula], Formula]
+
+
+def sine_for_cosine(scene: Scene) -> Made:
+    """90° − θ for θ, wherever it is a direction: then sine and cosine are exchanged, also in what is derived from them."""
+    found = list(dict.fromkeys(scene_angles(scene.problem)))
+    for name in dict.fromkeys(name for value in found for name in sorted(value.symbols())):
+        yield exchange_words(Symbol(name)), Change(problem=with_turned(complement_of(name)))
+    for value in found:
+        direction = heading(value)
+        if not direction.terms and direction.degrees % 90:
+            yield exchange_words(value), Change(problem=with_turned(complement_if(value)))
+
+
+def exchange_words(angle: Formula) -> str:
+    return f"sine and cosine of {to_text(angle)} were exchanged"
+
+
+def complement_if(angle: Formula) -> Turn:
+    return lambda value: PI / 2 - value if value == angle else value
+
+
+def complement_of(name: str) -> Turn:
+    return lambda value: value.substitute({name: PI / 2 - Symbol(name)})
+
+
+def scene_angles(problem: Problem) -> Iterator[Formula]:
+    """All angles of a scene that say how something stands."""
+    for element in (*problem.surfaces, *problem.connections, *problem.actions):
+        yield from angles_in(element).values()
+    yield from (line.value for line in angle_conditions(problem) if line.value is not None)
+
+
+def angle_conditions(problem: Problem) -> Iterator[Condition]:
+    """The lines of the states that tell an angle."""
+    return (line for state in problem.states for line in state.conditions if tells_angle(line))
+
+
+def tells_angle(line: Condition) -> bool:
+    return line.path is not None and line.path.quantity == "angle" and line.value is not None
+
+
+def angles_in(element: Element) -> dict[str, Formula]:
+    """The fields of an element that hold a direction."""
+    fields = {}
+    for name, key in element.declared.items():
+        value = getattr(element, name)
+        if isinstance(value, Formula) and not key.varies and (key.dimension == "angle" or key.kind == "direction"):
+            fields[name] = value
+    return fields
+
+
+def with_turned(turn: Turn) -> Callable[[Problem], Problem]:
+    """The scene with other directions."""
+
+    def element(item: Any) -> Any:
+        return replace(item, **{name: turn(value) for name, value in angles_in(item).items()})
+
+    def line(item: Condition) -> Condition:
+        return replace(item, value=turn(item.value)) if tells_angle(item) and item.value is not None else item
+
+    def changed(problem: Problem) -> Problem:
+        states = tuple(
+            replace(state, conditions=tuple(line(item) for item in state.conditions)) for state in problem.states
+        )
+        return replace(
+            problem,
+            surfaces=tuple(element(item) for item in problem.surfaces),
+            connections=tuple(element(item) for item in problem.connections),
+            actions=tuple(element(item) for item in problem.actions),
+            states=states,
+        )
+
+    return changed

@@ -1,1 +1,0 @@
-"""Lines: what stands round the values of a line: words, directions, signs of equality, decimal commas."""
