@@ -1,4 +1,4 @@
-"""Pipeline: the arrows in order: scene text → problem → history (facts, equations) → inquiry (plan, solve) → derivation with checks."""
+"""Pipeline: the arrows in order: scene text → problem → scene (facts, equations) → search (plan, solve) → derivation with checks."""
 
 from __future__ import annotations
 
@@ -6,28 +6,29 @@ import os
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
+from rotsolve.core.derivation import Section
 from rotsolve.core.equation import LAWS
-from rotsolve.inquiry.answering import answer_all
-from rotsolve.inquiry.checks import checks, contradiction, turned_back
-from rotsolve.inquiry.compose import Composer, with_missing_told
-from rotsolve.inquiry.explain.contradictory import contradicted, said_otherwise, turns_back
-from rotsolve.inquiry.explain.unsolvable import unsolvable
-from rotsolve.inquiry.friction import Decision, decide
-from rotsolve.inquiry.history import History
-from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.inquiry.planning import SAID, families_for
-from rotsolve.inquiry.questions import NotYet
+from rotsolve.derivation.checks import checks, contradiction, turned_back
+from rotsolve.derivation.compose import Composer, with_missing_told
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.configured import configured
+from rotsolve.paths import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
+from rotsolve.search.answering import answer_all
+from rotsolve.search.explain.contradictory import contradicted, said_otherwise, turns_back
+from rotsolve.search.explain.unsolvable import unsolvable
+from rotsolve.search.friction import Decision, decide
+from rotsolve.search.planning import SAID, families_for
+from rotsolve.search.search import Search
 from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
-    from rotsolve.inquiry.meanings import Meanings
-    from rotsolve.inquiry.validity import Validity
+    from rotsolve.derivation.meanings import Meanings
+    from rotsolve.derivation.validity import Validity
 
 MOST_DIGITS = 1000
 
@@ -63,41 +64,51 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         for clash in said_otherwise(configuration, decision.modes):
             raise clash
         with stage("laws"):
-            history = History(configuration, decision.modes)
-            inquiry = Inquiry(history, families_for(law), spare=law is not None)
+            scene = SceneEquations(configuration, decision.modes)
+            search = Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     with stage("solve"):
-        answer_all(inquiry, configuration.problem.finds)
+        answer_all(search, configuration.problem.finds)
     if at is not None and not configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     with stage("verify", whole=True):
-        check_consistent(inquiry)
+        check_consistent(search)
         if law is not None:
-            check_law(inquiry, law)
-    return composed(problem, inquiry, decision, digits, at)
+            check_law(search, law)
+    return composed(problem, search, decision, digits, at)
 
 
-def composed(problem: Problem, inquiry: Inquiry, decision: Decision, digits: int, at: str | None) -> Solution:
-    """The answers of an inquiry as a derivation with its checks."""
+def composed(problem: Problem, search: Search, decision: Decision, digits: int, at: str | None) -> Solution:
+    """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
-        composer = Composer(inquiry, decision.numbered + 1, moment(at))
+        before, first = sections_before(decision)
+        composer = Composer(search, first, moment(at))
     with stage("verify", whole=True):
-        held = checks(inquiry, composer.letters)
+        held = checks(search, composer.letters)
     with stage("compose", whole=True):
-        derivation = with_missing_told(composer.derivation(held, decision.sections), composer.problem)
+        derivation = with_missing_told(composer.derivation(held, before), composer.problem)
     beside = left_out(problem, composer.problem)
     skipped("bodies", beside)
     counted("equations written", derivation.equations_written)
     counted("equations used", derivation.equations_used)
     trace = Trace(
-        lambda: stages_before().facts_text(inquiry.history, beside),
-        lambda: stages_before().equations_text(inquiry, composer.letters),
-        lambda: stages_before().plan_text(inquiry, composer.letters),
-        lambda: validity_of(inquiry),
+        lambda: stages_before().facts_text(search.scene, beside),
+        lambda: stages_before().equations_text(search, composer.letters),
+        lambda: stages_before().plan_text(search, composer.letters),
+        lambda: validity_of(search),
         lambda: meanings_of(composer),
     )
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
+
+
+def sections_before(decision: Decision) -> tuple[tuple[Section, ...], int]:
+    """The sections that show what slips, and the number of the first equation after them."""
+    if not decision.trials:
+        return (), 1
+    from rotsolve.derivation.friction import trial_sections
+
+    return trial_sections(decision.trials)
 
 
 def moment(at: str | None) -> TimeValue | None:
@@ -111,21 +122,21 @@ def moment(at: str | None) -> TimeValue | None:
 
 def stages_before() -> Any:
     """What prints the stages before the derivation; loaded when someone asks for one."""
-    from rotsolve.inquiry import stages
+    from rotsolve.derivation import stages
 
     return stages
 
 
-def validity_of(inquiry: Inquiry) -> Validity:
+def validity_of(search: Search) -> Validity:
     """For which numbers the closed forms hold; worked out when someone asks."""
-    from rotsolve.inquiry.validity import validity
+    from rotsolve.derivation.validity import validity
 
-    return validity(inquiry)
+    return validity(search)
 
 
 def meanings_of(composer: Composer) -> Meanings:
     """What the letters of the scene stand for; worked out when someone asks."""
-    from rotsolve.inquiry.meanings import Meanings
+    from rotsolve.derivation.meanings import Meanings
 
     return Meanings(composer)
 
@@ -137,20 +148,20 @@ def asked_part(problem: Problem) -> Configuration:
     return configuration if block is configuration.problem else Configuration(block)
 
 
-def check_consistent(inquiry: Inquiry) -> None:
+def check_consistent(search: Search) -> None:
     """The answers must agree with everything that the laws write about the scene."""
-    back = turned_back(inquiry)
+    back = turned_back(search)
     if back is not None:
-        raise turns_back(back, inquiry.history.configuration.problem)
-    broken = contradiction(inquiry)
+        raise turns_back(back, search.scene.configuration.problem)
+    broken = contradiction(search)
     if broken is not None:
-        raise contradicted(broken, inquiry.history)
+        raise contradicted(broken, search.scene)
 
 
-def check_law(inquiry: Inquiry, law: str) -> None:
+def check_law(search: Search, law: str) -> None:
     """A law asked for must have a part in the solution."""
-    used = {inquiry.planner.pool[index].family for answered in inquiry.answered for index in answered.used}
-    problem = inquiry.history.configuration.problem
+    used = {search.planner.pool[index].family for answered in search.answered for index in answered.used}
+    problem = search.scene.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(SAID[name] for name in LAWS if name in used)
         raise unsolvable(

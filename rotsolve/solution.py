@@ -16,8 +16,8 @@ from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
-    from rotsolve.inquiry.meanings import Meanings
-    from rotsolve.inquiry.validity import Validity
+    from rotsolve.derivation.meanings import Meanings
+    from rotsolve.derivation.validity import Validity
     from rotsolve.language.problem import Problem
 
 

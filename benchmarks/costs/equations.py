@@ -39,26 +39,26 @@ class System(NamedTuple):
 
 def system(machine: Machine) -> System:
     """The equations that the answers take; all unknowns in them are settled."""
-    from rotsolve.inquiry.answering import answer_all
+    from rotsolve.search.answering import answer_all
 
-    inquiry = fresh(machine)
-    answer_all(inquiry, inquiry.history.configuration.problem.finds)
-    laws = len(inquiry.history.equations)
-    used = sorted({index for item in inquiry.answered for index in item.used if index < laws})
-    equations = [inquiry.planner.pool[index] for index in used]
-    unknowns = sorted({name for law in equations for name in law.symbols()} - inquiry.givens.keys())
-    return System([law.left - law.right for law in equations], unknowns, inquiry.solver.positive, inquiry.values)
+    search = fresh(machine)
+    answer_all(search, search.scene.configuration.problem.finds)
+    laws = len(search.scene.equations)
+    used = sorted({index for item in search.answered for index in item.used if index < laws})
+    equations = [search.planner.pool[index] for index in used]
+    unknowns = sorted({name for law in equations for name in law.symbols()} - search.givens.keys())
+    return System([law.left - law.right for law in equations], unknowns, search.solver.positive, search.values)
 
 
 def fresh(machine: Machine) -> Any:
-    """An inquiry into a machine that has been asked nothing yet."""
-    from rotsolve.inquiry.history import History
-    from rotsolve.inquiry.inquiry import Inquiry
-    from rotsolve.inquiry.planning import families_for
+    """a search into a machine that has been asked nothing yet."""
+    from rotsolve.equations.scene_equations import SceneEquations
     from rotsolve.pipeline import asked_part
     from rotsolve.scene.read import read_text
+    from rotsolve.search.planning import families_for
+    from rotsolve.search.search import Search
 
-    return Inquiry(History(asked_part(read_text(machine.scene))), families_for(None))
+    return Search(SceneEquations(asked_part(read_text(machine.scene))), families_for(None))
 
 
 def leading(unknowns: list[str]) -> int:
@@ -100,17 +100,17 @@ def written(machine: Machine, made: System, runs: int) -> tuple[float, float]:
 def stepwise(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All that is asked, planned and solved one unknown after the other with a derivation, as the command does it."""
     from rotsolve.algebra.certified.balls import RealBalls
-    from rotsolve.inquiry.answering import answer_all
+    from rotsolve.search.answering import answer_all
 
-    inquiries = [fresh(machine) for _ in range(min(runs, 3))]
-    waiting = iter(inquiries)
+    searches = [fresh(machine) for _ in range(min(runs, 3))]
+    waiting = iter(searches)
 
     def work() -> None:
-        inquiry = next(waiting)
-        answer_all(inquiry, inquiry.history.configuration.problem.finds)
+        search = next(waiting)
+        answer_all(search, search.scene.configuration.problem.finds)
 
-    spent = best(work, len(inquiries), before=forget)
-    value = inquiries[0].answered[0].found.formula
+    spent = best(work, len(searches), before=forget)
+    value = searches[0].answered[0].found.formula
     return spent, float(RealBalls(made.values)(value))
 
 

@@ -11,7 +11,7 @@ from rotsolve.core.registry import TIME
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
-    from rotsolve.inquiry.validity import Validity
+    from rotsolve.derivation.validity import Validity
     from rotsolve.language.problem import Given
 
 

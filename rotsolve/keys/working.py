@@ -20,7 +20,7 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import TIME
-from rotsolve.inquiry.validity import ROOT, SLIPS
+from rotsolve.derivation.validity import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures

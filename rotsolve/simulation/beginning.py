@@ -16,14 +16,14 @@ from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.elements.connections.contacts.rubbing import Rubbing
 from rotsolve.elements.connections.contacts.touch import Touch
-from rotsolve.inquiry.questions import NotYet
-from rotsolve.inquiry.states import Fixed, Statements
+from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.keys import keys_of
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.laws.rules import rule_equation
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
+from rotsolve.paths import NotYet
 
 STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # what a state may say of a moment
 SINCE = ("rotation", "displacement")  # what counts from the first state

@@ -20,14 +20,14 @@ from rotsolve.algebra.formula import ZERO as NOTHING
 from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
-from rotsolve.inquiry.questions import NotYet
-from rotsolve.inquiry.states import Fixed
-from rotsolve.inquiry.states.drives import prescribe
-from rotsolve.inquiry.swings.swing import rates
+from rotsolve.equations.states import Fixed
+from rotsolve.equations.states.drives import prescribe
+from rotsolve.equations.swings.swing import rates
 from rotsolve.laws import newton, rules
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
+from rotsolve.paths import NotYet
 from rotsolve.simulation.beginning import Beginning, beginning
 from rotsolve.simulation.course import (
     Course,

@@ -9,8 +9,8 @@ from msgspec import Struct
 from rotsolve.algebra.tape import ONE, Exact, Tape, Unwritable, vanishes
 from rotsolve.core.facts import Facts
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
-from rotsolve.inquiry.questions import NotYet
 from rotsolve.motion.instant import Instant
+from rotsolve.paths import NotYet
 from rotsolve.simulation.series import FLOATS, Expansion, nearest, needed
 
 

@@ -10,10 +10,10 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.tape import Exact, Scalar
 from rotsolve.core.registry import TIME
-from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
+from rotsolve.paths import NotYet
 from rotsolve.simulation.beginning import opening, standing
 from rotsolve.simulation.bounded import (
     FLOAT_BITS,
@@ -113,7 +113,7 @@ class Follower(Struct, dict=True):
         """Which contacts stick and which slip, decided as for any scene that starts so."""
         if not rubs(scene):
             return {}
-        from rotsolve.inquiry.friction import decide
+        from rotsolve.search.friction import decide
 
         return decide(scene, at_rest).modes
 

@@ -9,10 +9,10 @@ from contextlib import suppress
 from time import monotonic
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.inquiry.questions import NotYet
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.configured import configured
+from rotsolve.paths import NotYet
 from rotsolve.scene.moment import read_seconds
 from rotsolve.scene.read import read_source
 from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled

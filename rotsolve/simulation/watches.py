@@ -16,12 +16,12 @@ from rotsolve.algebra.tape import ONE, Exact, Scalar, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
 from rotsolve.core.registry import COURSE
 from rotsolve.core.writing import spoken
-from rotsolve.inquiry.questions import NotYet, Reader
-from rotsolve.inquiry.states.statements import EXTREMES, RATE_OF
+from rotsolve.equations.states.statements import EXTREMES, RATE_OF
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
+from rotsolve.paths import NotYet, Reader
 from rotsolve.simulation.course import Course, refusal
 from rotsolve.simulation.series import needed
 from rotsolve.simulation.taylor import Piece, value

@@ -26,10 +26,10 @@ RUNS = {  # by what is typical of it
 NEVER = {"sympy", "mpmath", "numpy", "scipy", "rich", "matplotlib", "pebble", "multiprocessing", "unittest", "asyncio"}
 PACKAGES = {"flint", "msgspec", "yaml"}
 WITHOUT = {  # what a block on a disc has no use for
-    "rotsolve.inquiry.swings",
-    "rotsolve.inquiry.courses",
-    "rotsolve.inquiry.where",
-    "rotsolve.inquiry.choices",
+    "rotsolve.equations.swings",
+    "rotsolve.questions.courses",
+    "rotsolve.search.where",
+    "rotsolve.search.choices",
     "rotsolve.motion.cuts",
     "rotsolve.laws.integration",
     "rotsolve.laws.oscillation",

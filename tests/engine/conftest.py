@@ -28,16 +28,16 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.friction import decide
-from rotsolve.inquiry.history import History
-from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.inquiry.planning import families_for
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import completed
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 from rotsolve.scene.read import read_file
+from rotsolve.search.answering import answer
+from rotsolve.search.friction import decide
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
 
 HERE = Path(__file__).resolve().parent
 SCENES = sorted((HERE / "scenes").glob("*.yaml"))
@@ -62,23 +62,23 @@ def load(path: Path) -> Problem:
 
 
 @cache
-def read_all_ways(path: Path) -> tuple[History, ...]:
-    """A history for every way in which the rough contacts of a scene may stick or slip."""
+def read_all_ways(path: Path) -> tuple[SceneEquations, ...]:
+    """A scene for every way in which the rough contacts of a scene may stick or slip."""
     configuration = Configuration(load(path))
     rough = [rub.key for rub in rubs(configuration) if rub.contact is not None or rub.pair is not None]
     ways = itertools.product(MODES, repeat=len(rough))
-    return tuple(History(configuration, dict(zip(rough, way, strict=True))) for way in ways)
+    return tuple(SceneEquations(configuration, dict(zip(rough, way, strict=True))) for way in ways)
 
 
 @cache
-def solved(path: Path, law: str | None = None) -> Inquiry:
+def solved(path: Path, law: str | None = None) -> Search:
     """All questions of a scene answered, by one law or by the shortest way."""
     configuration = Configuration(load(path))
-    history = History(configuration, decide(configuration).modes)
-    inquiry = Inquiry(history, families_for(law), spare=law is not None)
+    scene = SceneEquations(configuration, decide(configuration).modes)
+    search = Search(scene, families_for(law), spare=law is not None)
     for find in load(path).finds:
-        answer(inquiry, find)
-    return inquiry
+        answer(search, find)
+    return search
 
 
 @pytest.fixture(scope="session")
@@ -87,12 +87,12 @@ def problem_of() -> Callable[[Path], Problem]:
 
 
 @pytest.fixture(scope="session")
-def readings() -> Callable[[Path], tuple[History, ...]]:
+def readings() -> Callable[[Path], tuple[SceneEquations, ...]]:
     return read_all_ways
 
 
 @pytest.fixture(scope="session")
-def inquiry_of() -> Callable[..., Inquiry]:
+def search_of() -> Callable[..., Search]:
     return solved
 
 

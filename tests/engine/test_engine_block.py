@@ -10,11 +10,11 @@ import pytest
 from msgspec.structs import replace
 
 from rotsolve import SceneError, Unsolvable, pipeline, solve
-from rotsolve.inquiry.compose.draft import drafts_of
-from rotsolve.inquiry.inquiry import Inquiry
+from rotsolve.derivation.compose.draft import drafts_of
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.scene.read import read_file, read_text
+from rotsolve.search.search import Search
 
 ROOT = Path(__file__).resolve().parents[2]
 LANGUAGE = re.findall(r"^```yaml\n(.*?)^```$", (ROOT / "docs" / "language.md").read_text("utf-8"), re.M | re.S)
@@ -159,18 +159,18 @@ def test_no_law_is_written_for_what_is_left_out() -> None:
 
 @pytest.mark.parametrize("folder", sorted({path.parent.name for path in (ROOT / "problems").glob("*/*.yaml")}))
 def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Checks derive by inquiries of their own; that of the answers holds what the page shows."""
-    inquiries: list[Inquiry] = []
+    """Checks derive by searches of their own; that of the answers holds what the page shows."""
+    searches: list[Search] = []
     composed = pipeline.composed
-    monkeypatch.setattr(pipeline, "composed", lambda *given: inquiries.append(given[1]) or composed(*given))
+    monkeypatch.setattr(pipeline, "composed", lambda *given: searches.append(given[1]) or composed(*given))
     for path in sorted((ROOT / "problems" / folder).glob("*.yaml"))[:3]:
         solve(path)
-        derived = {step.number for step in inquiries[-1].solver.steps}
-        assert derived == {step.number for draft in drafts_of(inquiries[-1]) for step in draft.steps}, path.name
+        derived = {step.number for step in searches[-1].solver.steps}
+        assert derived == {step.number for draft in drafts_of(searches[-1]) for step in draft.steps}, path.name
 
 
 def test_friction_is_decided_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rotsolve.inquiry.friction import sticking
+    from rotsolve.search.friction import sticking
 
     tried: list[str] = []
     real = sticking.tried

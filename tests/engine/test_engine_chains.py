@@ -12,13 +12,13 @@ from hypothesis import strategies as st
 
 from rotsolve import solve
 from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.history import History
-from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.inquiry.planning import families_for
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.complete import completed
 from rotsolve.motion.configuration import Configuration
 from rotsolve.scene.read import read_text
+from rotsolve.search.answering import answer
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
 
 G = 9.8
 Row = dict[str, float]
@@ -84,11 +84,11 @@ class Machine:
 def numbers(text: str) -> dict[str, float]:
     """What the engine answers, without its own checks."""
     configuration = Configuration(completed(read_text(text)))
-    inquiry = Inquiry(History(configuration), families_for(None))
+    search = Search(SceneEquations(configuration), families_for(None))
     for find in configuration.problem.finds:
-        answer(inquiry, find)
-    found = {item.asked.find.name: item.found.formula for item in inquiry.answered}
-    return {name: evaluate(formula, inquiry.values).float for name, formula in found.items() if formula is not None}
+        answer(search, find)
+    found = {item.asked.find.name: item.found.formula for item in search.answered}
+    return {name: evaluate(formula, search.values).float for name, formula in found.items() if formula is not None}
 
 
 # chains: bodies in a row from left to right, a pulley or a stepped drum between neighbours

@@ -18,12 +18,12 @@ from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import UP
 from rotsolve.elements.connections import CONNECTIONS
-from rotsolve.inquiry.history import History
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, State
 from rotsolve.laws import energy
 from rotsolve.motion.configuration import Configuration
 
-Readings = Callable[[Path], tuple[History, ...]]
+Readings = Callable[[Path], tuple[SceneEquations, ...]]
 RATES = ("velocity", "angular_velocity")
 STORING = ("spring", "torsion", "hanging")  # roles of forces that take their work from a potential
 CONSERVATIVE = ("weight", *STORING)
@@ -38,11 +38,11 @@ def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_o
     assert not missing, f"add a scene to tests/engine/scenes with: {', '.join(missing)}"
 
 
-def moments(history: History) -> Iterator[Facts]:
+def moments(scene: SceneEquations) -> Iterator[Facts]:
     """Facts of each state with velocities of any motion that the rules allow, and of the midst of each phase."""
-    for state in history.configuration.timeline.states:
-        yield history.facts(state.name, virtual=True)
-        yield history.facts(state.name, generic=True)
+    for state in scene.configuration.timeline.states:
+        yield scene.facts(state.name, virtual=True)
+        yield scene.facts(state.name, generic=True)
 
 
 def is_rate(name: str) -> bool:
@@ -79,8 +79,8 @@ def items(facts: Facts) -> Iterator[tuple[BodyFacts, Force | Couple]]:
 
 
 def test_ideal_connections_give_no_power(file: Path, readings: Readings) -> None:
-    for history in readings(file):
-        for facts in moments(history):
+    for scene in readings(file):
+        for facts in moments(scene):
             rates = allowed(facts)
             for owner in {item.owner for _, item in items(facts) if item.internal}:
                 given = total(
@@ -91,17 +91,17 @@ def test_ideal_connections_give_no_power(file: Path, readings: Readings) -> None
 
 
 def test_each_force_of_a_connection_is_ideal_or_stores_or_loses(file: Path, readings: Readings) -> None:
-    for history in readings(file):
-        names = {item.name for item in history.configuration.problem.connections}
-        for facts in moments(history):
+    for scene in readings(file):
+        names = {item.name for item in scene.configuration.problem.connections}
+        for facts in moments(scene):
             for _, item in items(facts):
                 if item.owner in names:
                     assert item.internal != (item.role in (*STORING, *LOSING)) or item.role == "friction", item
 
 
 def test_stored_energy_has_the_force_for_slope(file: Path, readings: Readings) -> None:
-    for history in readings(file):
-        for facts in moments(history):
+    for scene in readings(file):
+        for facts in moments(scene):
             rates = allowed(facts)
             for stored in facts.potentials:
                 if not any(SEPARATOR in name for name in stored.elongation.symbols()):
@@ -135,8 +135,8 @@ def test_potential_energy_of_a_phase_has_the_forces_for_slope(
     file: Path, problem_of: Callable[[Path], Problem]
 ) -> None:
     """Along every way that the rules allow, what the energy law stores is what weights and springs take."""
-    history = History(Configuration(loosened(problem_of(file))))
-    for passage in history.passages.values():
+    scene = SceneEquations(Configuration(loosened(problem_of(file))))
+    for passage in scene.passages.values():
         facts = passage.end
         if any(given.drive.order == 0 for given in facts.given):
             continue  # a place that is given in time is no coordinate
@@ -178,15 +178,15 @@ def turning(facts: Facts) -> Formula:
     return body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
 
 
-def known_dimensions(history: History) -> dict[str, Dimension]:
-    given = {item.name: item.dimension for item in history.configuration.problem.givens if item.dimension is not None}
-    made = {key: quantity.dimension for key, quantity in history.registry.quantities.items()}
+def known_dimensions(scene: SceneEquations) -> dict[str, Dimension]:
+    given = {item.name: item.dimension for item in scene.configuration.problem.givens if item.dimension is not None}
+    made = {key: quantity.dimension for key, quantity in scene.registry.quantities.items()}
     return {"time": TIME, **given, **made}
 
 
 def test_both_sides_of_an_equation_have_one_dimension(file: Path, readings: Readings) -> None:
-    for history in readings(file):
-        equations, known = history.equations, known_dimensions(history)
+    for scene in readings(file):
+        equations, known = scene.equations, known_dimensions(scene)
         for equation in equations:
             try:
                 dimension_of(Sum((equation.left, Negative(equation.right))), known)
@@ -196,11 +196,11 @@ def test_both_sides_of_an_equation_have_one_dimension(file: Path, readings: Read
 
 
 def test_sizes_in_facts_have_their_dimensions(file: Path, readings: Readings) -> None:
-    for history in readings(file):
-        for facts in moments(history):
+    for scene in readings(file):
+        for facts in moments(scene):
             sizes = [entry for body, item in items(facts) for entry in sizes_of(body, item)]
             sizes += [(stored.energy, dims.ENERGY) for stored in facts.potentials]
-            known = known_dimensions(history)
+            known = known_dimensions(scene)
             for formula, wanted in sizes:
                 found = dimension_of(formula, known)
                 assert formula == ZERO or found.matches(wanted), f"{to_text(formula)}: {found} instead of {wanted}"

@@ -17,8 +17,8 @@ import sympy
 from sympy import cos, sin, symbols
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.language.problem import Problem
+from rotsolve.search.search import Search
 
 HERE = Path(__file__).resolve().parent / "scenes"
 M, m, n, p, K, L, R, r, s, d, g, ell, I, J = symbols("M m n p K L R r s d g l I J", positive=True)  # noqa: E741
@@ -307,15 +307,15 @@ def symbols_of(case: Case) -> set[Any]:
 @pytest.mark.parametrize("case", CASES, ids=[case.scene for case in CASES])
 def test_lagrange_gives_the_same_accelerations(
     case: Case,
-    inquiry_of: Callable[..., Inquiry],
+    search_of: Callable[..., Search],
     number: Callable[[Formula, dict[str, float]], float],
     nearby: Callable[[Problem, random.Random], dict[str, float]],
 ) -> None:
-    inquiry = inquiry_of(HERE / f"{case.scene}.yaml")
+    search = search_of(HERE / f"{case.scene}.yaml")
     chance = random.Random(case.scene)
-    found = {answered.asked.find.name: answered.found.formula for answered in inquiry.answered}
+    found = {answered.asked.find.name: answered.found.formula for answered in search.answered}
     for _ in range(3):
-        values = nearby(inquiry.history.configuration.problem, chance)
+        values = nearby(search.scene.configuration.problem, chance)
         for name, expected in accelerations(case, values).items():
             formula = found[name]
             assert formula is not None

@@ -15,15 +15,15 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
-from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.friction import decide
-from rotsolve.inquiry.history import History
-from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.inquiry.planning import families_for
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.motion.configuration import Configuration
 from rotsolve.pipeline import solve_problem
+from rotsolve.search.answering import answer
+from rotsolve.search.friction import decide
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
 
 ProblemOf = Callable[[Path], Problem]
 PAIRS = (("left", "right"), ("up", "down"), ("clockwise", "counterclockwise"))
@@ -48,27 +48,29 @@ BY_ANGULAR_MOMENTUM = {
 def answers(problem: Problem, law: str | None) -> dict[str, Formula]:
     """The closed forms of all questions that a law can answer, with Newton's help where that is given."""
     configuration = Configuration(problem)
-    inquiry = Inquiry(History(configuration, decide(configuration).modes), families_for(law), spare=law is not None)
+    search = Search(
+        SceneEquations(configuration, decide(configuration).modes), families_for(law), spare=law is not None
+    )
     for find in problem.finds:
         with suppress(Unsolvable):
-            answer(inquiry, find)
-    return closed_forms(inquiry)
+            answer(search, find)
+    return closed_forms(search)
 
 
-def closed_forms(inquiry: Inquiry) -> dict[str, Formula]:
-    found = {answered.asked.find.name: answered.found.formula for answered in inquiry.answered}
+def closed_forms(search: Search) -> dict[str, Formula]:
+    found = {answered.asked.find.name: answered.found.formula for answered in search.answered}
     return {name: formula for name, formula in found.items() if formula is not None}
 
 
 def test_all_laws_give_the_same_answers(
     file: Path,
     problem_of: ProblemOf,
-    inquiry_of: Callable[..., Inquiry],
+    search_of: Callable[..., Search],
     number: Callable[..., float],
     nearby: Callable[[Problem, random.Random], dict[str, float]],
 ) -> None:
     problem = problem_of(file)
-    plain = closed_forms(inquiry_of(file))
+    plain = closed_forms(search_of(file))
     values = nearby(problem, random.Random(1))
     for law in LAWS:
         for name, formula in answers(problem, law).items():

@@ -11,8 +11,8 @@ import pytest
 from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.registry import GENERIC, VIRTUAL
-from rotsolve.inquiry.inquiry import Inquiry
 from rotsolve.language.problem import Problem
+from rotsolve.search.search import Search
 
 Number = Callable[[Formula, dict[str, float]], float]
 Nearby = Callable[[Problem, random.Random], dict[str, float]]
@@ -23,21 +23,21 @@ DISPLACED = 1e-8  # from an equilibrium: small swings hold to first order
 
 
 class Place:
-    """All letters of a solved inquiry at one choice of the givens."""
+    """All letters of a solved search at one choice of the givens."""
 
-    def __init__(self, inquiry: Inquiry, values: dict[str, float], number: Number) -> None:
+    def __init__(self, search: Search, values: dict[str, float], number: Number) -> None:
         self.values, self.number = {"time": MOMENT, **values}, number
-        self.values |= {swing.coordinate.name: DISPLACED for swing in inquiry.history.swings.values()}
-        for name, found in inquiry.solver.solved.items():
+        self.values |= {swing.coordinate.name: DISPLACED for swing in search.scene.swings.values()}
+        for name, found in search.solver.solved.items():
             if found.formula is not None:
                 self.values[name] = number(found.formula, self.values)
             elif found.number is not None:
                 self.values[name] = found.number.float
-        for letter, ends in running(inquiry).items():
+        for letter, ends in running(search).items():
             known = [number(end, self.values) for end in ends if end.symbols() <= set(self.values)]
             self.values[letter] = sum(known) / len(known) if known else MOMENT
-        pool = [law for index, law in enumerate(inquiry.planner.pool) if index not in inquiry.retired]
-        steps = [(step.chain[-1].left, step.chain[-1].right) for step in inquiry.solver.steps]
+        pool = [law for index, law in enumerate(search.planner.pool) if index not in search.retired]
+        steps = [(step.chain[-1].left, step.chain[-1].right) for step in search.solver.steps]
         self.spread([*steps, *((law.left, law.right) for law in pool if not hides(law.left) and not hides(law.right))])
 
     def spread(self, equalities: Iterable[Sides]) -> None:
@@ -85,10 +85,10 @@ class Place:
         return abs(self.gap(left, right, self.values)) < 1e-8 * scale
 
 
-def running(inquiry: Inquiry) -> dict[str, Sides]:
+def running(search: Search) -> dict[str, Sides]:
     """The places and speeds that run through a phase, with their values at its ends."""
     found: dict[str, Sides] = {}
-    for passage in inquiry.history.passages.values():
+    for passage in search.scene.passages.values():
         for travel in passage.travels:
             if travel.leads and isinstance(travel.coordinate, Symbol):
                 assert travel.start is not None and travel.end is not None
@@ -98,17 +98,17 @@ def running(inquiry: Inquiry) -> dict[str, Sides]:
     return found
 
 
-def places(inquiry: Inquiry, number: Number, nearby: Nearby) -> list[Place]:
+def places(search: Search, number: Number, nearby: Nearby) -> list[Place]:
     """Some choices of the givens; those of the scene alone where an answer has a number only."""
-    problem = inquiry.history.configuration.problem
-    if any(found.formula is None for found in inquiry.solver.solved.values()):
-        return [Place(inquiry, nearby(problem, Unchanged()), number)]
+    problem = search.scene.configuration.problem
+    if any(found.formula is None for found in search.solver.solved.values()):
+        return [Place(search, nearby(problem, Unchanged()), number)]
     chance, found = random.Random(problem.title), []
     for _ in range(POINTS):
         try:
-            found.append(Place(inquiry, nearby(problem, chance), number))
+            found.append(Place(search, nearby(problem, chance), number))
         except ValueError:  # an answer that exists in a narrow range only
-            found.append(Place(inquiry, nearby(problem, Unchanged()), number))
+            found.append(Place(search, nearby(problem, Unchanged()), number))
     return found
 
 
@@ -128,10 +128,10 @@ def check(place: Place, sides: Sides, label: str) -> None:
     assert holds, f"{label} does not hold at the answers: {told(sides)}"
 
 
-def test_every_step_holds(file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby) -> None:
-    inquiry = inquiry_of(file)
-    for place in places(inquiry, number, nearby):
-        for step in inquiry.solver.steps:
+def test_every_step_holds(file: Path, search_of: Callable[..., Search], number: Number, nearby: Nearby) -> None:
+    search = search_of(file)
+    for place in places(search, number, nearby):
+        for step in search.solver.steps:
             for equality in step.chain:
                 if equality.relation == "=":
                     sides = equality.left, equality.right
@@ -139,11 +139,11 @@ def test_every_step_holds(file: Path, inquiry_of: Callable[..., Inquiry], number
                     check(place, sides, f"step {step.number}")
 
 
-def test_every_law_used_holds(file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby) -> None:
-    inquiry = inquiry_of(file)
-    used = {index for answered in inquiry.answered for index in answered.used}
-    laws = [inquiry.planner.pool[index] for index in sorted(used)]
-    for place in places(inquiry, number, nearby):
+def test_every_law_used_holds(file: Path, search_of: Callable[..., Search], number: Number, nearby: Nearby) -> None:
+    search = search_of(file)
+    used = {index for answered in search.answered for index in answered.used}
+    laws = [search.planner.pool[index] for index in sorted(used)]
+    for place in places(search, number, nearby):
         place.spread([(law.left, law.right) for law in laws])
         for law in laws:
             if not hides(law.left) and not hides(law.right):
@@ -159,13 +159,13 @@ def hides(side: Formula) -> bool:
 
 
 def test_all_that_the_laws_write_holds_at_the_answers(
-    file: Path, inquiry_of: Callable[..., Inquiry], number: Number, nearby: Nearby
+    file: Path, search_of: Callable[..., Search], number: Number, nearby: Nearby
 ) -> None:
     """Also the equations that no plan used: a second law that disagrees is a fault in one of the two."""
-    inquiry = inquiry_of(file)
-    laws = [law for law in inquiry.history.equations if not hides(law.left) and not hides(law.right)]
+    search = search_of(file)
+    laws = [law for law in search.scene.equations if not hides(law.left) and not hides(law.right)]
     laws = [law for law in laws if VIRTUAL not in " ".join(law.symbols())]
-    for place in places(inquiry, number, nearby):
+    for place in places(search, number, nearby):
         place.spread([(law.left, law.right) for law in laws])
         checked = [law for law in laws if place.known((law.left, law.right))]
         if laws and not checked:

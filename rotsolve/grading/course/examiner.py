@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
+from rotsolve.derivation.validity import ROOT
 from rotsolve.grading.course.report.page import Task
 from rotsolve.grading.verdict import Marked, Paper
-from rotsolve.inquiry.validity import ROOT
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error
 from rotsolve.scene.read import read_source

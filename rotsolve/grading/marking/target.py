@@ -13,10 +13,10 @@ from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import SEPARATOR, SPOKEN, TIME
+from rotsolve.derivation.compose.letters import in_letters
+from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
-from rotsolve.inquiry.compose.letters import in_letters
-from rotsolve.inquiry.meanings import Meanings
 from rotsolve.language.marks import Marking, marking_of
 from rotsolve.language.problem import Choice, Find, Problem
 from rotsolve.motion.positive import positive_letters

@@ -17,8 +17,8 @@ from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.mistake import Change, Made
-from rotsolve.inquiry.planning import SECOND_CHOICE
 from rotsolve.laws import momentum
+from rotsolve.search.planning import SECOND_CHOICE
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
@@ -59,7 +59,7 @@ def speaks_of_energy(equation: Equation) -> bool:
 
 def half_of_way(scene: Scene) -> Made:
     """a t² for ½ a t², and (v₁ + v₂) t for its half."""
-    if scene.history.passages:
+    if scene.equations.passages:
         for words, mean in (("½ a t²", False), ("½ (v₁ + v₂) t", True)):
             altered = Alteration(equation=in_time(mean))
             yield f"the half was left out in {words}", Change(altered=altered, aside=(ANGULAR_MOMENTUM,))
@@ -112,7 +112,7 @@ def without_halves(
 
 def no_work(scene: Scene) -> Made:
     """Mechanical energy kept though friction, or what acts inside, takes some of it."""
-    works = {work.owner for passage in scene.history.passages.values() for work in passage.works}
+    works = {work.owner for passage in scene.equations.passages.values() for work in passage.works}
     if works:
         altered = Alteration(equation=workless)
         words = "energy was taken as conserved though work is done"
@@ -133,7 +133,7 @@ def workless(equation: Equation) -> Equation:
 
 def energy_kept(scene: Scene) -> Made:
     """K₁ = K₂ through an event in place of its momenta; e = 1 where bodies bounce."""
-    for encounter in (one for one in scene.history.encounters.values() if not blows_from_outside(one)):
+    for encounter in (one for one in scene.equations.encounters.values() if not blows_from_outside(one)):
         words = f"kinetic energy was taken as conserved in the {spoken(encounter.name)}"
         yield words, Change(altered=Alteration(event=in_event(encounter.name, elastic_laws)))
 
@@ -164,7 +164,7 @@ def kinetic_terms(meeting: Meeting, *, after: bool) -> list[Formula]:
 
 def momentum_kept(scene: Scene) -> Made:
     """Σ m v₁ = Σ m v₂ though a support pushes as well."""
-    for encounter in scene.history.encounters.values():
+    for encounter in scene.equations.encounters.values():
         if encounter.pivot:
             words = f"momentum was taken as conserved in the {spoken(encounter.name)}, though the support pushes too"
             yield words, Change(altered=Alteration(event=in_event(encounter.name, unsupported_momenta)))

@@ -129,7 +129,7 @@ def with_axis_inertia(
     def changed(body: BodyFacts, facts: Facts) -> BodyFacts:
         if not has_inertia(body):
             return body
-        frame = scene.history.instant(facts.state).frame(body.name)
+        frame = scene.equations.instant(facts.state).frame(body.name)
         terms = [share(piece.moment, moved(piece, frame.reference)) for piece in frame.pieces]
         formula = simplify(total(terms), order=scene.configuration.order)
         return replace(body, inertia=Inertia(formula, formula, ""))

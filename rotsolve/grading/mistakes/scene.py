@@ -19,18 +19,18 @@ from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.derivation.checks import disagreement
+from rotsolve.derivation.compose import Composer
+from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.mistakes.mistake import Change, Mistake
-from rotsolve.inquiry.answering import answer
-from rotsolve.inquiry.checks import disagreement
-from rotsolve.inquiry.compose import Composer
-from rotsolve.inquiry.friction import decide
-from rotsolve.inquiry.history import History
-from rotsolve.inquiry.inquiry import Inquiry
-from rotsolve.inquiry.planning import families_for
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.positive import positive_letters
 from rotsolve.pipeline import asked_part
+from rotsolve.search.answering import answer
+from rotsolve.search.friction import decide
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
 
 ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
@@ -56,13 +56,13 @@ class Scene(Struct, frozen=True, dict=True):
         return decide(self.configuration).modes
 
     @cached_property
-    def history(self) -> History:
-        return History(self.configuration, self.modes)
+    def equations(self) -> SceneEquations:
+        return SceneEquations(self.configuration, self.modes)
 
     @cached_property
     def moments(self) -> tuple[Facts, ...]:
         """The facts at all states."""
-        return tuple(self.history.facts(state.name) for state in self.configuration.timeline.states)
+        return tuple(self.equations.facts(state.name) for state in self.configuration.timeline.states)
 
     @cached_property
     def bodies(self) -> Mapping[str, BodyFacts]:
@@ -75,7 +75,7 @@ class Scene(Struct, frozen=True, dict=True):
     @cached_property
     def answers(self) -> Mapping[str, Answer]:
         """The right answers by name."""
-        return answers_of(Inquiry(self.history, families_for(None)))
+        return answers_of(Search(self.equations, families_for(None)))
 
     def with_mistake(self, mistake: Mistake) -> Mapping[str, Answer] | None:
         """The answers that the mistake changes; None where it changes none, or the scene has no answer then."""
@@ -115,26 +115,26 @@ class Scene(Struct, frozen=True, dict=True):
         configuration = Configuration(problem, change.altered)
         modes = self.modes if change.problem is None else decide(configuration).modes
         families = tuple(family for family in families_for(None) if family not in change.aside)
-        inquiry = Inquiry(History(configuration, modes), families, confirming=True)
-        answers = answers_of(inquiry)
-        return {} if change.throughout and disagreement(inquiry) is not None else answers
+        search = Search(SceneEquations(configuration, modes), families, confirming=True)
+        answers = answers_of(search)
+        return {} if change.throughout and disagreement(search) is not None else answers
 
 
-def answers_of(inquiry: Inquiry) -> dict[str, Answer]:
+def answers_of(search: Search) -> dict[str, Answer]:
     """The answers to those questions that have one, by name; the others may need what is left out, or one that comes later."""
-    pending = list(inquiry.history.configuration.problem.finds)
+    pending = list(search.scene.configuration.problem.finds)
     for _ in range(ROUNDS):
         waiting: list[Find] = []
         later = False  # whether something was answered after a question that was not
         for find in pending:
             try:
-                answer(inquiry, find)
+                answer(search, find)
             except NO_ANSWER:
                 waiting.append(find)
             else:
                 later = later or bool(waiting)
         pending = waiting if later else []
-    return {one.name: one for one in Composer(inquiry).results.answers()}
+    return {one.name: one for one in Composer(search).results.answers()}
 
 
 def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:

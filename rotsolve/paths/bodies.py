@@ -1,0 +1,280 @@
+"""Questions about a whole body: velocity, energy, momentum, moment of inertia, torque, force, power."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ZERO, Formula, Number, total
+from rotsolve.core.facts import BodyFacts, signed, square
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
+from rotsolve.core.writing import spoken
+from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.language.problem import Path, PointRef, Term
+from rotsolve.laws.energy import kinetic
+from rotsolve.motion.bodies.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.phases.heights import height
+from rotsolve.paths.meaning import Meaning, NotYet, path_text, size_of
+from rotsolve.paths.moment import Moment
+from rotsolve.paths.natural import NATURAL, about_centre
+
+if TYPE_CHECKING:
+    from rotsolve.paths.inertias import OfInertias
+
+HALF = Number(Fraction(1, 2))
+
+
+class OfBodies(Moment, frozen=True):
+    """Reads paths of bodies at one instant."""
+
+    def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
+        """A quantity of a whole body."""
+        instant, name, component = self.instant, path.owner, path.component
+        host = instant.host(name)
+        match path.quantity:
+            case "angle":
+                return instant.ask("angle", host, words=("counterclockwise", "clockwise"))
+            case "angular_velocity" | "angular_acceleration":
+                return self._rate(path.quantity, name)
+            case "velocity" | "acceleration":
+                return self._travel(path, host)
+            case "height":
+                return self._height(name, host)
+            case "speed":
+                return size_of(instant.motion(name).velocity)
+            case "kinetic_energy":
+                return self._kinetic(name, component)
+            case "mass" if shape_of(instant.body(name)).tabled:
+                return mass_of(instant.body(name))
+            case "radius":
+                return self._radius(name)
+            case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
+                return self._inertias().meaning(path, term)
+            case "angular_momentum" if component is not None:
+                return self._inertias().angular_momentum(path, term)
+            case "angular_momentum":
+                return self._share(path) if path.point else self._angular_momentum(name, term)
+            case "momentum":
+                return self._momentum(name, component)
+            case "torque":
+                return self._torque(name, component, term)
+            case "force":
+                return self._force(name, component)
+            case "power":
+                return self._power(name, component)
+            case "period" | "instantaneous_centre":
+                return instant.ask("period", host) if path.quantity == "period" else self._instantaneous_centre(path)
+        raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+
+    def _inertias(self) -> OfInertias:
+        from rotsolve.paths.inertias import OfInertias
+
+        return OfInertias(self.instant, self.facts)
+
+    def _instantaneous_centre(self, path: Path) -> Meaning:
+        """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
+        body = self.body(path.owner)
+        if body.motion.spin == ZERO:
+            raise NotYet(f"`{path.owner}` does not turn: no point of it is at rest")
+        if path.component is None:
+            raise NotYet("the instantaneous centre is asked by its components", help=f"ask for `{path_text(path)}.x`")
+        axis = RIGHT if path.component == "x" else UP
+        way = body.motion.velocity.turned(90).along(axis)
+        place = (way / body.motion.spin if way != ZERO else ZERO) - body.cm.along(axis)
+        label = f"instantaneous centre of {path.owner.replace('_', ' ')}, v + ω × r = 0, from its centre of mass"
+        return Meaning(place, BY_WORD["instantaneous_centre"].dimension, label=label)
+
+    def _travel(self, path: Path, host: str) -> Formula:
+        """Velocity or acceleration along a body's line, a component of it, or its part towards the centre of a circle."""
+        motion, orbit = self.instant.motion(path.owner), self.instant.orbit(host)
+        vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component == "normal" and path.quantity == "acceleration" and orbit is not None:
+            if motion.bend is None:
+                raise NotYet(f"how `{path.owner}` bends off its way, the scene does not tell")
+            return vector.along(motion.bend.outward.turned(180))
+        if path.component == "normal":
+            return ZERO
+        line = self.instant.line(host)
+        return self.instant.travel(path.quantity, host, line[1] if line else "")
+
+    def _height(self, name: str, host: str) -> Formula:
+        """Height above the level that the scene counts from."""
+        above = height(host, self.instant)
+        if above is None:
+            help = "of what travels along a straight line say how far it goes"
+            help += f": `{name}.displacement: h/sin(beta)` along a slope, `{name}.displacement: h` straight up or down"
+            raise NotYet(f"how high `{name}` is, the scene does not tell", help=help if self.instant.line(host) else "")
+        return above
+
+    def _rate(self, word: str, name: str) -> Formula:
+        """Angular velocity or acceleration of a body that turns."""
+        if not self.instant.motion(name).turns:
+            raise NotYet(f"`{name}` does not turn", help="a body turns on an axle or hinge, or where it says `turns`")
+        return self.instant.rate(word, self.instant.host(name))
+
+    def _kinetic(self, name: str, component: str | None) -> Formula:
+        """½ m v² + ½ I ω²; of a body joined to others, that of its own mass."""
+        if self._joined(name) and component is None:
+            motion = self.instant.motion(name)
+            if motion.kind == "axis":
+                own = HALF * self._own_moment(name) * square(motion.spin)
+                outward = HALF * mass_of(self.instant.body(name)) * square(self.instant.outward(name))
+                return total([part for part in (own, outward) if part != ZERO])
+            velocity = self.instant.velocity(PointRef(name, "cm"))
+            own = self._own_moment(name, about_axis=False)
+            return total(
+                [HALF * mass_of(self.instant.body(name)) * velocity.dot(velocity), HALF * own * square(motion.spin)]
+            )
+        body = self.body(name)
+        terms = kinetic([body])
+        if component == "rotational" and body.inertia is not None:
+            terms = [HALF * body.inertia.letter * square(body.motion.spin)]
+        if component == "translational":
+            parts = body.centre_velocity.parts
+            across = all((one - other).cos() == ZERO for (_, one), (_, other) in combinations(parts, 2))
+            squares = (
+                [square(size) for size, _ in parts] if across else [body.centre_velocity.dot(body.centre_velocity)]
+            )
+            terms = [HALF * body.mass * item for item in squares if item != ZERO]
+        return total(terms)
+
+    def _joined(self, name: str) -> bool:
+        """Whether a body moves as one with others, so that its own share has to be told apart."""
+        return self.instant.host(name) != name or bool(self.instant.configuration.cluster(name, self.instant.state))
+
+    def _own_moment(self, name: str, *, about_axis: bool = True) -> Formula:
+        """Moment of inertia of one of several joined bodies: about its own centre of mass, or I + m d² about the axis of all."""
+        items = pieces(self.instant.body(name))
+        order = self.instant.configuration.order
+        own, _ = moment_about(items, centre_of_mass(items), order)
+        if not about_axis:
+            return own
+        arm = self.instant.point(PointRef(name, "cm"))
+        return simplify(own + mass_of(self.instant.body(name)) * arm.dot(arm), order=order)
+
+    def _radius(self, name: str) -> Formula:
+        """Radius of a round body; of a particle, its distance from the axis."""
+        body = self.instant.body(name)
+        radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
+        if radius is None or radius == ZERO:
+            raise NotYet(f"`{name}` has no radius")
+        return radius
+
+    def _angular_momentum(self, name: str, term: Term | None) -> Formula:
+        """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""
+        body = self.body(name)
+        if self._joined(name) and body.motion.kind == "axis":
+            return self._own_moment(name) * signed(body.motion.spin, body.motion.sense)
+        about = term.about if term is not None else None
+        if about is not None and body.motion.kind != "axis":
+            return self._orbital(body, about)
+        if body.inertia is None:
+            raise NotYet(f"`{name}` does not turn", help="say `about` which point its angular momentum is asked")
+        return body.inertia.letter * signed(body.motion.spin, body.motion.sense)
+
+    def _share(self, path: Path) -> Formula:
+        """(I + m r²) ω of one part of a body on a fixed axis."""
+        motion, own = self.instant.motion(path.owner), self.instant.frame(path.owner)
+        own_pieces = tuple(piece for piece in own.pieces if piece.name == path.point)
+        if motion.kind != "axis" or not own_pieces:
+            raise NotYet(
+                f"the angular momentum of `{path.owner}.{path.point}` alone is not solved yet",
+                help="solved is that of a part of a body on a fixed axis",
+            )
+        moment, _ = moment_about(own_pieces, own.reference, self.instant.configuration.order)
+        return moment * signed(motion.spin, motion.sense)
+
+    def _orbital(self, body: BodyFacts, about: PointRef) -> Formula:
+        """r × m v + I ω about a point of its own, or of a body that it is about to touch: the place from that body's pivot."""
+        instant = self.instant
+        own = instant.host(about.owner) == body.name
+        place = body.cm - instant.point(about) if own else meeting_place(body.name, about, instant)
+        spin = body.inertia.letter * body.motion.spin if body.inertia is not None else ZERO
+        orbital = place.cross(body.centre_velocity.scaled(body.mass))
+        return total([signed(part, body.motion.sense) for part in (orbital, spin) if part != ZERO])
+
+    def _momentum(self, name: str, component: str | None) -> Formula | Meaning:
+        """m v along the line of travel, a component of it, or its size."""
+        body = self.body(name)
+        if component in ("x", "y"):
+            return body.mass * body.centre_velocity.along(RIGHT if component == "x" else UP)
+        if body.motion.kind == "line" and body.motion.heading is not None:
+            return body.mass * body.motion.velocity.along(body.motion.heading)
+        momentum = body.centre_velocity.scaled(body.mass)
+        return Meaning(size_of(momentum), BY_WORD["momentum"].dimension, momentum)
+
+    def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
+        """Net torque about the reference (I α), or that of the weight alone."""
+        body = self.body(name)
+        wanted = [force for force in body.forces if component != "gravity" or force.role == "weight"]
+        torques = [signed(force.torque, body.motion.sense) for force in wanted]
+        if component != "gravity":
+            torques += [signed(couple.torque, body.motion.sense) for couple in body.couples]
+        return total([torque for torque in torques if torque != ZERO])
+
+    def _force(self, name: str, component: str | None) -> Meaning | Formula:
+        """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
+        body = self.body(name)
+        if component == "gravity":
+            weight = Vector(
+                tuple(part for force in body.forces if force.role == "weight" for part in force.vector.parts)
+            )
+            size = total([force.size for force in body.forces if force.role == "weight"])
+            return Meaning(size, BY_WORD["force"].dimension, tidy(weight))
+        vector = Vector()
+        for force in body.forces:
+            vector = vector + force.vector
+        if component in ("x", "y"):
+            return vector.along(RIGHT if component == "x" else UP)
+        pull = body.centre_acceleration.scaled(body.mass)
+        if component in NATURAL:
+            if not body.cm.parts:
+                raise NotYet(
+                    f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                    help="ask for `x` or `y`",
+                )
+            part = about_centre(pull, body.cm, body.motion.sense, component or "")
+            return Meaning(
+                part, BY_WORD["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
+            )
+        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
+
+    def _power(self, name: str, component: str | None) -> Formula:
+        """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""
+        body = self.body(name)
+        parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces]
+        if component == "gravity":
+            parts = [
+                force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role == "weight"
+            ]
+        else:
+            parts += [couple.torque * body.motion.spin for couple in body.couples]
+        return total([part for part in parts if part != ZERO])
+
+
+def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:
+    """Where a body is when it meets another in an event, seen from the pivot or point `about`."""
+    configuration = instant.configuration
+    for interval in configuration.timeline.intervals:
+        refs = [ref for item in (interval.event,) if item is not None for ref in _points(item)]
+        if instant.state in (interval.start, interval.end) and any(ref.owner == name for ref in refs):
+            other = next((ref for ref in refs if ref.owner != name), None)
+            if other is not None:
+                return instant.point(other)
+    help = f"name a point of `{name}`, or of what it meets in an event"
+    raise NotYet(f"where `{name}` is, seen from `{about.owner}`, is not known", help=help)
+
+
+def _points(event: object) -> tuple[PointRef, ...]:
+    """The points of the bodies that meet in an event."""
+    for word in ("joins", "collides"):
+        value = getattr(event, word, None)
+        if isinstance(value, tuple):
+            return value
+    return ()

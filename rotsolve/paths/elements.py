@@ -1,0 +1,209 @@
+"""Questions about a connection or action: tension, force, torque, power, elongation."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
+from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.ropes.strings import String
+from rotsolve.elements.surfaces import Curved
+from rotsolve.language.problem import Path
+from rotsolve.paths.bodies import OfBodies
+from rotsolve.paths.meaning import Meaning, NotYet, size_of
+from rotsolve.paths.moment import Moment
+from rotsolve.paths.natural import NATURAL, about_centre
+
+
+class OfElements(Moment, frozen=True):
+    """Reads paths of connections and actions at one instant."""
+
+    def of_element(self, path: Path) -> Formula | Meaning:
+        """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
+        bodies = self.facts().bodies
+        forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
+        couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
+        if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
+            raise NotYet(f"`{path.owner}` does not act{self._moment()}")
+        found = self._effort(path, forces, couples)
+        found = self._setting(path) if found is None else found
+        if found is None:
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+        return found
+
+    def _effort(
+        self, path: Path, forces: list[tuple[BodyFacts, Force]], couples: list[tuple[BodyFacts, Couple]]
+    ) -> Formula | Meaning | None:
+        """What an element does to the bodies on which it acts."""
+        match path.quantity:
+            case "tension":
+                return self._tension(path, [force for _, force in forces])
+            case "normal_force" | "friction_force":
+                return self._contact_force(path, forces)
+            case "torque":
+                last = self._last_body(path.owner, [body.name for body, _ in couples]) if couples else ""
+                own = [(body, couple) for body, couple in couples if body.name == last]
+                parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
+                parts += [signed(force.torque, body.motion.sense) for body, force in forces]
+                return total([part for part in parts if part != ZERO])
+            case "force":
+                return self._element_force(path, forces)
+            case "power" if any(couple.role == "power" for _, couple in couples):
+                return self._given_power(path.owner)
+            case "power":
+                parts = [couple.torque * body.motion.spin for body, couple in couples]
+                parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
+                return total([_plain(part) for part in parts if part != ZERO])
+        return None
+
+    def _setting(self, path: Path) -> Formula | Meaning | None:
+        """How an element stands or moves: its elongation, length, angle, or the angular velocity of what it holds."""
+        match path.quantity:
+            case "elongation":
+                stored = self._stored(path.owner)
+                placed = stored is not None and stored.placed
+                return (
+                    stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+                )
+            case "length":
+                stored = self._stored(path.owner)
+                if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
+                    return stored.elongation
+            case "angle" if (contact := self._contact(path.owner)) is not None:
+                return contact.angle(self.instant)
+            case "angle" | "angular_velocity" | "angular_acceleration":
+                if path.quantity != "angle" and (pair := self._between(path.owner)):
+                    return self._relative(path.quantity, *pair)
+                name = self._turned_by(path.owner)
+                if name:
+                    return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
+        return None
+
+    def _contact_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+        """The push of a surface or its friction, on the body that a contact names first."""
+        role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+        first = self._first_body(path.owner)
+        forces = sorted(forces, key=lambda pair: pair[0].name != first)
+        force = next((force for _, force in forces if force.role == role), None)
+        if force is None:
+            return ZERO
+        way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
+        return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
+
+    def _stored(self, owner: str) -> Potential | None:
+        """The energy that a spring or wire stores."""
+        return next((item for item in self.facts().potentials if item.owner == owner), None)
+
+    def _given_power(self, owner: str) -> Formula:
+        """The power of a motor that is told by its power."""
+        item = next(item for item in self.instant.configuration.actions(self.instant.state) if item.name == owner)
+        return item.now(self.instant)
+
+    def _contact(self, owner: str) -> Touch | None:
+        """The contact of a body with a curved surface that a path names."""
+        state = self.instant.state
+        items = (item for item in self.instant.configuration.connections(state) if item.name == owner)
+        item = next((item for item in items if isinstance(item, Touch)), None)
+        surface = item.surface(self.instant.configuration, state) if item is not None else None
+        return item if isinstance(surface, Curved) else None
+
+    def _between(self, owner: str) -> tuple[str, ...]:
+        """The two bodies of a connection that turn against each other."""
+        items = self.instant.configuration.connections(self.instant.state)
+        return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
+
+    def _relative(self, word: str, first: str, last: str) -> Formula:
+        """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
+        instant = self.instant
+        way = instant.sense(first) * instant.sense(last)
+        return instant.rate(word, last) - signed(instant.rate(word, first), way)
+
+    def _absent(self, owner: str) -> bool:
+        """Whether an action or connection has ended or been cut by this moment."""
+        configuration, state = self.instant.configuration, self.instant.state
+        acting = {item.name for item in configuration.connections(state)} | {
+            item.name for item in configuration.actions(state)
+        }
+        return owner not in acting
+
+    def _tension(self, path: Path, forces: list[Force]) -> Formula:
+        """The tension of a string, or of the part that leaves the body that the path names."""
+        item = next(
+            (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
+            None,
+        )
+        if isinstance(item, String) and path.point:
+            tension = item.tension_at(path.point, self.instant)
+            if tension is not None:
+                return tension
+        sizes = {force.size: None for force in forces if force.role == "tension"}
+        if not sizes:
+            raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
+        if len(sizes) > 1:
+            names = dict.fromkeys(ref.owner for ref in item.touches()) if item is not None else {}
+            ends = ", ".join(f"`{path.owner}.{name}.tension`" for name in names)
+            raise NotYet(f"the tension is not the same along `{path.owner}`", help=f"ask for that of one part: {ends}")
+        return next(iter(sizes))
+
+    def _element_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+        """The force on the last-named body: its components, or its size."""
+        if not forces:
+            couplings = [
+                couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+            ]
+            letters = [name for couple in couplings for name in couple.torque.symbols() if name.startswith("force|")]
+            if letters:
+                return Symbol(letters[0])
+            raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
+        last = self._last_body(path.owner, [body.name for body, _ in forces])
+        vector, arm = Vector(), Vector()
+        for body, force in forces:
+            if body.name == last:
+                vector, arm = vector + force.vector, force.arm
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component in NATURAL:
+            part = self._along_body(last, vector, arm, path.component or "")
+            label = f"{path.component} part of the force of {spoken(path.owner)}"
+            return Meaning(part, BY_WORD["force"].dimension, label=label)
+        return Meaning(size_of(vector), BY_WORD["force"].dimension, vector)
+
+    def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
+        """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""
+        body = self.body(name)
+        arm = arm if body.motion.kind == "axis" and arm.parts else body.cm
+        if body.motion.kind != "axis" or not arm.parts:
+            raise NotYet(
+                f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                help="ask for `x` or `y`",
+            )
+        return about_centre(vector, arm, body.motion.sense, component)
+
+    def _first_body(self, owner: str) -> str:
+        """The body that a connection names first: of two that touch, the one that lies on the other."""
+        items = (item for item in self.instant.configuration.connections(self.instant.state) if item.name == owner)
+        return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
+
+    def _last_body(self, owner: str, bodies: list[str]) -> str:
+        """Of the bodies on which it acts, the one that the connection names last."""
+        instant = self.instant
+        item = next((item for item in instant.configuration.connections(instant.state) if item.name == owner), None)
+        named = (
+            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.configuration.bodies]
+            if item
+            else []
+        )
+        return next((name for name in reversed(named) if name in bodies), bodies[-1])
+
+
+def _plain(part: Formula) -> Formula:
+    """A product of two factors with minus signs that cancel left out."""
+    from rotsolve.laws.groups import unsigned_product
+
+    if isinstance(part, Product) and len(part.factors) == 2:
+        return unsigned_product(*part.factors)
+    return part

@@ -1,0 +1,222 @@
+"""Questions about how the mass of a body is spread: moments of inertia, radius of gyration, centre of mass, angular momentum in space."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
+from rotsolve.core.vectors.tensor import AXES, Place
+from rotsolve.core.writing import flat, is_negative
+from rotsolve.elements.rims import shape_of
+from rotsolve.language.problem import Path, PointRef, Term
+from rotsolve.laws import inertia
+from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
+from rotsolve.laws.integration import NotSliced, mass
+from rotsolve.motion.bodies.frame import locate, rise
+from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.bodies.spread import Spread
+from rotsolve.motion.positive import positive_letters
+from rotsolve.paths.meaning import Meaning, NotYet
+from rotsolve.paths.moment import Moment
+
+ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
+
+
+class OfInertias(Moment, frozen=True):
+    """Reads paths about the spread of a body's mass."""
+
+    def meaning(self, path: Path, term: Term | None) -> Meaning:
+        """The meaning of `inertia`, `gyration`, `inertia_tensor`, `cm` or `mass` of a body."""
+        told = self.refused(path, lambda: self._told(path, term))
+        dimension = BY_WORD[path.quantity].dimension
+        return Meaning(told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions)
+
+    def refused(self, path: Path, told: Callable[[], Told]) -> Told:
+        """What is told, or the refusal in words."""
+        try:
+            return told()
+        except (Unknown, NotSliced) as error:
+            raise NotYet(str(error)) from None
+
+    def is_flat(self, name: str, term: Term) -> bool:
+        """Whether the centres of mass of all pieces lie at the height of the point about which is asked."""
+        if term.about is not None and self.instant.configuration.pivot(name, self.instant.state) is None:
+            return True  # only what turns about an axis has an angular momentum in space so far
+        height = self._point(name, term)[1] if term.about is not None else ZERO
+        return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
+
+    def _told(self, path: Path, term: Term | None) -> Told:
+        if not shape_of(self.instant.body(path.owner)).rigid:
+            raise NotYet(f"`{path.owner}` is no rigid body: it has no `{path.quantity}`")
+        if path.quantity == "cm":
+            return self._centre(path, term)
+        if path.quantity == "mass":
+            spread = self._spread(path.owner, None)
+            letter, defined = mass(spread, spread.pieces[0])
+            return Told(letter, "mass", (), defined)
+        if path.quantity == "inertia_tensor":
+            spread = self._spread(path.owner, term)
+            entry = path.component or "zz"
+            known = inertia.perpendicular(spread) if entry == "zz" else None
+            return known or inertia.by_symmetry(spread, entry) or inertia.moment(spread, entry)
+        told = self._moment_of_inertia(path, term)
+        if path.quantity == "gyration":
+            spread = self._spread(path.owner, term)
+            return inertia.gyration(spread, told)
+        return told
+
+    def _centre(self, path: Path, term: Term | None) -> Told:
+        """A coordinate of the centre of mass, from where the coordinates of the body begin."""
+        if path.component not in AXES:
+            raise NotYet(f"say which coordinate: `{path.owner}.cm.x`, `.y` or `.z`")
+        spread = self._spread(path.owner, term)
+        told = centre(spread, path.component)
+        begin = spread.begin[AXES.index(path.component)]
+        return replace(told, formula=told.formula - begin) if len(spread.pieces) > 1 and begin != ZERO else told
+
+    def _moment_of_inertia(self, path: Path, term: Term | None) -> Told:
+        """About the axis that is asked for; the letter of the laws where they use just this one."""
+        spread = self._spread(path.owner, term)
+        along = term.along if term is not None else None
+        facts = self.body(path.owner).inertia if self.instant.host(path.owner) == path.owner else None
+        if along in (None, "z"):
+            reference = self.instant.frame(path.owner).reference
+            at_reference = not tidy(self._point(path.owner, term)[0] - reference).parts
+            plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or self._held(path.owner)
+            if facts is not None and at_reference and plain and not spread.integrates:
+                return Told(facts.letter, "")
+            return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
+        if isinstance(along, str) and along not in ENTRY_OF:
+            raise NotYet(
+                f"`along {along}` is no axis of a moment of inertia", help="write `along x`, `y`, `z` or an angle"
+            )
+        if isinstance(along, str):
+            return inertia.moment(spread, ENTRY_OF[along])
+        return inertia.along(spread, heading(along or ZERO))
+
+    def _held(self, name: str) -> bool:
+        """Whether a hinge or axle holds the body, so that the laws of the scene speak of its moment of inertia."""
+        return self.instant.configuration.pivot(name, self.instant.state) is not None
+
+    def _perpendicular(self, path: Path, term: Term | None, spread: Spread) -> Told | None:
+        """I_z = I_x + I_y of a flat body where both are asked for about the same point."""
+        if term is None or spread.integrates:
+            return None
+        asked = {self._bare(other) for find in self.instant.configuration.problem.finds for other in find.terms}
+        across = {self._bare(replace(term, path=path, along=axis)) for axis in "xy"}
+        return inertia.perpendicular(spread) if across <= asked else None
+
+    def _spread(self, name: str, term: Term | None) -> Spread:
+        """The pieces of a body and the point about which is asked."""
+        instant = self.instant
+        own, body = instant.frame(name), instant.body(name)
+        point, height, ref = self._point(name, term)
+        x, y = point.along(RIGHT), point.along(UP)
+        central = not tidy(point - own.reference - own.cm).parts and height == rise(body, PointRef(name, "cm"))
+        facts = self.body(name).inertia if instant.host(name) == name else None
+        centred = facts is not None and not own.cm.parts and len(own.pieces) == 1 and own.pieces[0].shape.tabled
+        integrates = term is not None and term.by == "integration"
+        doubled = integrates and self._asked_twice(term)
+        return Spread(
+            name,
+            own.pieces,
+            simplify(total([piece.mass for piece in own.pieces])) if len(own.pieces) > 1 else own.pieces[0].mass,
+            instant.registry,
+            instant.state,
+            (x, y, height),
+            "cm" if central else _named(ref),
+            central,
+            facts.letter if facts is not None and centred and not doubled else None,
+            integrates,
+            doubled,
+            shape_of(body).begin(),
+            positive_letters(instant.configuration.problem.givens),
+            tuple((given.name, given.dimension) for given in instant.configuration.problem.givens),
+        )
+
+    def _asked_twice(self, term: Term | None) -> bool:
+        """Whether the scene asks for the same without integration as well."""
+        assert term is not None
+        plain = self._bare(replace(term, by=None))
+        return any(
+            self._bare(other) == plain for find in self.instant.configuration.problem.finds for other in find.terms
+        )
+
+    def _bare(self, term: Term) -> Term:
+        """A term without the places in the file where it stands."""
+        about = None if term.about is None else replace(term.about, span=None)
+        return replace(term, path=replace(term.path, span=None, component=None), about=about)
+
+    def _point(self, name: str, term: Term | None) -> tuple[Vector, Formula, PointRef | None]:
+        """The point about which is asked, in the body's axes, and its height: the centre of mass where nothing is said."""
+        instant = self.instant
+        about = term.about if term is not None else None
+        if about is None:
+            own = instant.frame(name)
+            return own.reference + own.cm, rise(instant.body(name), PointRef(name, "cm")), None
+        support = next(
+            (item for item in instant.configuration.connections(instant.state) if item.name == about.owner), None
+        )
+        ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
+        if ref is None or ref.owner != name:
+            raise NotYet(f"`{about.owner}` is no point of `{name}`", about.span)
+        body = instant.body(name)
+        return locate(body, ref), rise(body, ref), ref
+
+    def angular_momentum(self, path: Path, term: Term | None) -> Meaning:
+        """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
+        told = self.refused(path, lambda: self._angular_momentum(path, term))
+        dimension = BY_WORD[path.quantity].dimension
+        return Meaning(told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions)
+
+    def _angular_momentum(self, path: Path, term: Term | None) -> Told:
+        motion = self.instant.motion(path.owner)
+        if motion.kind != "axis":
+            raise NotYet(f"`{path.owner}` turns about no fixed axis: its angular momentum in space is not solved yet")
+        if motion.orientation != RIGHT:
+            raise NotYet(f"the components of an angular momentum in space are those of `{path.owner}` as it is drawn")
+        point, _, ref = self._point(path.owner, term)
+        if ref is None or tidy(point - self.instant.frame(path.owner).reference).parts:
+            raise NotYet(
+                f"a part of the angular momentum of `{path.owner}` is asked about a point of its axis",
+                help="write `about` with a point on the axis",
+            )
+        spread = self._spread(path.owner, term)
+        axis = path.component or "z"
+        spin = motion.spin
+        if all(piece.shape.word == "particle" for piece in spread.pieces):
+            terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
+            return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))
+        told = inertia.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])
+        return Told(multiply(told.formula, spin), f"angular momentum along {axis}, I_{axis}z ω", (), told.definitions)
+
+
+def _orbital(arm: Place, mass: Formula, spin: Formula, axis: str) -> Formula:
+    """A component of r × m v with v = ω × r = ω (−y, x, 0)."""
+    x, y, z = arm
+    if axis == "z":
+        return multiply(multiply(mass, add(ZERO if x == ZERO else x**2, ZERO if y == ZERO else y**2)), spin)
+    lever = multiply(multiply(mass, z), multiply(spin, x if axis == "x" else y))
+    return negate(lever)
+
+
+def _velocity(spin: Formula) -> tuple[str | Formula, ...]:
+    """How fast each part moves."""
+    size = negate(spin) if is_negative(spin) else spin
+    return ("v = ", size, " × r, perpendicular to the axis")
+
+
+def _named(ref: PointRef | None) -> str:
+    """The index that a letter about a point has."""
+    if ref is None:
+        return "cm"
+    if ref.argument is not None:
+        return re.sub(r"\W+", "", to_text(ref.argument, unicode=False))
+    return ref.point or "center"

@@ -1,0 +1,136 @@
+"""Questions about a point of a body: its velocity, speed and acceleration, and their tangential and normal components."""
+
+from __future__ import annotations
+
+from rotsolve.algebra.formula import ZERO, add
+from rotsolve.core.facts import Motion, signed, square
+from rotsolve.core.quantity import BY_WORD, INSIDE
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
+from rotsolve.language.problem import Path, PointRef
+from rotsolve.paths.meaning import Meaning, NotYet, path_text, size_of, spoken_point
+from rotsolve.paths.moment import Moment
+from rotsolve.paths.natural import NATURAL, along_path, length
+
+
+class OfPoints(Moment, frozen=True):
+    """Reads paths of points at one instant."""
+
+    def at_point(self, path: Path) -> bool:
+        """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
+        return path.quantity in ("position", "velocity", "speed", "acceleration", *INSIDE) and (
+            path.point is not None or path.component in NATURAL or not self._travels(path)
+        )
+
+    def _travels(self, path: Path) -> bool:
+        motion = self.instant.motion(path.owner)
+        return motion.kind == "line" and self.instant.host(path.owner) == path.owner
+
+    def of_point(self, path: Path) -> Meaning:
+        """Velocity or acceleration of a point: as a vector with its size, or a component."""
+        if path.quantity in INSIDE:
+            return self._inside(path)
+        ride = self.instant.configuration.ride(path.owner, self.instant.state)
+        if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
+            return self._of_rider(path)
+        ref = PointRef(path.owner, path.point or "cm", path.argument)
+        motion, arm = self.instant.motion(path.owner), self.instant.point(ref)
+        if path.quantity == "position":
+            return self._place(path, arm)
+        vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
+        dimension = BY_WORD[path.quantity].dimension
+        label = f"{path.quantity} of {spoken_point(path)}{carried(motion, arm, path.quantity)}"
+        if path.component in ("x", "y"):
+            side, axis = ("horizontally", RIGHT) if path.component == "x" else ("vertically", UP)
+            return Meaning(vector.along(axis), dimension, label=f"{label}, {side}")
+        if path.component in NATURAL:
+            return self._on_circle(path, motion, arm) if motion.kind == "axis" else self._on_path(path, motion, arm)
+        remark = (
+            "at rest: no centripetal part"
+            if path.quantity == "acceleration" and motion.spin == ZERO and motion.turns and arm.parts
+            else ""
+        )
+        shown = None if path.quantity == "speed" else vector  # a speed points nowhere
+        return Meaning(size_of(vector), dimension, shown, remark, label)
+
+    def _inside(self, path: Path) -> Meaning:
+        """What acts at a cut through a rod."""
+        same = (path.owner, path.point, path.argument)
+        cuts = self.instant.configuration.mentions.cuts.items()
+        index = next(index for index, cut in cuts if (cut.owner, cut.point, cut.argument) == same)
+        cut = next((cut for cut in self.facts().cuts if cut.index == index), None)
+        if cut is not None and cut.jumps and path.quantity != "bending_moment":
+            raise NotYet(
+                f"`{path.quantity}` jumps there, where something acts on `{path.owner}`",
+                help="ask for it a little before or beyond",
+            )
+        if cut is None:
+            raise NotYet(
+                f"what acts inside `{path.owner}` there is not solved yet",
+                help="in a uniform rod whose loads act at named points, certainly on this or that side: give lengths numbers",
+            )
+        letter = self.instant.ask(path.quantity, path.owner, when=self.instant.span(path.owner), component=index)
+        return Meaning(letter, BY_WORD[path.quantity].dimension)
+
+    def _of_rider(self, path: Path) -> Meaning:
+        """Velocity of what slides along another body: ω r across, and its speed along that body."""
+        instant, name, dimension = self.instant, path.owner, BY_WORD[path.quantity].dimension
+        motion = instant.motion(name)
+        along, radius = instant.outward(name), getattr(instant.body(name).shape, "radius", None) or ZERO
+        if path.component == "radial":
+            return Meaning(along, dimension, words=("outwards", "inwards"))
+        if path.component == "tangential":
+            return Meaning(radius * signed(motion.spin, motion.sense), dimension)
+        outward = unit(motion.orientation).times(along)
+        vector = unit(motion.orientation.turned(90)).times(radius * motion.spin) + outward
+        if path.component in ("x", "y"):
+            return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
+        return Meaning(size_of(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
+
+    def _place(self, path: Path, arm: Vector) -> Meaning:
+        """A component of a point's place: that of the body's reference, and from there to the point."""
+        if path.component not in ("x", "y"):
+            raise NotYet("a place is asked by its components", help=f"ask for `{path_text(path)}.x` and `.y`")
+        name, direction = self.instant.host(path.owner), RIGHT if path.component == "x" else UP
+        if self.instant.motion(name).kind != "plane":
+            raise NotYet(f"where `{name}` is in the scene is not told", help="ask for a displacement")
+        place = self.instant.component("position", name, path.component)
+        return Meaning(add(place, arm.along(direction)), BY_WORD["position"].dimension)
+
+    def _on_circle(self, path: Path, motion: Motion, arm: Vector) -> Meaning:
+        """About a fixed axis: r α and r ω², r ω and nothing; the tangential part counts along the positive turn."""
+        rate = motion.spin_rate if path.quantity == "acceleration" else motion.spin
+        if path.component == "tangential":
+            part, value = arm.turned(90).times(rate), signed(rate, motion.sense)
+        else:
+            squared = square(motion.spin) if path.quantity == "acceleration" else ZERO
+            part, value = arm.turned(180).times(squared), squared
+        radius = length(arm) if arm.parts else ZERO
+        return Meaning(radius * value, BY_WORD[path.quantity].dimension, part, "", self._called(path))
+
+    def _on_path(self, path: Path, motion: Motion, arm: Vector) -> Meaning:
+        """In free motion: along the point's own velocity, and square to it."""
+        velocity = motion.velocity_of(arm)
+        straight = motion.kind == "line" and not arm.parts and motion.heading is not None
+        if straight and motion.heading is not None:
+            velocity = Vector(((size_of(velocity), motion.heading),))
+        if not velocity.parts:
+            raise NotYet(resting(path))
+        vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
+        value = along_path(vector, velocity, path.component or "")
+        moving = NOWHERE if straight else velocity
+        return Meaning(value, BY_WORD[path.quantity].dimension, label=self._called(path), moving=moving)
+
+    def _called(self, path: Path) -> str:
+        return f"{path.component} {path.quantity} of {spoken_point(path)}"
+
+
+def carried(motion: Motion, arm: Vector, quantity: str) -> str:
+    """How a point moves with a body that travels and turns; nothing where that is plain."""
+    if motion.kind != "plane" or motion.spin == ZERO or not arm.parts:
+        return ""
+    return ", a_P = a + α × r − ω² r" if quantity == "acceleration" else ", v_P = v + ω × r"
+
+
+def resting(path: Path) -> str:
+    """Why a point at rest has no tangential and normal components."""
+    return f"{spoken_point(path)} is at rest: its path has no direction there"

@@ -1,0 +1,146 @@
+"""Terms: what one path of a question means at its state, in its phase or event, or as a function of time."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ONE, Call, Formula, Number
+from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import ANY_TIME, Path, Term
+from rotsolve.paths import Meaning, NotYet, Unclear, path_text
+
+if TYPE_CHECKING:
+    from rotsolve.questions.courses import Beside
+
+DIFFERENCE = ("change of", "lost")
+SUMMED = {  # what the mean of a quantity is the mean of, over time
+    "power": "work",
+    "angular_velocity": "rotation",
+    "velocity": "displacement",
+    "speed": "distance",
+    "acceleration": "velocity",
+    "angular_acceleration": "angular_velocity",
+    "force": "impulse",
+    "torque": "angular_impulse",
+}
+
+
+def meaning_of(term: Term, scene: SceneEquations, beside: Beside | None = None) -> tuple[Meaning, str]:
+    """A term's meaning, and the state, phase or event where it belongs."""
+    meaning, section = signed(term, scene, beside)
+    if term.modifier == "size of":
+        meaning = replace(meaning, formula=size(meaning.formula))
+    return meaning, section
+
+
+def size(formula: Formula) -> Formula:
+    """|x|; of what is a root or a size already the same, of a number without its minus."""
+    if isinstance(formula, Number):
+        return Number(abs(formula.value))
+    bare = isinstance(formula, Call) and formula.function in ("abs", "sqrt")
+    return formula if bare or not formula.symbols() else Call("abs", (formula,))
+
+
+def signed(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
+    """The meaning of a term with its sign, whether or not its size is asked."""
+    timeline = scene.configuration.timeline
+    if term.path.quantity in OSCILLATING:
+        swing = scene.swing(term)
+        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
+    start, end = term.start, term.end
+    if term.at == ANY_TIME:
+        from rotsolve.questions.courses import at_any_time
+
+        return at_any_time(term, scene)
+    if term.during is not None:
+        interval = timeline.interval(term.during)
+        if interval is None:
+            raise Unclear(f"there is no phase or event `{term.during}`")
+        start, end = interval.start, interval.end
+    if term.modifier in ("", "size of") and term.path.quantity not in ("distance", *SPANNED):
+        return at_state(term, scene)
+    return from_to(term, start, end, scene, beside)
+
+
+def from_to(
+    term: Term, start: str | None, end: str | None, scene: SceneEquations, beside: Beside | None
+) -> tuple[Meaning, str]:
+    """The meaning of what is asked over a time: of a way, a sum, a mean, an extreme or a difference between two states."""
+    from rotsolve.questions.spans import span, spanned
+
+    if term.modifier == "total" or term.path.quantity == "distance":
+        from rotsolve.questions.courses import whole_way
+
+        return whole_way(term, *span(term, start, end, scene), scene, beside)
+    if term.modifier in ("largest", "smallest"):
+        from rotsolve.questions.courses import extreme
+
+        return extreme(term, *span(term, start, end, scene), scene, beside)
+    if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
+        return spanned(term, start, end, scene)
+    if term.modifier in DIFFERENCE and start and end:
+        from rotsolve.questions.differences import difference
+
+        return difference(term, start, end, scene)
+    if term.modifier == "mean" and start and end:
+        return mean(term, start, end, scene, beside)
+    return at_state(term, scene)
+
+
+def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:
+    """The meaning at one state: the one named, the only one, or any where it is the same throughout."""
+    states = [term.at] if term.at else list(scene.configuration.timeline.named)
+    found: dict[Formula, tuple[Meaning, str]] = {}
+    failed: NotYet | None = None
+    for state in states:
+        try:
+            meaning = scene.reader(state).meaning(term.path, term)
+        except NotYet as error:
+            failed = error
+            continue
+        found.setdefault(meaning.formula, (meaning, section_of(term.path, meaning, state, scene)))
+    if not found:
+        raise failed or Unclear("nothing is asked")
+    if len(found) > 1:
+        raise Unclear(
+            f"`{path_text(term.path)}` is not the same at all states", help=f"say `at` which: {', '.join(states)}"
+        )
+    return next(iter(found.values()))
+
+
+def section_of(path: Path, meaning: Meaning, state: str, scene: SceneEquations) -> str:
+    """Where a definition is written: with the accelerations of a phase, or at its state."""
+    moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
+    if (
+        BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
+        or state in moments
+    ):
+        return state
+    return scene.section(state)
+
+
+def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
+    """Mean over time: work over time for a power, angle or way over time for a rate, its change for an acceleration."""
+    from rotsolve.questions.spans import spanned
+
+    summed = SUMMED.get(term.path.quantity)
+    if summed is None:
+        raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
+    duration, section = spanned(Term(Path("", "time")), start, end, scene)
+    other = replace(
+        term, path=replace(term.path, quantity=summed), modifier="change of" if summed.endswith("velocity") else ""
+    )
+    amount, _ = meaning_of(replace(other, start=start, end=end), scene, beside)
+    word = term.path.quantity.replace("_", " ")
+    vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
+    return Meaning(
+        amount.formula / duration.formula,
+        BY_WORD[term.path.quantity].dimension,
+        vector,
+        label=f"mean {word}",
+        laws=amount.laws,
+    ), section

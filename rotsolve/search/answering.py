@@ -1,0 +1,111 @@
+"""Answering: every question of a scene in turn.
+
+One that waits for another is tried again; where a law asked for does not reach, Newton's laws help out.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector
+from rotsolve.language.problem import Find
+from rotsolve.paths import NotYet, Unclear, resting
+from rotsolve.questions.entries import entries
+from rotsolve.questions.find import asked
+from rotsolve.search.answers import Answered, NoAnswer
+from rotsolve.search.explain.unsolvable import unsolvable
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
+
+
+def answer_all(search: Search, finds: Sequence[Find]) -> None:
+    """Answer all questions; one that has to wait for another (an asked letter that a later line settles) is tried again."""
+    pending = list(finds)
+    while pending:
+        waiting: list[tuple[Find, Unsolvable]] = []
+        for find in pending:
+            try:
+                answer(search, find)
+            except Unsolvable as error:
+                waiting.append((find, error))
+        if len(waiting) == len(pending):
+            raise waiting[0][1]
+        pending = [find for find, _ in waiting]
+
+
+def answer(search: Search, find: Find) -> None:
+    """Answer one question, entry by entry where it asks for a matrix or vector."""
+    for part in entries(find, search.scene):
+        if part.name not in search.letters():
+            answer_one(search, part)
+
+
+def answer_one(search: Search, find: Find) -> None:
+    """Answer one question for a single quantity, or say why there is no answer."""
+    problem = search.scene.configuration.problem
+    try:
+        if find.choice is not None:
+            from rotsolve.search.choices import choose
+
+            search.chosen.append(choose(find, find.choice, search, lambda side: by_law(search, side, find.name)))
+        elif not by_condition(search, find):
+            by_law(search, find)
+    except (NotYet, Unclear) as error:
+        raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
+    except NoAnswer as error:
+        from rotsolve.search.explain.missing import no_answer, refuse_unsolved
+
+        if error.shortage is not None:
+            refuse_unsolved(search, error.shortage, find)
+        raise no_answer(error, search, find) from None
+
+
+def by_condition(search: Search, find: Find) -> bool:
+    """Answer a question with a condition, or for an extremum over a letter; False where it is neither."""
+    if find.where is None and not find.extreme:
+        return False
+    from rotsolve.search.where import answer_where, over_a_letter
+
+    if find.where is None and not over_a_letter(find, search):
+        return False
+    answer_where(search, find)
+    return True
+
+
+def by_law(search: Search, find: Find, whole: str = "") -> Answered:
+    """Answer by the search's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out.
+
+    `whole` names the choice to which the question belongs.
+    """
+    question = asked(find, search.scene, search.letters(), search.beside())
+    question = replace(question, whole=whole)
+    if question.moving.parts and stands(question.moving, search):
+        raise NotYet(resting(find.terms[0].path))
+    try:
+        return search.answer(question)
+    except NoAnswer as error:
+        if NEWTON in search.families:
+            raise
+        laws = search.families
+        search.families = (*laws, NEWTON)
+        try:
+            answered = search.answer(question)
+        except NoAnswer:
+            raise error from None
+        finally:
+            search.families = laws
+        name = whole or find.name
+        search.helped += [name] if name not in search.helped else []
+        return answered
+
+
+def stands(velocity: Vector, search: Search) -> bool:
+    """Whether a velocity turns out to be nothing."""
+    aside = Search(search.scene, families_for(None))
+    parts = [aside.settled(velocity.along(axis)) for axis in (RIGHT, UP)]
+    return all(part is not None and is_zero(part, search.solver.positive) for part in parts)

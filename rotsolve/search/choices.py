@@ -1,0 +1,137 @@
+"""Choices: which option is the largest, exceeds a bound or holds; every comparison is exact or certified."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import Call, Formula
+from rotsolve.algebra.units.dimension import NONE
+from rotsolve.language.problem import Choice, Find
+from rotsolve.paths import NotYet
+from rotsolve.questions.find import asked
+from rotsolve.search.answers import Answered, Chosen, Compared, Verdict
+from rotsolve.search.search import Search
+from rotsolve.solver import Found
+
+DIGITS = 50  # to which two numbers without a closed form are told apart
+HOLDING = {"<": (-1,), ">": (1,), "≤": (-1, 0), "≥": (0, 1), "=": (0,)}
+OPPOSITE = {"<": "≥", ">": "≤", "≤": ">", "≥": "<", "=": "≠"}
+RELATION = {-1: "<", 0: "=", 1: ">"}
+BOUND = {"above": ">", "below": "<"}
+
+
+def choose(find: Find, choice: Choice, search: Search, answer: Callable[[Find], Answered]) -> Chosen:
+    """Decide a choice; `answer` settles one of the quantities that it compares."""
+    bound = [] if choice.bound is None else [settled(choice.bound, find.name, search, answer)]
+    options = [
+        (option.label, [settled(side, find.name, search, answer) for side in option.sides]) for option in choice.options
+    ]
+    if choice.test in ("largest", "smallest"):
+        return Chosen(find, extremes(choice.test, [(label, sides[0]) for label, sides in options], search))
+    signs = [option.signs or (BOUND[choice.test],) for option in choice.options]
+    return Chosen(
+        find,
+        tuple(
+            verdict(label, [*sides, *bound], own, search) for (label, sides), own in zip(options, signs, strict=True)
+        ),
+    )
+
+
+def settled(side: Find, whole: str, search: Search, answer: Callable[[Find], Answered]) -> Answered:
+    """One quantity of a choice; what is made of givens alone needs no law."""
+    question = replace(asked(side, search.scene, search.letters()), whole=whole)
+    unknown = any(name in search.givens and search.givens[name].asked for name in question.formula.symbols())
+    if question.of_givens and not unknown:
+        return Answered(question, Found(question.letter, question.formula), ())
+    known = next((item for item in search.answered if item.asked.same_as(question)), None)
+    if known is not None:
+        return replace(known, asked=replace(question, letter=known.asked.letter))
+    return answer(side)
+
+
+def alike(sides: Sequence[Answered]) -> list[Answered]:
+    """The quantities of a comparison with one dimension, so that π beside an angle is told in radians."""
+    known = (side.asked.dimension for side in sides if side.asked.dimension not in (None, NONE))
+    dimension = next(known, None)
+    return [
+        replace(side, asked=replace(side.asked, dimension=dimension)) if side.asked.dimension in (None, NONE) else side
+        for side in sides
+    ]
+
+
+def verdict(label: str, sides: Sequence[Answered], signs: Sequence[str], search: Search) -> Verdict:
+    """Whether all comparisons of an option hold; of one that does not, those that fail."""
+    holding, failing = [], []
+    sides = alike(sides)
+    for left, sign, right in zip(sides[:-1], signs, sides[1:], strict=True):
+        if compared(left, right, search) in HOLDING[sign]:
+            holding.append(Compared(left, sign, right))
+        else:
+            failing.append(Compared(left, OPPOSITE[sign], right))
+    return Verdict(label, not failing, None, tuple(failing or holding))
+
+
+def extremes(test: str, options: Sequence[tuple[str, Answered]], search: Search) -> tuple[Verdict, ...]:
+    """Which quantities none of the others exceeds, or undercuts."""
+    beaten = -1 if test == "largest" else 1
+    verdicts = []
+    for label, own in options:
+        others = [(other, compared(own, other, search)) for _, other in options if other is not own]
+        best = all(sign != beaten for _, sign in others)
+        told = tuple(Compared(own, RELATION[sign], other) for other, sign in others) if best else ()
+        verdicts.append(Verdict(label, best, own, told))
+    return tuple(verdicts)
+
+
+def compared(left: Answered, right: Answered, search: Search) -> int:
+    """The sign of left − right, exactly or by balls; refused where it can not be told."""
+    sign = difference(left.found, right.found, search)
+    if sign is None:
+        lacking = sorted(
+            name
+            for found in (left.found, right.found)
+            for name in (found.formula.symbols() if found.formula is not None else ())
+            if name not in search.values
+        )
+        names = ", ".join(f"`{name}`" for name in dict.fromkeys(lacking))
+        help = f"give a number to {names}" if lacking else ""
+        raise NotYet(f"whether `{left.find.text}` exceeds `{right.find.text}` can not be decided", help=help)
+    return sign
+
+
+def difference(left: Found, right: Found, search: Search) -> int | None:
+    """−1, 0 or 1 as left is smaller, equal or larger; None where nothing tells."""
+    if left.formula is None or right.formula is None:
+        balls = [number.refine(DIGITS) for found in (left, right) if (number := value(found, search)) is not None]
+        gap = balls[0] - balls[1] if len(balls) == 2 else None
+        return None if gap is None or gap.contains(0) else 1 if gap > 0 else -1
+    return sign_of(left.formula - right.formula, search)
+
+
+def sign_of(gap: Formula, search: Search) -> int | None:
+    """The sign of a closed form: exactly where it vanishes or its letters are positive, else by a ball."""
+    positive = search.solver.positive
+    if is_zero(gap, positive):
+        return 0
+    if gap.symbols() <= set(search.values):
+        try:
+            return evaluate(gap, search.values).sign
+        except Undefined:
+            return None
+    size = Call("abs", (search.solver.simplify(gap),))
+    return 1 if is_zero(size - gap, positive) else -1 if is_zero(size + gap, positive) else None
+
+
+def value(found: Found, search: Search) -> Certified | None:
+    """A quantity as a certified number."""
+    if found.formula is None:
+        return found.number
+    try:
+        return evaluate(found.formula, search.values)
+    except Undefined:
+        return None

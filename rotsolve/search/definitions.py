@@ -1,0 +1,70 @@
+"""Definitions: what is asked and is no letter of the laws gets a letter of its own, and an equation that says what it stands for."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from msgspec import Struct, field
+
+from rotsolve.algebra.exact.normal import degree
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.equation import Equation
+from rotsolve.language.problem import Given
+from rotsolve.plan import Planner
+from rotsolve.questions.question import Asked
+from rotsolve.search.answers import Answered
+from rotsolve.solver import Step
+
+
+class Definitions(Struct):
+    """The definitions of all questions so far, by their places in the planner's pool."""
+
+    planner: Planner
+    givens: Mapping[str, Given]
+    places: dict[str, int] = field(default_factory=dict)  # by the letter of the question
+
+    def enter(self, asked: Asked, earlier: Sequence[Answered]) -> None:
+        """Define the letter of a question, once."""
+        if asked.direct or asked.letter in self.places:
+            return
+        section = asked.section or section_of(asked.formula, earlier)
+        label, remark = asked.label or "definition", asked.said or ((asked.remark,) if asked.remark else ())
+        definition = Equation(Symbol(asked.letter), asked.formula, label, section, "", 1, remark)
+        self.places[asked.letter] = self.planner.extend(definition)
+
+    def place(self, letter: str) -> int | None:
+        """Where in the pool a letter is defined."""
+        return self.places.get(letter)
+
+    def formula(self, letter: str) -> Formula | None:
+        """What an asked letter was defined to stand for."""
+        return self.planner.pool[self.places[letter]].right if letter in self.places else None
+
+    def spent(self, asked: Asked, steps: Sequence[Step]) -> set[int]:
+        """The definition of an answered question where it must serve no other; else it becomes the last way to what it is made of.
+
+        A size, a component or a loss does not lead back, nor what the `steps` of its own answer have turned round already.
+        """
+        place = self.places.get(asked.letter)
+        if place is None:
+            return set()
+        if asked.whole or not self._leads_back(asked.formula) or turned_round(place, steps):
+            return {place}
+        self.planner.dear.add(place)
+        return set()
+
+    def _leads_back(self, meaning: Formula) -> bool:
+        """Whether a definition may tell what it is made of: a single unknown, in proportion or with a sum, as in φ = θ + π/2."""
+        names = {name for name in meaning.symbols() if name not in self.givens or self.givens[name].asked}
+        return len(names) == 1 and degree(meaning, names.pop()) == 1
+
+
+def section_of(formula: Formula, earlier: Sequence[Answered]) -> str:
+    """Where what is made of earlier answers is written: with the last of them."""
+    sections = [item.asked.section for item in earlier if item.asked.letter in formula.symbols()]
+    return sections[-1] if sections else ""
+
+
+def turned_round(place: int, steps: Sequence[Step]) -> bool:
+    """Whether a step solved a definition for what it is made of, so that it need not be done again."""
+    return any(step.target == ("law", place) and step.sources == () for step in steps)

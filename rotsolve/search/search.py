@@ -1,0 +1,297 @@
+"""Search: one run over the questions of a scene: each is planned and solved by the laws allowed, and remembered for the next."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from msgspec import Struct, field
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.letters import letter_order
+from rotsolve.core.passage import Passage
+from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.core.varying import POSITION, RATE
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Find
+from rotsolve.motion.positive import positive_letters
+from rotsolve.plan import Plan, Planner, Shortage
+from rotsolve.profile import staged
+from rotsolve.questions.question import Asked
+from rotsolve.search.answers import Answered, Chosen, NoAnswer
+from rotsolve.search.definitions import Definitions
+from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
+from rotsolve.search.roots.numbers import Numbers
+from rotsolve.search.stepwise import Stepwise
+from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+
+if TYPE_CHECKING:
+    from rotsolve.questions.courses import Beside
+
+TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
+
+
+class Search(Struct, dict=True):
+    """One run over the questions of a scene, with one choice of laws."""
+
+    scene: SceneEquations
+    families: tuple[str, ...]
+    spare: bool = False  # whether second-choice equations may be used from the start
+    confirming: bool = False  # whether answers are only to be confirmed: in closed form, by one of a few plans
+    answered: list[Answered] = field(default_factory=list)
+    chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
+    helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
+    swung: set[str] = field(default_factory=set)  # sections of the harmonic motions that have been written
+    displaced: dict[str, Formula] = field(default_factory=dict)  # accelerations as functions of a displacement
+    retired: set[int] = field(default_factory=set)  # pool indices that no longer hold
+    # the places of extrema, by (quantity, letter, word)
+    extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        problem = self.scene.configuration.problem
+        self.givens = {given.name: given for given in problem.givens}
+        self.values = problem.values
+        self.planner = Planner(self.scene.equations, [given.name for given in problem.givens if given.asked])
+        self.stepwise = Stepwise(self.planner)
+        self.definitions = Definitions(self.planner, self.givens)
+        self.refs: dict[int, Ref] = {}
+        self.numbers = Numbers(self.values, lambda value: self.solver.with_found(value), self.aside)
+        self.running = {"time"} | places_and_speeds(self.scene.passages.values())
+        self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
+        self.known = {given.name for given in problem.givens if not given.asked} | self.running
+        self.running |= {swing.coordinate.name for swing in self.scene.swings.values()}
+        self.solver = Solver(
+            pool=self.planner.pool,
+            order=self._order(),
+            positive=positive_letters(problem.givens),
+            values=self.values,
+            choose=self.choose_root,
+            refs=self.refs,
+            running=frozenset(self.running),
+        )
+
+    def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+        """Which of several roots of an equation is meant, and why."""
+        from rotsolve.search.roots.choosing import RootChoice
+
+        return RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula).choose(name, roots, period)
+
+    def letters(self) -> dict[str, tuple[Formula, Dimension | None]]:
+        """The answers so far by name: what later questions may use."""
+        return {item.asked.find.name: (Symbol(item.asked.letter), item.asked.dimension) for item in self.wholes()}
+
+    def beside(self) -> Beside | None:
+        """What can be worked out without a trace in this search, for what takes functions of time; None where nothing does."""
+        if not self.scene.configuration.mentions.runs:
+            return None
+        from rotsolve.questions.courses import Beside
+
+        return Beside(Search(self.scene, families_for(None)).settled, self.values)
+
+    def in_order(self) -> list[Answered | Chosen]:
+        """The answers in the order in which the scene asks for them."""
+        finds = self.scene.configuration.problem.finds
+        place = {find.name: number for number, find in enumerate(finds)}
+        return sorted([*self.wholes(), *self.chosen], key=lambda item: place.get(item.find.group, len(place)))
+
+    def wholes(self) -> list[Answered]:
+        """The answers that are not parts of others (components, what a choice compares, steps on the way)."""
+        return [item for item in self.answered if not item.asked.whole and not item.aside]
+
+    def _order(self) -> tuple[str, ...]:
+        """All letters, givens before the quantities of the laws where they rank alike."""
+        quantities = self.scene.registry.quantities.values()
+        named = [(given.name, given.dimension) for given in self.givens.values()]
+        return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
+
+    def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
+        """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
+        passing = [self.planner.extend(limit)] if limit is not None else []
+        try:
+            if not (asked.swings or self.scene.observed):
+                return self._answer(asked, aside)
+            return self._answer_swinging(asked, passing, aside)
+        finally:
+            self.retired.update(passing)
+
+    def _answer_swinging(self, asked: Asked, passing: list[int], aside: bool) -> Answered:
+        """Settle one question after all that is to be told of swings; what holds for it alone is `passing`."""
+        from rotsolve.search.swings.settling import release, settled
+
+        try:
+            passing += settled(asked, self)
+            return self._answer(asked, aside)
+        finally:
+            release(asked, self)
+
+    def _answer(self, asked: Asked, aside: bool = False) -> Answered:
+        """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
+        self.stepwise.take(asked)
+        parts = tuple(self._part(part) for part in asked.parts)
+        for law in asked.laws:
+            if law not in self.planner.pool:
+                self.planner.extend(law)
+        self.definitions.enter(asked, self.answered)
+        first = len(self.solver.steps)
+        if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
+            self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
+        if asked.letter in self.solver.solved:
+            answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)
+        else:
+            found, used = self._settle(asked)
+            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts, aside)
+        self.known.add(asked.letter)
+        self.answered.append(answered)
+        self.retired |= self.definitions.spent(asked, self.solver.steps[first:])
+        return answered
+
+    def step(self, letter: str) -> Found:
+        """Settle a letter on the way to an answer, with a derivation of its own."""
+        first = len(self.solver.steps)
+        asked = Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
+        found, used = self._settle(asked)
+        self.answered.append(Answered(asked, found, used, (first, len(self.solver.steps)), aside=True))
+        self.known.add(letter)
+        return found
+
+    def _part(self, asked: Asked) -> Answered:
+        """A component of a vector, which may have been asked before in its own right."""
+        known = next((item for item in self.answered if item.asked.same_as(asked)), None)
+        if known is None:
+            return self._answer(asked)
+        self.known.add(asked.letter)
+        self.solver.solved.setdefault(asked.letter, known.found)
+        return replace(known, asked=asked)
+
+    def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """In closed form by some plan, else numerically."""
+        try:
+            return self._attempt(asked)
+        except NoAnswer as error:
+            if self.confirming or not error.open_form:
+                raise
+        self.solver.numeric = True
+        try:
+            return self._attempt(asked)
+        finally:
+            self.solver.numeric = False
+
+    def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
+        """Plan and solve; an equation that says nothing new is left out and the plan made again."""
+        banned: set[int] = set()
+        problem: ValueError | None = None
+        open_: Shortage | None = None
+        for _ in range(FEW_TRIES if self.confirming else TRIES):
+            plan = self._plan(asked.letter, banned)
+            if isinstance(plan, Shortage) or open_ is None:
+                open_ = Shortage(plan.asked, plan.equations, plan.unknowns)
+            if isinstance(plan, Shortage):
+                if problem is not None:
+                    break
+                raise NoAnswer("too little is known", plan)
+            try:
+                found = self.solver.solve(plan)
+            except (Redundant, Contradiction) as error:
+                banned.add(error.index)
+                problem = error if problem is None or isinstance(error, Contradiction) else problem
+                continue
+            except (NoClosedForm, Undefined) as error:
+                banned.add(self._hardest(plan))
+                problem = problem or error
+                continue
+            self.remember()
+            return found, plan.equations
+        if isinstance(problem, Contradiction):
+            raise NoAnswer("the data contradict each other", None, problem.index)
+        open_form = isinstance(problem, (NoClosedForm, Undefined))
+        raise NoAnswer(str(problem) if open_form else "too little is known", open_, open_form=open_form)
+
+    def _hardest(self, plan: Plan) -> int:
+        """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
+
+        def hardness(index: int) -> tuple[bool, int]:
+            equation = self.planner.pool[index]
+            return has_calls(equation.left) or has_calls(equation.right), equation.cost
+
+        return max(plan.equations, key=hardness)
+
+    @staged("plan")
+    def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
+        """The plan that the question's own steps make, else the cheapest one by the laws chosen."""
+        stepwise = self.stepwise.plan(letter, self.known, self.definitions.place(letter), banned)
+        if stepwise is not None:
+            return stepwise
+        barred = banned | self.retired | self.stepwise.foreign(letter)
+        momentary = self._of_one_moment(letter)
+        return LawChoice(
+            self.planner, letter, momentary, self.known, self.families, self.spare, barred, self.forces_asked
+        ).best()
+
+    def _of_one_moment(self, letter: str) -> bool:
+        """Whether a letter is an acceleration or a force, or made of such, so that Newton's laws of that moment tell it."""
+        quantities = self.scene.registry.quantities
+        meaning = self.definitions.formula(letter)
+        names = {letter} if meaning is None else meaning.symbols() & quantities.keys()
+        return bool(names) and all(name in quantities and quantities[name].kind in OF_ONE_MOMENT for name in names)
+
+    def remember(self) -> None:
+        """Results found on the way may serve the next question."""
+        for equation, ref in self.solver.derived:
+            self.refs[self.planner.extend(equation)] = ref
+        self.solver.derived.clear()
+
+    def number(self, value: Formula) -> float | None:
+        """A rough value; None where it is not real or a given has no number."""
+        return self.numbers.of(value)
+
+    def aside(self, letter: str) -> Formula | None:
+        """A letter by Newton's laws alone, without a trace in this search."""
+        try:
+            return Search(self.scene, (NEWTON,)).value_of(letter)
+        except NoAnswer:
+            return None
+
+    def apart(self) -> Search:
+        """a search by all laws that knows the answers of this one and leaves no trace in it."""
+        other = Search(self.scene, families_for(None))
+        other.solver.solved.update(self.solver.solved)
+        other.known |= {name for name, found in self.solver.solved.items() if found.formula is not None}
+        return other
+
+    def settled(self, value: Formula) -> Formula | None:
+        """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
+        for name in sorted(value.symbols()):
+            if SEPARATOR in name:
+                try:
+                    found = self.value_of(name)
+                except NoAnswer:
+                    return None
+                if found is None:
+                    return None
+                value = value.substitute({name: found})
+        return value
+
+    def value_of(self, letter: str) -> Formula | None:
+        """The closed form of a letter, without a derivation."""
+        find = Find(letter, Symbol(letter), ())
+        return self.answer(Asked(find, Symbol(letter), letter, None)).found.formula
+
+
+def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
+    """The letters of places and speeds that run through a phase, where forces vary with them."""
+    travels = [travel for passage in passages for travel in passage.travels]
+    letters = [travel.coordinate for travel in travels if travel.pace == POSITION]
+    letters += [travel.moving for travel in travels if travel.leads and travel.pace == RATE]
+    names = [letter.name for letter in letters if isinstance(letter, Symbol)]
+    return {name for name in names if SEPARATOR in name and GENERIC in name}
+
+
+def has_calls(value: Formula) -> bool:
+    """Whether a letter of the laws stands inside a function."""
+    return any(
+        isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk(Call)
+    )
