@@ -115,7 +115,7 @@ def moment(at: str | None) -> TimeValue | None:
     """The time at which functions of time are evaluated."""
     if at is None:
         return None
-    from rotsolve.scene.moment import read_moment
+    from rotsolve.scene.values import read_moment
 
     return read_moment(at)
 

@@ -25,10 +25,10 @@ def elements(name: Element = None) -> None:
       rotsolve elements string
       rotsolve elements spherical shell
     """
-    from rotsolve.scene import describe
+    from rotsolve.scene import reference
 
     try:
-        text = describe.describe(" ".join(name)) if name else describe.describe_all()
+        text = reference.describe(" ".join(name)) if name else reference.describe_all()
     except KeyError as error:
         print(f"error: {error.args[0]}", file=sys.stderr)
         raise typer.Exit(USAGE) from None
@@ -47,7 +47,7 @@ def schema() -> None:
     """
     import json
 
-    from rotsolve.scene.schema import json_schema
+    from rotsolve.scene.reference import json_schema
 
     with orderly():
         print(json.dumps(json_schema(), indent=2, ensure_ascii=False))

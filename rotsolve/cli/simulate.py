@@ -16,7 +16,7 @@ MOST_ROWS = 100_000
 
 def time_checked(text: str, option: str) -> float:
     """A length of time in seconds, above zero."""
-    from rotsolve.scene.moment import read_seconds
+    from rotsolve.scene.values import read_seconds
 
     try:
         seconds = read_seconds(text)

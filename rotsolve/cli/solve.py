@@ -29,7 +29,7 @@ def stage_checked(value: str | None) -> str | None:
 
 def moment_checked(text: str | None) -> str | None:
     """The time as it is written, if it is one."""
-    from rotsolve.scene.moment import read_moment
+    from rotsolve.scene.values import read_moment
 
     try:
         return None if text is None else read_moment(text).text
@@ -39,7 +39,7 @@ def moment_checked(text: str | None) -> str | None:
 
 def limit_checked(text: str | None) -> float | None:
     """The time limit in seconds."""
-    from rotsolve.scene.moment import read_seconds
+    from rotsolve.scene.values import read_seconds
 
     try:
         return None if text is None else read_seconds(text)

@@ -25,7 +25,7 @@ from rotsolve.language.problem import Given, Problem
 from rotsolve.pipeline import solve_problem
 from rotsolve.render.voice import figures
 from rotsolve.scene.read import read_tree
-from rotsolve.scene.tree.nodes import Map, Node, compose
+from rotsolve.scene.tree import Map, Node, compose
 from rotsolve.solution import Solution
 
 Values = Mapping[str, Formula]

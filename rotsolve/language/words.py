@@ -21,6 +21,11 @@ def listed(names: Iterable[str], last: str = ", ") -> str:
     return last.join((", ".join(words[:-1]), words[-1])) if len(words) > 1 and last != ", " else ", ".join(words)
 
 
+def an(word: str) -> str:
+    """The word with its article."""
+    return f"{'an' if word[:1] in 'aeiou' else 'a'} {word}"
+
+
 MEANT = {  # other words for the same thing
     "hoop": "ring",
     "disk": "disc",

@@ -1,18 +1,38 @@
-"""Read a scene: YAML text -> Problem, with all faults of the file at once."""
+"""Read a scene: YAML text -> Problem: its sections in the order in which they lean on each other, with all faults of the file at once."""
 
 from __future__ import annotations
 
 import os
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
+from typing import TYPE_CHECKING, Any
 
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.witness import note
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
-from rotsolve.language.problem import Problem
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.elements.shapes import Rod
+from rotsolve.language.grammar import SECTIONS
+from rotsolve.language.problem import Given, Problem, points_of
 from rotsolve.language.words import quoted
-from rotsolve.scene.reader.sections import Sections
-from rotsolve.scene.reader.within import beyond_ends
-from rotsolve.scene.tree.nodes import BYTES, Node, compose
-from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.answers import read_answer
+from rotsolve.scene.bodies import read_body
+from rotsolve.scene.elements import read_element, read_value
+from rotsolve.scene.givens import read_givens
+from rotsolve.scene.literals import Want
+from rotsolve.scene.marking import read_marking
+from rotsolve.scene.phrases import read_find
+from rotsolve.scene.rough import size
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.states import read_phase, read_state
+from rotsolve.scene.tree import BYTES, List, Map, Node, Text, compose, plain
+from rotsolve.scene.values import value
+
+if TYPE_CHECKING:
+    from rotsolve.language.problem import Variation
 
 # what no text holds, and YAML's parser refuses
 CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
@@ -84,3 +104,247 @@ def read_tree(
         raise SceneError(scope.faults, lines, file)
     assert problem is not None
     return problem
+
+
+STANDARD_GRAVITY = "9.8 m/s^2"
+NAMED = {
+    "given": "given",
+    "surfaces": "surface",
+    "bodies": "body",
+    "connections": "connection",
+    "actions": "action",
+    "states": "state",
+    "phases": "phase",
+    "events": "event",
+    "find": "find",
+}
+Entries = dict[str, tuple[Text, Node]]
+
+
+class Sections:
+    """Reads the sections in the order in which they lean on each other."""
+
+    def __init__(self, scope: Scope, root: Node, settings: Mapping[str, str]) -> None:
+        self.scope = scope
+        self.settings = settings
+        self.written = {key.value for key, _ in root.entries} if isinstance(root, Map) else set()
+        self.top: Entries = scope.entries(root, "a scene", SECTIONS) if isinstance(root, Map) else {}
+        if not isinstance(root, Map):
+            scope.fault(root, "a scene is a map", "begin with `title:`, `given:`, `bodies:`, `find:`", "form")
+
+    def node(self, section: str) -> Node | None:
+        return self.top[section][1] if section in self.top else None
+
+    def entries(self, section: str) -> Entries:
+        """The entries of a section whose names are new; names were entered by `declare`."""
+        node = self.node(section)
+        if not isinstance(node, Map):
+            return {}
+        kind = NAMED[section]
+        return {
+            key.value: (key, item)
+            for key, item in node.entries
+            if self.scope.kinds.get(key.value) == kind and self.scope.places.get(key.value) == key.span
+            if not (isinstance(item, Text) and item.empty)
+        }
+
+    def declare(self) -> None:
+        """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
+        unknown = self.node("unknown")
+        for item in unknown.items if isinstance(unknown, List) else (unknown,) if isinstance(unknown, Text) else ():
+            if isinstance(item, Text):
+                self.scope.declare(item, "given")
+        for section, kind in NAMED.items():
+            node = self.node(section)
+            if node is None:
+                continue
+            self.scope.entries(node, f"`{section}`")
+            seen: set[str] = set()
+            for key, item in node.entries if isinstance(node, Map) else ():
+                empty = isinstance(item, Text) and item.empty
+                again = key.value in seen or (section == "find" and self.asked(key.value))
+                seen.add(key.value)
+                if not empty and not again:
+                    self.scope.declare(key, kind)
+
+    def asked(self, name: str) -> bool:
+        """Whether the name is a given that is unknown."""
+        given = self.node("given")
+        item = given.get(name) if isinstance(given, Map) else None
+        listed = self.node("unknown")
+        names = [entry.value for entry in listed.items if isinstance(entry, Text)] if isinstance(listed, List) else []
+        if isinstance(listed, Text):
+            names = [listed.value]
+        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in names
+
+    def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
+        """All sections; None when the root is no map."""
+        if not self.top and self.scope.faults:
+            return None
+        scope = self.scope
+        self.required()
+        self.declare()
+        self.givens()
+        fields: dict[str, Any] = {name: self.text(name) for name in ("title", "source", "text")}
+        if "{" in fields["text"]:
+            from rotsolve.scene.statement import check_slots  # most texts name no givens
+
+            check_slots(scope, self.top["text"][1], lines)
+        fields["gravity"] = self.gravity()
+        fields["plane"] = self.choice("plane") or "vertical"
+        self.choice("up")
+        fields["surfaces"] = self.each("surfaces", self.element("surfaces"))
+        fields["bodies"] = self.each("bodies", lambda name, key, node: read_body(scope, name, key, node))
+        for section in ("connections", "actions", "events"):
+            fields[section] = self.each(section, self.element(section))
+        fields["states"] = self.each("states", lambda name, key, node: read_state(scope, name, key, node))
+        fields["phases"] = self.each("phases", lambda name, key, node: read_phase(scope, name, key, node))
+        fields["assume"] = self.assume()
+        asked: dict[str, Any] = {}
+        fields["finds"] = self.finds(asked)
+        fields["answers"] = self.answers(asked)
+        fields["marking"] = read_marking(self.scope, self.node("marking"), asked)
+        fields["vary"] = self.vary()
+        return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
+
+    def required(self) -> None:
+        scope = self.scope
+        for section, declared in SECTIONS.items():
+            if declared.required and section not in self.written:
+                scope.fault(None, f"the scene has no `{section}`", f"add it: {declared.help}", "missing")
+        find = self.node("find")
+        if isinstance(find, Map) and not find.entries:
+            scope.fault(find, "`find` is empty", "ask for something: `a: block.acceleration`", "missing")
+
+    def givens(self) -> None:
+        scope = self.scope
+        read_givens(scope, self.node("given"), self.settings)
+        for name in scope.names("given"):
+            if name not in scope.givens:
+                scope.givens[name] = Given(name, None, None, asked=True, text="unknown", span=scope.places[name])
+                scope.dimensions[name] = None
+
+    def each(self, section: str, reader: Callable[[str, Text, Node], Any]) -> tuple[Any, ...]:
+        found = [reader(name, key, node) for name, (key, node) in self.entries(section).items()]
+        return tuple(item for item in found if item is not None)
+
+    def element(self, section: str) -> Callable[[str, Text, Node], Any]:
+        return lambda name, key, node: read_element(self.scope, section, name, key, node)
+
+    def finds(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        """The asked quantities in order; an earlier answer may stand in a later one."""
+        node = self.node("find")
+        if not isinstance(node, Map):
+            return ()
+        own = self.entries("find")
+        found = []
+        for key, item in node.entries:
+            if isinstance(item, Text) and item.empty:
+                continue
+            if key.value in own or self.asked(key.value):
+                if isinstance(item, Map):
+                    from rotsolve.scene.comparisons import read_choice
+
+                    find = read_choice(self.scope, key.value, key, item, asked)
+                else:
+                    find = read_find(self.scope, key.value, key, item, asked)
+                asked.setdefault(key.value, None)
+                found.append(find)
+        return tuple(find for find in found if find is not None)
+
+    def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
+        node = self.node("answers")
+        if node is None:
+            return ()
+        entries = self.scope.entries(node, "`answers`", asked)
+        found = [read_answer(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        return tuple(answer for answer in found if answer is not None)
+
+    def text(self, name: str) -> str:
+        node = self.node(name)
+        if node is None:
+            return ""
+        if isinstance(node, Text):
+            return node.value.strip()
+        self.scope.fault(node, f"`{name}` wants a text", "put it in quotes", "form")
+        return ""
+
+    def choice(self, name: str) -> str | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        found: str | None = read_value(self.scope, SECTIONS[name], node, name, name)
+        if SECTIONS[name].later and found == "z":
+            self.scope.later(self.top[name][0], "up: z")
+        return found
+
+    def gravity(self) -> Formula | None:
+        """`none`, a value, the given `g`, or 9.8 m/s² under an automatic letter."""
+        scope, node = self.scope, self.node("gravity")
+        if isinstance(node, Text) and node.value.strip() == "none":
+            return None
+        if node is not None:
+            return value(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
+        given = scope.givens.get("g")
+        if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
+            if given.dimension is None:
+                scope.dimensions["g"] = DIMENSIONS["acceleration"]
+            return Symbol("g")
+        return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
+
+    def assume(self) -> tuple[str, ...]:
+        node = self.node("assume")
+        if node is None:
+            return ()
+        self.scope.later(self.top["assume"][0], "assume")
+        items = node.items if isinstance(node, List) else (node,)
+        return tuple(item.value for item in items if isinstance(item, Text))
+
+    def raw(self, name: str) -> object | None:
+        node = self.node(name)
+        if node is None:
+            return None
+        if not isinstance(node, Map):
+            self.scope.fault(node, f"`{name}` wants a map", kind="form")
+        return plain(node)
+
+    def vary(self) -> Variation | None:
+        node = self.node("vary")
+        if node is None:
+            return None
+        from rotsolve.scene.vary import check_told, read_vary  # few scenes have variants
+
+        variation = read_vary(self.scope, node)
+        if variation is not None:
+            check_told(
+                self.scope, variation, {name: self.top[name][1] for name in ("title", "text") if name in self.top}
+            )
+        return variation
+
+    def all_givens(self) -> tuple[Given, ...]:
+        """The givens with the dimensions that their use has settled."""
+        return tuple(
+            given if given.dimension is not None else replace(given, dimension=self.scope.dimensions.get(given.name))
+            for given in self.scope.givens.values()
+        )
+
+
+TOLERANCE = 1e-12
+
+
+def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Fault]:
+    """One fault for each point that its rod does not reach."""
+    rods = {body.name: body.shape.length for body in problem.bodies if isinstance(body.shape, Rod)}
+    known = {name: size(length, numbers) for name, length in rods.items() if length is not None}
+    lengths = {name: number for name, number in known.items() if number is not None}
+    parts = (problem.connections, problem.actions, problem.states, problem.events, problem.finds)
+    for ref in dict.fromkeys(points_of(parts)):
+        place = None if ref.argument is None else size(ref.argument, numbers)
+        length = rods.get(ref.owner)
+        if place is not None and length is not None and ref.argument is not None:
+            note(length - ref.argument)
+        if place is not None and ref.point == "at" and place > lengths.get(ref.owner, place) * (1 + TOLERANCE):
+            help = f"the rod is {lengths[ref.owner]:g} m long, and x is counted from its start"
+            yield Fault(
+                f"{quoted(ref.owner)} ends before this point, {place:g} m from its start", ref.span, help, "limits"
+            )

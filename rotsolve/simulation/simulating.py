@@ -13,8 +13,8 @@ from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.configured import configured
 from rotsolve.paths import NotYet
-from rotsolve.scene.moment import read_seconds
 from rotsolve.scene.read import read_source
+from rotsolve.scene.values import read_seconds
 from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
 from rotsolve.simulation.compiling import compiled
 from rotsolve.simulation.enclosing import enclosed

@@ -74,7 +74,7 @@ def test_an_unknown_command(rotsolve: Run) -> None:
 
 
 def test_elements(rotsolve: Run) -> None:
-    from rotsolve.scene.describe import describe, describe_all
+    from rotsolve.scene.reference import describe, describe_all
 
     assert rotsolve("elements").out == describe_all() + "\n"
     assert rotsolve("elements", "string").out == describe("string") + "\n"
@@ -89,7 +89,7 @@ def test_an_unknown_element(rotsolve: Run) -> None:
 
 
 def test_schema(rotsolve: Run) -> None:
-    from rotsolve.scene.schema import json_schema
+    from rotsolve.scene.reference import json_schema
 
     ran = rotsolve("schema")
     assert (ran.code, ran.err) == (0, "")

@@ -20,7 +20,7 @@ from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Published
 from rotsolve.pipeline import solve
-from rotsolve.scene.schema import json_schema
+from rotsolve.scene.reference import json_schema
 from rotsolve.solution import AnswerView, Solution
 
 ACCURACY = Fraction(1, 10**9)

@@ -9,9 +9,8 @@ import yaml
 
 from rotsolve.core.faults import SceneError
 from rotsolve.pipeline import solve
-from rotsolve.scene.describe import BEGIN, describe, generate, words
 from rotsolve.scene.read import read_text
-from rotsolve.scene.schema import json_schema
+from rotsolve.scene.reference import BEGIN, describe, generate, json_schema, words
 
 ROOT = Path(__file__).parent.parent.parent
 DOC = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
@@ -86,7 +85,7 @@ def test_the_schema_refuses_unknown_words() -> None:
 
 
 def test_the_reference_is_that_of_the_tables() -> None:
-    """Renew it with: python -c 'from rotsolve.scene.describe import renew; renew("docs/language.md")'"""
+    """Renew it with: python -c 'from rotsolve.scene.reference import renew; renew("docs/language.md")'"""
     assert DOC[DOC.index(BEGIN) :] == generate()
 
 

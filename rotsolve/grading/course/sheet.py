@@ -14,7 +14,7 @@ from rotsolve.grading.reading.records import spelled_alike
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 from rotsolve.run.scenes import PIPED
-from rotsolve.scene.tree.nodes import List, Map, Node, Text, compose
+from rotsolve.scene.tree import List, Map, Node, Text, compose
 
 BYTES = 50_000_000  # a class of a hundred thousand, with its working
 MARK = "\ufeff"  # at the start of a file that a spreadsheet has saved as UTF-8

@@ -9,9 +9,9 @@ from msgspec import Struct
 from rotsolve.algebra.formula import ZERO
 from rotsolve.elements.shapes import Shape
 from rotsolve.language.problem import Body, Part
-from rotsolve.scene.tree.nodes import Map, Node
-from rotsolve.scene.values.rough import rough
-from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.rough import rough
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Map, Node
 
 TOLERANCE = 1e-9
 ROUND = ("disc", "annulus", "cylinder", "cylindrical shell", "sphere", "spherical shell")

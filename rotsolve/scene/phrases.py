@@ -1,6 +1,7 @@
 """Phrases: the small language of `find`.
 
 [modifier] EXPRESSION [on …] [about …] [along …] [by integration] [at …] [during …] [from … to …] [where …] [in UNIT]
+period of small swings [of BODY] [about STATE], period of swings [of BODY] from STATE
 
 A modifier and the clauses belong to the whole expression before them; a part in brackets may have its own:
 `(lost kinetic_energy during hit)/(kinetic_energy at before)`.
@@ -17,24 +18,18 @@ from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import BY_WORD
-from rotsolve.language.problem import Condition, Find, Term
-from rotsolve.language.words import quoted
-from rotsolve.scene.phrase.clauses import CLAUSES, Clauses
-from rotsolve.scene.phrase.paths import read_path
-from rotsolve.scene.phrase.swings import SWINGS, read_swings, trailing
-from rotsolve.scene.tree.nodes import Node, Text
-from rotsolve.scene.values.dims import fits, named
-from rotsolve.scene.values.expressions import expression
-from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.pieces import Piece, pieces, stand_in
-from rotsolve.scene.values.scope import Scope
+from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS, SWINGS, WHICH
+from rotsolve.language.problem import Condition, Find, Path, Term
+from rotsolve.language.words import hint, quoted
+from rotsolve.scene.clauses import Clauses
+from rotsolve.scene.literals import Piece, Want, named, pieces, stand_in
+from rotsolve.scene.paths import read_path
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Node, Text
+from rotsolve.scene.values import expression
 
 WITH_OF = ("size", "change", "period", "frequency", "angular_frequency", "which", "angle")
-ALONE = ("lost", "total", "mean", "largest", "smallest")
-LATER = ("angle of",)
-WHICH = "which of"
 WHICH_HELP = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}`"
-MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER, WHICH)
 HELP = "write `body.quantity at STATE`; see `find` in docs/language.md"
 
 
@@ -72,7 +67,7 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     dimension = dimension_found(scope, node, formula, phrase, answers)
     if dimension is None and len(scope.faults) > faults:
         return None
-    if phrase.unit and dimension is not None and not fits(dimension, phrase.unit.dimension):
+    if phrase.unit and dimension is not None and not dimension.matches(phrase.unit.dimension):
         message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {named(dimension)}"
         scope.fault(node, message, "", "dimension")
         return None
@@ -156,7 +151,7 @@ class Reader:
             dimension = dimension_found(self.scope, part, formula, phrase, self.answers)
             return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
 
-        from rotsolve.scene.phrase.conditions import read_condition
+        from rotsolve.scene.comparisons import read_condition
 
         return read_condition(self.scope, part, quantity)
 
@@ -184,7 +179,7 @@ class Reader:
                     place = self.node.part(words[0].start, words[1].end)
                     self.scope.fault(place, f"`{WHICH}` stands before a map of options", WHICH_HELP, "find")
                     return None, words
-                if modifier in LATER:
+                if modifier in LATER_MODIFIERS:
                     self.scope.later(self.node.part(words[0].start, words[1].end), modifier)
                     return None, words
                 return modifier, words[2:]
@@ -282,3 +277,81 @@ def at_top(words: list[Piece]) -> list[tuple[int, Piece]]:
         if depth <= 0 and piece.kind == "name":
             result.append((index, piece))
     return result
+
+
+SMALL, LARGE = "small swings", "swings"
+FORM = "write `period of small swings`, with `of BODY` and `about STATE` where there are several, or `period of swings from STATE`"
+
+
+def read_swings(scope: Scope, node: Text, words: list[Piece], modifier: str) -> tuple[Term, list[Piece]] | None:
+    """What follows `period of`, and the words after that.
+
+    The term's modifier says which swings, `at` about which state, `start` from which.
+    """
+    kind = SMALL if words and words[0].text == "small" else LARGE
+    rest = words[1:] if kind == SMALL else words
+    if not rest or rest[0].text != "swings":
+        place = node.part(words[0].start, words[-1].end) if words else node.span
+        asked = node.value[words[0].start : words[-1].end] if words else ""
+        scope.fault(place, f"{quoted(f'{modifier} {asked}'.strip())} is not known", FORM, "find")
+        return None
+    span, found, rest = node.part(words[0].start, rest[0].end), {"of": "", "about": "", "from": ""}, rest[1:]
+    while rest and rest[0].text in found:
+        if len(rest) < 2:
+            scope.fault(node.part(rest[0].start, rest[0].end), f"nothing follows `{rest[0].text}`", FORM, "find")
+            return None
+        name = name_after(scope, node, rest[1], "body" if rest[0].text == "of" else "state")
+        if name is None:
+            return None
+        found[rest[0].text], rest = name, rest[2:]
+    if (kind == SMALL and found["from"]) or (kind == LARGE and (found["about"] or not found["from"])):
+        scope.fault(span, "small swings are `about` a state, other ones `from` one", FORM, "find")
+        return None
+    path = Path(found["of"], SWINGS[modifier], span=span)
+    return Term(path, kind, at=found["about"] or None, start=found["from"] or None), rest
+
+
+def trailing(scope: Scope, node: Text, rest: list[Piece]) -> None:
+    """A fault for words that can't follow."""
+    place = node.part(rest[0].start, rest[-1].end)
+    what = quoted(node.value[rest[0].start : rest[-1].end])
+    help = "to reckon with it put it in brackets: `(period of small swings)/2`"
+    scope.fault(place, f"{what} can't follow here", help, "find")
+
+
+def name_after(scope: Scope, node: Text, word: Piece, kind: str) -> str | None:
+    """The name of a body or state; None after a fault."""
+    if scope.kinds.get(word.text) == kind:
+        return word.text
+    plural = "bodies" if kind == "body" else "states"
+    scope.fault(
+        node.part(word.start, word.end),
+        f"unknown {kind} {quoted(word.text)}",
+        hint(word.text, scope.names(kind), plural),
+        "unknown",
+    )
+    return None
+
+
+def swings_said(text: str) -> bool:
+    """Whether a line of a state speaks of swings: `period of small swings: 2 s`."""
+    return any(text.startswith(f"{modifier} ") for modifier in SWINGS)
+
+
+def swings_path(scope: Scope, line: Text) -> Path | None:
+    """The period or frequency of small swings that a line of a state gives; None after a fault."""
+    words = [piece for piece in pieces(line.value, scope.givens) if piece.kind != "space"]
+    modifier = f"{words[0].text} {words[1].text}"
+    found = read_swings(scope, line, words[2:], modifier)
+    if found is None:
+        return None
+    term, rest = found
+    if rest:
+        trailing(scope, line, rest)
+        return None
+    if term.modifier == SMALL and term.at is None:
+        return term.path
+    scope.fault(
+        line, "a state tells the period of small swings about itself", f"write `{modifier} small swings: …`", "find"
+    )
+    return None

@@ -11,11 +11,10 @@ from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantit
 from rotsolve.core.faults import Fault
 from rotsolve.language.problem import Published, TimeValue
 from rotsolve.language.words import quoted
-from rotsolve.scene.moment import read_moment
-from rotsolve.scene.tree.nodes import List, Node, Text
-from rotsolve.scene.values.expressions import expression
-from rotsolve.scene.values.literals import LITERAL, Want
-from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.literals import LITERAL, Want
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import List, Node, Text
+from rotsolve.scene.values import expression, read_moment
 
 KEYS = ("formula", "symbolic", "value", "at", "tolerance", "word")
 FORM = "write `4.9 N`, a formula, a word, or `{formula: …, value: …, tolerance: …}`"

@@ -10,17 +10,17 @@ from rotsolve.core.drive import TURNING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.elements.shapes.flat import Triangle
+from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
-from rotsolve.language.sections import BODY, PART
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.reader.declared import read_keys, read_value
-from rotsolve.scene.reader.points import points_of, read_spot
-from rotsolve.scene.tree.nodes import List, Map, Node, Text
-from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.rough import rough
-from rotsolve.scene.values.scope import NAME, Scope
-from rotsolve.scene.values.values import value
+from rotsolve.scene.elements import read_keys, read_value
+from rotsolve.scene.literals import Want
+from rotsolve.scene.paths import points_of, read_spot
+from rotsolve.scene.rough import rough
+from rotsolve.scene.scope import NAME, Scope
+from rotsolve.scene.tree import List, Map, Node, Text
+from rotsolve.scene.values import value
 
 SHAPE_WORDS = {shape.word: shape for shape in SHAPES}
 Entries = dict[str, tuple[Text, Node]]
@@ -100,7 +100,7 @@ def build(
         if declared.kind == "motion":
             found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
         elif word == "density":
-            from rotsolve.scene.reader.coordinates import density
+            from rotsolve.scene.coordinates import density
 
             found = density(scope, node, name, shape, fields)
         else:
@@ -113,7 +113,7 @@ def build(
     known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
     if body.holes:
-        from rotsolve.scene.reader.cutouts import check_holes
+        from rotsolve.scene.cutouts import check_holes
 
         check_holes(scope, name, entries["holes"][1], body)
     check_about(scope, entries, body)

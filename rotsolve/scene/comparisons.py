@@ -1,25 +1,99 @@
-"""Choices: `which of` several quantities is the largest or exceeds a bound, or `which of` several conditions holds.
+"""Comparisons in questions: conditions after `where`, and choices, `which of` several quantities or conditions.
 
+`base sticks`, `upright is stable`, `Q is largest`, `pin.impulse.x = 0 during hit`;
 `{which of: {a: PHRASE, b: PHRASE}, is: largest | smallest | above X | below X}`, `{which of: {label: X < Y < Z, other: X = Y}}`.
 """
 
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from typing import Any
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.quantity import BY_WORD
-from rotsolve.language.problem import Choice, Find, Option
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.language.grammar import CLAUSES, IS, WHICH
+from rotsolve.language.problem import Choice, Condition, Find, Option, Path
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.phrase.phrases import read_phrase
-from rotsolve.scene.tree.nodes import Map, Node, Text
-from rotsolve.scene.values.dims import fits, named
-from rotsolve.scene.values.scope import NAME, Scope
+from rotsolve.scene.literals import Piece, Want, named, pieces
+from rotsolve.scene.phrases import read_phrase
+from rotsolve.scene.scope import NAME, Scope
+from rotsolve.scene.states import EXTREMES
+from rotsolve.scene.tree import Map, Node, Text
+from rotsolve.scene.values import value
 
-WORD, IS = "which of", "is"
+FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
+Quantity = Callable[[list[Piece]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
+
+
+def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | None:
+    """The condition that `part` writes; None after a fault."""
+    words = [piece for piece in pieces(part.value, scope.givens) if piece.kind != "space"]
+    texts = [piece.text for piece in words]
+    if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
+        return contact_word(scope, part, texts)
+    if texts[1:] == ["is", "stable"] and scope.kinds.get(texts[0]) == "state":
+        return Condition(Path("", "swing_period"), word="stable", owner=texts[0], span=part.span)
+    if "=" in texts:
+        return equality(scope, part, words, texts.index("="), quantity)
+    place = next((k for k, text in enumerate(texts[:-1]) if text == "is" and texts[k + 1] in EXTREMES), 0)
+    if place:
+        found = quantity([*words[:place], *words[place + 2 :]])
+        return None if found is None else Condition(None, word=texts[place + 1], span=part.span, phrase=found[0])
+    scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
+    return None
+
+
+def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None:
+    """`base sticks`, `rope is slack`."""
+    owner, word = texts[0], texts[-1]
+    allowed: tuple[str, ...] = getattr(scope.elements.get(owner), "words", ())
+    if word in allowed:
+        return Condition(Path(owner, "", span=part.span), word=word, owner=owner, span=part.span)
+    able = [name for name, item in scope.elements.items() if getattr(item, "words", ())]
+    help = hint(word, allowed, "it can be") if allowed else f"of what sticks, slips or goes slack: {', '.join(able)}"
+    if not able:
+        help = "only contacts, clutches and strings can: `contact: [block, floor]`"
+    scope.fault(part, f"`{owner}` can't be {quoted(word)}", help, "choice")
+    return None
+
+
+def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: Quantity) -> Condition | None:
+    """`path = value [clauses]` or `path = path [clauses]`; the clauses belong to the paths."""
+    end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
+    if sign == 0 or end == sign + 1:
+        scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
+        return None
+    read = quantity([*words[:sign], *words[end:]])
+    if read is None:
+        return None
+    find, dimension = read
+    if any(piece.kind == "path" for piece in words[sign + 1 : end]):
+        other = quantity([*words[sign + 1 : end], *words[end:]])
+        if other is None or not same_kind(scope, part, dimension, other[1]):
+            return None
+        both = replace(find, formula=find.formula - other[0].formula, terms=other[0].terms)
+        return Condition(None, ZERO, span=part.span, phrase=both)
+    start, stop = words[sign + 1].start, words[end - 1].end
+    right = Text(part.value[start:stop], part.part(start, stop), True, part.exact)
+    word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
+    owner = find.terms[0].path.owner if find.terms else ""
+    found = value(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
+    return None if found is None else Condition(None, found, span=part.span, phrase=find)
+
+
+def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
+    """Whether both sides of an equality may be equal, as far as their dimensions are known."""
+    if left is None or right is None or left.matches(right):
+        return True
+    scope.fault(
+        part, f"the sides of {quoted(part.value)} don't agree: {named(left)} and {named(right)}", kind="dimension"
+    )
+    return False
+
+
 TESTS = ("largest", "smallest", "above", "below")
 FORM = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}` or `{which of: {a: X < Y, b: X = Y}}`"
 MOST = 20  # options; each is compared with each
@@ -30,10 +104,10 @@ SIGNS = {"<=": "≤", ">=": "≥", "==": "="}
 def read_choice(scope: Scope, name: str, key: Text, node: Map, answers: dict[str, Any]) -> Find | None:
     """One entry of `find` that is a map: a choice with its options."""
     faults = len(scope.faults)
-    entries = scope.entries(node, f"`{name}`", (WORD, IS))
-    if WORD not in entries:
+    entries = scope.entries(node, f"`{name}`", (WHICH, IS))
+    if WHICH not in entries:
         if len(scope.faults) == faults:
-            scope.fault(node, f"`{name}` is a map without `{WORD}`", FORM, "form")
+            scope.fault(node, f"`{name}` is a map without `{WHICH}`", FORM, "form")
         return None
     reader = ChoiceReader(scope, name, answers)
     test = bound = None
@@ -41,13 +115,13 @@ def read_choice(scope: Scope, name: str, key: Text, node: Map, answers: dict[str
         test, bound = reader.test(entries[IS][1])
         if test is None:
             return None
-    options = reader.options(entries[WORD][1], test)
+    options = reader.options(entries[WHICH][1], test)
     if len(scope.faults) > faults:
         return None
     if bound is not None:
         reader.same_dimension(entries[IS][1], [*(side for option in options for side in option.sides), bound])
     elif test is not None:
-        reader.same_dimension(entries[WORD][1], [side for option in options for side in option.sides])
+        reader.same_dimension(entries[WHICH][1], [side for option in options for side in option.sides])
     scope.choices.add(name)
     terms = tuple(term for side in reader.read for term in side.terms)
     return Find(name, ZERO, terms, span=key.span, choice=Choice(options, test or "", bound))
@@ -86,7 +160,7 @@ class ChoiceReader:
     def options(self, node: Node, test: str | None) -> tuple[Option, ...]:
         """The options by their labels."""
         found = []
-        entries = self.scope.entries(node, f"`{WORD}`")
+        entries = self.scope.entries(node, f"`{WHICH}`")
         if isinstance(node, Map) and not 2 <= len(node.entries) <= MOST:
             count = len(node.entries)
             self.scope.fault(node, f"a choice has 2 to {MOST} options, but `{self.name}` has {count}", FORM, "form")
@@ -141,7 +215,7 @@ class ChoiceReader:
         known = [side for side in sides if self.dimensions[side.name] is not None]
         for side in known[1:]:
             first, second = (self.dimensions[item.name] for item in (known[0], side))
-            if not fits(first, second):
+            if not first.matches(second):
                 message = f"`{known[0].text}` is {named(first)}, but `{side.text}` is {named(second)}"
                 self.scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
                 return

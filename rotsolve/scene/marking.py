@@ -12,14 +12,14 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.language.grammar import DEDUCT, MARKING
 from rotsolve.language.keys import Key
 from rotsolve.language.marks import ALL, FLAWS, Deduction, Marking, Tolerance
-from rotsolve.language.sections import DEDUCT, MARKING
 from rotsolve.language.words import quoted
-from rotsolve.scene.reader.declared import read_value
-from rotsolve.scene.tree.nodes import Map, Node, Text
-from rotsolve.scene.values.dims import named
-from rotsolve.scene.values.scope import Scope
+from rotsolve.scene.elements import read_value
+from rotsolve.scene.literals import named
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Map, Node, Text
 
 FIGURES = re.compile(r"(\d+)\s+figures?")
 MOST_FIGURES = 15

@@ -14,13 +14,11 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.tree.nodes import Node, Text
-from rotsolve.scene.values.dims import fits, named
-from rotsolve.scene.values.expressions import expression
-from rotsolve.scene.values.literals import LITERAL, Want, unit_fault
-from rotsolve.scene.values.rough import remember
-from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.values.values import as_written, comma_fault
+from rotsolve.scene.literals import LITERAL, Want, named, unit_fault
+from rotsolve.scene.rough import remember
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Node, Text
+from rotsolve.scene.values import as_written, comma_fault, expression
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
 FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"
@@ -163,7 +161,7 @@ def check_setting(scope: Scope, name: str, original: Text | None) -> None:
         )
     except UnitError:
         return
-    if old is not None and new is not None and not fits(new, old):
+    if old is not None and new is not None and not new.matches(old):
         message = f"--set {name}: `{name}` is {named(old)} in the file, but this is {named(new)}"
         scope.fault(None, message, kind="dimension")
         scope.dimensions[name] = old  # no further faults from the same cause

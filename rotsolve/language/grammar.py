@@ -1,4 +1,4 @@
-"""Sections: the top-level keys of a scene and the keys of a body; reader, schema, help and docs read these tables."""
+"""Grammar: the keys of a scene and of its parts, and the words of `find`; reader, schema, help and docs read these tables."""
 
 from __future__ import annotations
 
@@ -118,3 +118,11 @@ DEDUCT: dict[str, Key] = {
     "form": Key("deduction", "a number where a formula is wanted, or the other way round (default 25 %)"),
     "followed": Key("deduction", "right by the student's own earlier answers alone (default 25 %)"),
 }
+
+CLAUSES = ("on", "about", "along", "by", "across", "relative", "at", "during", "from", "to", "where", "in")
+RESERVED_WORDS = (*CLAUSES, "is", "of", "unknown", "number")
+SWINGS = {"period of": "swing_period", "frequency of": "frequency", "angular_frequency of": "angular_frequency"}
+WHICH, IS = "which of", "is"  # of several options: `{which of: {a: PHRASE, b: PHRASE}, is: largest}`
+ALONE = ("lost", "total", "mean", "largest", "smallest")  # modifiers without `of`
+LATER_MODIFIERS = ("angle of",)
+MODIFIERS = ("size of", "change of", *ALONE, *SWINGS, *LATER_MODIFIERS, WHICH)

@@ -12,12 +12,10 @@ from rotsolve.algebra.units.quantities import Quantity, UnitError, in_unit, pars
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.language.problem import Comparison, Given, Variation, Varied
 from rotsolve.language.words import quoted
-from rotsolve.scene.tree.nodes import List, Map, Node, Text
-from rotsolve.scene.values.dims import fits, named
-from rotsolve.scene.values.expressions import expression
-from rotsolve.scene.values.literals import Want, unit_fault
-from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.values.values import as_written
+from rotsolve.scene.literals import Want, named, unit_fault
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import List, Map, Node, Text
+from rotsolve.scene.values import as_written, expression
 
 WHERE = "where"
 FORM = "write a range `1 kg to 3 kg by 0.5 kg`, or a list `[30 deg, 45 deg]`"
@@ -86,7 +84,7 @@ def quantity(scope: Scope, given: Given, node: Text) -> Quantity | None:
     if given.unit is not None and found.unit is None:
         scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
         return None
-    if wanted is not None and not fits(found.dimension, wanted):
+    if wanted is not None and not found.dimension.matches(wanted):
         message = f"`{given.name}` is {named(wanted)}, but {quoted(node.value.strip())} is {named(found.dimension)}"
         scope.fault(node, message, kind="dimension")
         return None

@@ -10,33 +10,15 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import Quantity
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.quantity import BY_WORD, SYSTEM
+from rotsolve.language.grammar import RESERVED_WORDS
 from rotsolve.language.problem import Body, Given
-from rotsolve.language.words import hint, quoted
-from rotsolve.scene.tree.nodes import Map, Node, Text
-from rotsolve.scene.values.dims import an
-from rotsolve.scene.values.rough import remember
+from rotsolve.language.words import an, hint, quoted
+from rotsolve.scene.rough import remember
+from rotsolve.scene.tree import Map, Node, Text
 
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
-GRAMMAR = (
-    "at",
-    "from",
-    "to",
-    "during",
-    "where",
-    "on",
-    "about",
-    "along",
-    "by",
-    "across",
-    "relative",
-    "in",
-    "is",
-    "of",
-    "unknown",
-    "number",
-)
 RESERVED = {
-    **dict.fromkeys(GRAMMAR, "a word of the language"),
+    **dict.fromkeys(RESERVED_WORDS, "a word of the language"),
     **dict.fromkeys(("all", "none", "any", "true", "false", "null"), "a word of the language"),
     **dict.fromkeys(("ground", "ceiling"), "a surface that always exists"),
     **dict.fromkeys(FUNCTIONS, "a function"),
@@ -144,7 +126,7 @@ class Scope:
         return result
 
     def missing_value(self, key: Text, value: Text, node: Map, what: str, names: list[str] | None) -> None:
-        from rotsolve.scene.tree.traps import null_fault
+        from rotsolve.scene.traps import null_fault
 
         position = [entry[0] for entry in node.entries].index(key)
         before = node.entries[position - 1][1] if position else None

@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from rotsolve.core.quantity import BY_WORD
+from rotsolve.language.grammar import PHASE
 from rotsolve.language.problem import Condition, Path, Phase, State
-from rotsolve.language.sections import PHASE
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.phrase.paths import read_path
-from rotsolve.scene.phrase.swings import swings_path, swings_said
-from rotsolve.scene.reader.declared import read_value
-from rotsolve.scene.tree.nodes import List, Map, Node, Text
-from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.values.values import value
+from rotsolve.scene.elements import read_value
+from rotsolve.scene.literals import Want
+from rotsolve.scene.paths import read_path
+from rotsolve.scene.phrases import swings_path, swings_said
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import List, Map, Node, Text
+from rotsolve.scene.values import value
 
 EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"

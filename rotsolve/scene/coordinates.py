@@ -13,11 +13,11 @@ from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR, Lamina
 from rotsolve.elements.shapes.slicing import Range, coordinate
 from rotsolve.language.words import hint, listed, quoted
-from rotsolve.scene.tree.nodes import List, Map, Node, Text
-from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.rough import rough
-from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.values.values import value
+from rotsolve.scene.literals import Want
+from rotsolve.scene.rough import rough
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import List, Map, Node, Text
+from rotsolve.scene.values import value
 
 MEASURES = {"x": "length", "y": "length", "z": "length", "r": "length", "phi": "angle", "theta": "angle"}
 DENSITIES = {"line": "density per length", "surface": "density per area", "volume": "density"}

@@ -1,4 +1,4 @@
-"""Literals: a number with its unit, checked, as an exact number or as an automatic letter of its own.
+"""Literals: a number with its unit, checked, as an exact number or as an automatic letter of its own; what an expression is made of.
 
 `radius: 20 cm` in disc becomes R_disc, so that derivations print letters; zero, plain numbers without a letter, and angles
 that are multiples of 15° stay exact numbers.
@@ -8,25 +8,131 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Iterator, Mapping
 from fractions import Fraction
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Symbol
-from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.units.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
+from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS, NUMBER
 from rotsolve.language.problem import Given
-from rotsolve.language.words import quoted
-from rotsolve.scene.tree.nodes import Node, Text
-from rotsolve.scene.values import pieces
-from rotsolve.scene.values.dims import an, fits, named
-from rotsolve.scene.values.rough import rough
-from rotsolve.scene.values.scope import Scope
+from rotsolve.language.words import an, quoted
+from rotsolve.scene.rough import rough
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Node, Text
 
-FACTOR = rf"(?:{pieces.NUMBER}(?:\s*/\s*\d+)?(?:\s*[×x*·]\s*10(?:\^[-−]?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?|[¼½¾⅓⅔⅕⅙⅛⅜⅝⅞])"
+
+def named(dimension: Dimension) -> str:
+    """The dimension in words, with article and unit: `a force (N)`."""
+    return describe(dimension, article=True)
+
+
+def infer(
+    formula: Formula, missing: list[str], known: Mapping[str, Dimension | None], wanted: Dimension | None
+) -> Dimension | None:
+    """The dimension of the one unknown letter of a formula whose dimension is wanted; None where it can't be told.
+
+    The letter is tried as a pure number and as a mass: in a product of powers, the difference is its exponent.
+    """
+    if len(missing) != 1 or wanted is None:
+        return None
+    if formula == Symbol(missing[0]):
+        return wanted
+    if isinstance(formula, Negative):
+        return infer(formula.operand, missing, known, wanted)
+    if isinstance(formula, Sum):  # every term has the dimension of the whole
+        holders = [term for term in formula.terms if missing[0] in term.symbols()]
+        return infer(holders[0], missing, known, wanted) if len(holders) == 1 else None
+    others = {name: found for name in formula.symbols() if (found := known.get(name)) is not None}
+    try:
+        plain = dimension_of(formula, {**others, missing[0]: NONE})
+        probe = dimension_of(formula, {**others, missing[0]: MASS})
+    except DimensionError:
+        return None
+    exponent = probe.mass - plain.mass
+    return None if exponent == 0 else (wanted / plain) ** (1 / Fraction(exponent))
+
+
+DIGITS = r"(?:\d+\.?\d*|\.\d+)(?:[eE][-+−]?\d+)?"
+NAME = r"[^\W\d]\w*"
+SCAN = re.compile(rf"(?P<number>{DIGITS})|(?P<name>{NAME}(?:\.{NAME})*)|(?P<space>\s+)|(?P<mark>.)", re.DOTALL)
+POWER = r"(?:\s*\^\s*(?:[-−]?\d+|\([-−]?\d+/\d\))|[²³⁻¹⁴]+)?"
+UNIT = re.compile(rf"\s*(?P<word>[^\W\d_]+|°|%){POWER}")
+# What is rare is compiled when a text first needs it.
+MORE = rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}"
+CALL = rf"\.{NAME}"
+
+
+class Piece(Struct, frozen=True):
+    """A part of an expression: kind is number, quantity, name, path, mark or space."""
+
+    kind: str
+    text: str
+    start: int
+    end: int
+
+
+def pieces(text: str, names: Collection[str]) -> Iterator[Piece]:
+    """The expression in pieces; a number before a unit is one piece, a path with its `at(…)` is one piece."""
+    position = 0
+    while position < len(text):
+        match = SCAN.match(text, position)
+        assert match is not None
+        kind, end = str(match.lastgroup), match.end()
+        if kind == "number" and (stop := unit_end(text, end, names)) > end:
+            kind, end = "quantity", stop
+        elif kind == "name" and (text[position:end].endswith(".at") and text[end : end + 1] == "("):
+            kind, end = "path", path_end(text, end)
+        elif kind == "name" and "." in match[0]:
+            kind = "path"
+        yield Piece(kind, text[position:end], position, end)
+        position = end
+
+
+def path_end(text: str, position: int) -> int:
+    """Where a path ends, from the `(` of its `at(…)` on."""
+    depth = 0
+    while position < len(text):
+        depth += {"(": 1, ")": -1}.get(text[position], 0)
+        position += 1
+        if depth == 0:
+            break
+    while match := re.compile(CALL).match(text, position):
+        position = match.end()
+    return position
+
+
+def unit_end(text: str, position: int, names: Collection[str]) -> int:
+    """Where the unit after a number ends; `position` itself when none stands there."""
+    match = UNIT.match(text, position)
+    if not match or not is_unit(match["word"]) or text[match.end() : match.end() + 1] in ("_", "(", "."):
+        return position
+    position = match.end()
+    while position < len(text) and (match := re.compile(MORE).match(text, position)):
+        following = text[match.end() : match.end() + 1]
+        if match["word"] in names or following in ("_", "(", ".") or following.isdigit() or not is_unit(match["word"]):
+            break
+        position = match.end()
+    return position
+
+
+def is_unit(word: str) -> bool:
+    try:
+        parse_unit(word)
+    except UnitError:
+        return False
+    return True
+
+
+def stand_in(number: int, length: int) -> str:
+    """A letter that no scene has, of a given length: `Zq1_____`."""
+    return f"Zq{number}".ljust(length, "z")
+
+
+FACTOR = rf"(?:{DIGITS}(?:\s*/\s*\d+)?(?:\s*[×x*·]\s*10(?:\^[-−]?\d+|[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+))?|[¼½¾⅓⅔⅕⅙⅛⅜⅝⅞])"
 PI_WORD = r"(?:pi(?!\w)|π)"
 LITERAL = re.compile(
     rf"\s*[-+−]?\s*(?:{FACTOR}(?:\s*[*·]?\s*{PI_WORD})?|{PI_WORD})(?:\s*/\s*\d+)?\s*(?P<unit>(?:[^\W\d_]|[°%]).*)?",
@@ -129,7 +235,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
         and re.search("pi|π", number) is None
         and LITERAL.fullmatch(number) is not None
     )
-    if fits(found, wanted) and not bare:
+    if found.matches(wanted) and not bare:
         if want.dimension != "angular velocity" or "Hz" not in unit:
             return True
         help = "write `2 rev/s` or `12.6 rad/s`"

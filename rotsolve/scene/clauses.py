@@ -10,16 +10,15 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.quantities import UnitError, parse_unit
 from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.language.grammar import CLAUSES
 from rotsolve.language.problem import ANY_TIME, Condition, PointRef, Term
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.reader.points import read_point
-from rotsolve.scene.tree.nodes import Text
-from rotsolve.scene.values.literals import Want
-from rotsolve.scene.values.pieces import Piece
-from rotsolve.scene.values.scope import Scope
-from rotsolve.scene.values.values import value
+from rotsolve.scene.literals import Piece, Want
+from rotsolve.scene.paths import read_point
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import Text
+from rotsolve.scene.values import value
 
-CLAUSES = ("on", "about", "along", "by", "across", "relative", "at", "during", "from", "to", "where", "in")
 DIRECTIONS = ("right", "left", "up", "down", "x", "y", "z", "tangential", "normal")
 METHODS = ("integration",)
 

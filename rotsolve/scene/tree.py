@@ -14,7 +14,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.language.words import quoted
-from rotsolve.scene.tree import traps
+from rotsolve.scene import traps
 
 BYTES = 1_000_000
 DEPTH = 40

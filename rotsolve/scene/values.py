@@ -1,0 +1,275 @@
+"""Values: a scalar as an exact formula in SI units, a literal or arithmetic over givens, with its dimension and limits checked."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Collection, Mapping
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.witness import note
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
+from rotsolve.algebra.notation.parse import parse
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.tokens import FormulaError
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.core.faults import Span
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.language.problem import TimeValue
+from rotsolve.language.words import an, hint, quoted
+from rotsolve.scene.literals import (
+    COMMA,
+    EXPRESSION,
+    LITERAL,
+    NAME,
+    Piece,
+    Want,
+    ambiguous,
+    as_letter,
+    dimension_holds,
+    infer,
+    is_unit,
+    limits_hold,
+    pieces,
+    share_of_pi,
+    stand_in,
+    times_pi,
+    unit_fault,
+    unknown,
+    whole_literal,
+)
+from rotsolve.scene.rough import size
+from rotsolve.scene.scope import Scope
+from rotsolve.scene.tree import List, Node, Text
+
+PathReader = Callable[[Text, Piece], Formula | None]
+
+
+def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -> Formula | None:
+    """Ordinary arithmetic over givens; quantities in it become letters, paths are read by `paths`."""
+    names = dict.fromkeys((*scope.givens, *want.extra, *(("time",) if want.varies else ())))
+    stand_ins: dict[str, Formula] = {}
+    text: list[str] = []
+    before = ""
+    for piece in pieces(node.value, scope.givens):
+        place = node.part(piece.start, piece.end)
+        if piece.kind == "quantity" and before in ("/", "^", "**"):
+            message = f"`{before} {piece.text}` can be read in two ways"
+            scope.fault(place, message, "put the quantity, or the number, in brackets", "ambiguous")
+            return None
+        before = before if piece.kind == "space" else piece.text
+        replaced = replacement(scope, node, piece, place, want, names, paths)
+        if replaced is None:
+            return None
+        if isinstance(replaced, Formula):
+            name = stand_in(len(stand_ins), len(piece.text))
+            stand_ins[name] = replaced
+            text.append(name)
+        else:
+            text.append(replaced)
+    try:
+        formula = parse("".join(text), {*names, *stand_ins}).substitute(stand_ins)
+        return None if divides_by_zero(scope, node, formula) else formula
+    except FormulaError as error:
+        formula_fault(scope, node, error, want, names, "".join(text), stand_ins)
+    except (ValueError, ZeroDivisionError, RecursionError) as error:
+        scope.fault(node, f"{quoted(node.value)} is no formula: {error}", kind="formula")
+    return None
+
+
+def divides_by_zero(scope: Scope, node: Text, formula: Formula) -> bool:
+    for part in formula.walk():
+        if not isinstance(part, Quotient):
+            continue
+        note(part.denominator)
+        if size(part.denominator, scope.numbers) == 0:
+            scope.fault(node, f"{quoted(node.value)} divides by zero", kind="formula")
+            return True
+    return False
+
+
+def replacement(
+    scope: Scope,
+    node: Text,
+    piece: Piece,
+    place: Span,
+    want: Want,
+    names: Collection[str],
+    paths: PathReader | None,
+) -> Formula | str | None:
+    """What stands for a piece in the text that is parsed: itself, or a formula for a path or quantity; None after a fault."""
+    if piece.kind == "quantity":
+        unit = piece.text.lstrip("0123456789.").strip()
+        if unit in scope.givens:
+            ambiguous(scope, place, piece.text, unit)
+            return None
+        try:
+            quantity = parse_quantity(piece.text)
+        except UnitError as error:
+            unit_fault(scope, node, error, piece.start)
+            return None
+        share = share_of_pi(quantity.value)
+        if share is not None:
+            return times_pi(share)
+        return as_letter(scope, place, Want(want.label, None, want.letter or "q", want.owner), quantity)
+    if piece.kind == "path":
+        if paths is not None:
+            return paths(node, piece)
+        scope.fault(place, f"a path such as {quoted(piece.text)} can't stand here", "use givens and numbers", "formula")
+        return None
+    if piece.kind == "name" and paths is not None and piece.text not in names and is_path_word(scope, piece.text):
+        return paths(node, piece)
+    return piece.text
+
+
+def is_path_word(scope: Scope, word: str) -> bool:
+    """Whether the word alone is a quantity of the whole scene (`kinetic_energy`), or was meant as a path."""
+    return word in BY_WORD or scope.kinds.get(word) in ("body", "connection", "action", "event")
+
+
+def formula_fault(
+    scope: Scope,
+    node: Text,
+    error: FormulaError,
+    want: Want,
+    names: Collection[str],
+    text: str,
+    stand_ins: Mapping[str, Formula],
+) -> None:
+    """The parser's complaint at its place, with the letters that exist."""
+    span = node.part(error.start, max(error.end, error.start + 1))
+    wrong = text[error.start : error.end]
+    if not re.fullmatch(NAME, wrong) or wrong in names or wrong in stand_ins:
+        help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
+        scope.fault(span, f"{quoted(node.value)} is no formula: {error.message}", help, "formula")
+        return
+    kind = scope.kinds.get(wrong)
+    letters = [name for name in names if not name.startswith("Zq")]
+    if wrong == "time":
+        help = "only actions and driven hinges vary"
+        scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
+    elif kind and kind != "given":
+        scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", hint("", letters, "givens"), "formula")
+    elif is_unit(wrong):
+        scope.fault(
+            span, f"`{wrong}` is a unit without a number", f"write `2 {wrong}`, or choose a letter for it", "unit"
+        )
+    else:
+        scope.fault(span, f"unknown letter {quoted(wrong)}", hint(wrong, [*letters, *want.words], "givens"), "unknown")
+
+
+__all__ = ["Want", "value"]
+
+
+def value(scope: Scope, node: Node, want: Want, paths: PathReader | None = None) -> Formula | None:
+    """The formula that a scalar writes; None after a fault."""
+    if not isinstance(node, Text):
+        found = "a list" if isinstance(node, List) else "a map"
+        scope.fault(node, f"`{want.label}` wants one value, but this is {found}", kind="form")
+        return None
+    if not node.value.strip():
+        scope.fault(node, f"`{want.label}` is empty", kind="form")
+        return None
+    if node.value.strip() == "unknown":
+        return unknown(scope, node, want)
+    literal = LITERAL.fullmatch(node.value)
+    if literal and (result := whole_literal(scope, node, want, (literal["unit"] or "").strip())) is not EXPRESSION:
+        return result
+    if comma_fault(scope, node):
+        return None
+    formula = expression(scope, node, want, paths)
+    if formula is None or not check_dimension(scope, node, formula, want):
+        return None
+    return formula if check_limits(scope, node, formula, want) else None
+
+
+def comma_fault(scope: Scope, node: Text) -> bool:
+    """`12,5 kg`: reported with the point that was meant."""
+    if "," not in node.value or not re.match(COMMA, node.value):
+        return False
+    try:
+        parse_quantity(node.value)
+    except UnitError as error:
+        unit_fault(scope, node, error)
+        return True
+    return False
+
+
+def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> bool:
+    """Whether the formula has the dimension that is wanted; a letter of unknown dimension gets it from here."""
+    wanted = DIMENSIONS[want.dimension] if want.dimension else None
+    known = {**scope.dimensions, **want.extra, "time": DIMENSIONS["time"]}
+    missing = [name for name in sorted(formula.symbols()) if known.get(name) is None]
+    if missing:
+        found = infer(formula, missing, known, wanted)
+        if found is not None:
+            scope.dimensions[missing[0]] = found
+        return True
+    try:
+        dimension = dimension_of(formula, {name: known[name] for name in formula.symbols()})  # type: ignore[misc]
+    except DimensionError as error:
+        message = as_written(scope, formula, error.message)
+        scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", kind="dimension")
+        return False
+    shown, given = node.value.strip(), scope.givens.get(node.value.strip())
+    unit = given.unit.text if given and given.unit else ""
+    if given is not None and given.value is not None:
+        shown = f"{shown} = {given.text}"
+    return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
+
+
+def as_written(scope: Scope, formula: Formula, message: str) -> str:
+    """The message with letters that the reader made replaced by what the scene says."""
+    for name in formula.symbols():
+        given = scope.givens.get(name)
+        if given is not None and given.automatic:
+            message = message.replace(to_text(Symbol(name)), given.text)
+    return message
+
+
+def gaps(formula: Formula, limits: str) -> tuple[Formula, ...]:
+    """What is not negative where a value lies within its limits."""
+    if not limits or not formula.symbols():
+        return ()
+    above = {"fraction": ONE - formula, "acute": PI / 2 - formula}
+    return (formula, above[limits]) if limits in above else (formula,)
+
+
+def check_limits(scope: Scope, node: Text, formula: Formula, want: Want) -> bool:
+    number = size(formula, scope.numbers) if want.limits else None
+    for gap in gaps(formula, want.limits):
+        note(gap)
+    shown = node.value.strip()
+    given = scope.givens.get(shown)
+    if given is not None and given.text:
+        shown = f"{shown} = {given.text}"
+    return limits_hold(scope, node, number, want, shown)
+
+
+def read_moment(text: str) -> TimeValue:
+    """`t=2s`, or `2 s` alone. Raises ValueError for what is no time."""
+    name, sign, written = (part.strip() for part in text.rpartition("="))
+    if (sign and name not in ("t", "time")) or not written:
+        raise ValueError(f"{quoted(text)} is no moment; write t=2s")
+    found = read_time(written, text, "t=2s")
+    number = written.removesuffix(found.unit.text).strip() if found.unit is not None else written
+    return TimeValue(f"{number} {found.unit.text}" if found.unit is not None else written, found.value)
+
+
+def read_seconds(text: str) -> float:
+    """`10s`, `0.5 min` in seconds. Raises ValueError for what is no time, or not positive."""
+    seconds = evaluate(read_time(text, text, "10s").value, {}, digits=17).float
+    if not seconds > 0:
+        raise ValueError(f"{quoted(text)} is not positive; write 10s")
+    return seconds
+
+
+def read_time(written: str, text: str, example: str) -> Quantity:
+    """The time that is written in a text; a ValueError shows an example."""
+    try:
+        found = parse_quantity(written)
+    except UnitError as error:
+        raise ValueError(f"{quoted(text)}: {error.message}") from None
+    if not found.dimension.matches(DIMENSIONS["time"]):
+        raise ValueError(f"{quoted(text)} is no time; write {example}")
+    return found
