@@ -13,8 +13,8 @@ from rotsolve.derivation.compose import Composer, with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.motion.block import asked_block, left_out
+from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.configured import configured
 from rotsolve.paths import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source

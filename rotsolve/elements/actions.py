@@ -65,7 +65,7 @@ class Action(Element, frozen=True):
     to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
 
 
-class Force(Action, frozen=True):
+class AppliedForce(Action, frozen=True):
     word = "force"
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
@@ -150,7 +150,7 @@ class Force(Action, frozen=True):
         return f", {text}" if text else ", at its angle"
 
 
-class Couple(Action, frozen=True):
+class AppliedCouple(Action, frozen=True):
     word = "couple"
     about = "a torque without a force, along the body's positive sense unless `direction` says otherwise"
     quantities = ("torque", "work", "power", "angular_impulse")
@@ -211,7 +211,7 @@ class Press(Action, frozen=True):
         yield facts.held_still(self.name, name, instant.motion(name))
 
 
-class Power(Action, frozen=True):
+class AppliedPower(Action, frozen=True):
     word = "power"
     about = "a motor of given power turning a body"
     quantities = ("power", "torque", "work")
@@ -253,4 +253,4 @@ def _rough_sign(side: Vector, instant: Instant) -> bool:
     return height > 1e-9 or (abs(height) <= 1e-9 and rough(side.along(RIGHT)) > 0)
 
 
-ACTIONS: tuple[type[Action], ...] = (Force, Couple, Press, Power)
+ACTIONS: tuple[type[Action], ...] = (AppliedForce, AppliedCouple, Press, AppliedPower)

@@ -114,7 +114,7 @@ class Curved(Surface, frozen=True):
         return None
 
 
-class Step(Curved, frozen=True):
+class Corner(Curved, frozen=True):
     """A corner is a hill of no radius: the centre of a wheel on it moves on a circle as large as the wheel."""
 
     word = "corner"
@@ -167,4 +167,4 @@ class Track(Curved, frozen=True):
     about = "a smooth track of which only heights matter: `track: profile unknown`"
 
 
-SURFACES: tuple[type[Surface], ...] = (Level, Slope, Wall, Step, Hollow, Dome, Track)
+SURFACES: tuple[type[Surface], ...] = (Level, Slope, Wall, Corner, Hollow, Dome, Track)

@@ -16,15 +16,15 @@ from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.elements.connections.contacts.rubbing import Rubbing
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws import energy, groups, newton, rules
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.passages import groups_of, passage
+from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
 from rotsolve.paths import NotYet, Reader
 from rotsolve.profile import staged

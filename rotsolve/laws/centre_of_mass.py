@@ -12,8 +12,8 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.laws.integration import centre_letter, origin
-from rotsolve.motion.bodies.rigid import Piece
-from rotsolve.motion.bodies.spread import DENSITY, Spread
+from rotsolve.motion.rigid import RigidPiece
+from rotsolve.motion.spread import DENSITY, Spread
 
 OTHERS = {"xx": (1, 2), "yy": (0, 2), "zz": (0, 1)}  # the coordinates whose squares make the distance from an axis
 
@@ -22,7 +22,7 @@ class Unknown(ValueError):
     """A moment of inertia that the scene does not settle."""
 
 
-def entry_of(piece: Piece, entry: str) -> Formula:
+def entry_of(piece: RigidPiece, entry: str) -> Formula:
     """An entry of a piece's own tensor; the moment about the axis is known even where the others are not."""
     if piece.tensor is not None:
         return piece.moment if entry == "zz" else piece.tensor.entry(entry)
@@ -31,13 +31,13 @@ def entry_of(piece: Piece, entry: str) -> Formula:
     raise Unknown(f"only the moment of inertia of `{piece.name}` about its axis is known")
 
 
-def arm_of(spread: Spread, piece: Piece) -> Place:
+def arm_of(spread: Spread, piece: RigidPiece) -> Place:
     """Where a piece's centre of mass is, seen from the point."""
     x, y, z = (simplify(at - point) for at, point in zip(piece.place(), spread.point, strict=True))
     return (x, y, z)
 
 
-def apart(spread: Spread, piece: Piece, entry: str) -> list[Formula]:
+def apart(spread: Spread, piece: RigidPiece, entry: str) -> list[Formula]:
     """The components of the distance of a piece from the axis; one where they make a plain length."""
     arm = arm_of(spread, piece)
     parts = [arm[index] for index in OTHERS[entry] if arm[index] != ZERO]
@@ -65,7 +65,7 @@ def distance_words(parts: list[Formula], square: Formula) -> Words:
     return ("d = ", parts[0]) if len(parts) == 1 else ("d² = ", square)
 
 
-def noun(piece: Piece) -> str:
+def noun(piece: RigidPiece) -> str:
     """What a piece is called: "solid disc"; its name where it has no shape to speak of."""
     word = piece.shape.word
     if piece.tensor is None or word in ("particle", ""):
@@ -73,7 +73,7 @@ def noun(piece: Piece) -> str:
     return f"solid {word}" if word in ("disc", "cylinder", "sphere", "cone") else word
 
 
-def about_axis(piece: Piece, entry: str) -> str:
+def about_axis(piece: RigidPiece, entry: str) -> str:
     """Words for an axis through the centre of mass."""
     tensor = piece.tensor
     if tensor is None or entry not in ONE_AXIS:

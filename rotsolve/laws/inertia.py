@@ -27,8 +27,8 @@ from rotsolve.laws.centre_of_mass import (
     sum_of_squares,
 )
 from rotsolve.laws.integration import INDICES, NotSliced, by_integration, mass
-from rotsolve.motion.bodies.rigid import MINUS, Piece
-from rotsolve.motion.bodies.spread import Spread
+from rotsolve.motion.rigid import MINUS, RigidPiece
+from rotsolve.motion.spread import Spread
 
 HALF = Number(Fraction(1, 2))
 
@@ -96,7 +96,7 @@ def is_flat(spread: Spread) -> bool:
     return all(piece.shape.flat and is_zero(piece.height - spread.point[2]) for piece in spread.pieces)
 
 
-def own(spread: Spread, piece: Piece, entry: str) -> Told:
+def own(spread: Spread, piece: RigidPiece, entry: str) -> Told:
     """About the centre of mass of a shape, from the table; of a flat round one about a diameter by perpendicular axes."""
     tensor = piece.tensor
     if tensor is not None and entry in ("xx", "yy") and piece.shape.flat and even(piece):
@@ -105,13 +105,13 @@ def own(spread: Spread, piece: Piece, entry: str) -> Told:
     return Told(spread.tidy(entry_of(piece, entry)), f"moment of inertia, {noun(piece)}{about_axis(piece, entry)}")
 
 
-def even(piece: Piece) -> bool:
+def even(piece: RigidPiece) -> bool:
     """Whether a flat piece has the same moment about every axis in its plane, and one at all."""
     tensor = piece.tensor
     return tensor is not None and tensor.xx != ZERO and is_zero(tensor.xx - tensor.yy) and is_zero(tensor.xy)
 
 
-def central(spread: Spread, piece: Piece, entry: str) -> tuple[Formula, tuple[Equation, ...]]:
+def central(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formula, tuple[Equation, ...]]:
     """The letter I_cm of a piece with what defines it; no letter where there is nothing to define."""
     if entry == "zz" and spread.known is not None:
         return spread.known, ()
@@ -140,7 +140,7 @@ def of_all(spread: Spread, entry: str) -> Told:
     return Told(total(flat(terms)), label, (), tuple(dict.fromkeys(defined)))
 
 
-def share(spread: Spread, piece: Piece, mass: Formula, entry: str) -> tuple[Formula, list[Equation]]:
+def share(spread: Spread, piece: RigidPiece, mass: Formula, entry: str) -> tuple[Formula, list[Equation]]:
     """What one piece adds, as a letter of its own: its moment about its centre of mass, moved by the parallel-axes theorem."""
     cut_out = is_negative(mass)
     size = negate(mass) if cut_out else mass

@@ -10,8 +10,8 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
 from rotsolve.elements.shapes.slicing import Slicing
-from rotsolve.motion.bodies.rigid import Piece
-from rotsolve.motion.bodies.spread import DENSITY, EXTENTS, Spread
+from rotsolve.motion.rigid import RigidPiece
+from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
 
 Steps = tuple[Equation, ...]
 Law = tuple[Formula, str, Words]
@@ -31,7 +31,7 @@ class NotSliced(ValueError):
     """A shape over which no textbook integrates in one way."""
 
 
-def sliced(spread: Spread, piece: Piece) -> Slicing:
+def sliced(spread: Spread, piece: RigidPiece) -> Slicing:
     """The elements of a shape, with the letters of its coordinates as this derivation prints them."""
     cut = piece.shape.slicing() if piece.whole else None
     if cut is None:
@@ -39,14 +39,14 @@ def sliced(spread: Spread, piece: Piece) -> Slicing:
     return cut.renamed({item.variable.name: spread.coordinate(item.variable.name.lstrip("|")) for item in cut.ranges})
 
 
-def origin(piece: Piece) -> Place:
+def origin(piece: RigidPiece) -> Place:
     """Where the coordinates of a shape's elements begin, in its own axes."""
     cut = piece.shape.slicing()
     assert cut is not None
     return cut.origin
 
 
-def density(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+def density(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     """Mass per length, area or volume of a uniform shape: M over what a table says it is, or over its integral."""
     shape = piece.shape
     if shape.graded:
@@ -62,7 +62,7 @@ def density(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     return sigma, (*steps, spread.define(sigma, spread.mass / extent, f"mass per {word}"))
 
 
-def content(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+def content(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     """The length, area or volume of a shape that no table holds."""
     letter, word = EXTENTS[piece.shape.spread]
     cut = sliced(spread, piece)
@@ -71,7 +71,7 @@ def content(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     return extent, (spread.define(extent, integral, f"{word}, {letter} = ∫ d{letter}", cut.element),)
 
 
-def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
+def mass(spread: Spread, piece: RigidPiece) -> tuple[Formula, Steps]:
     """The mass: as it is given, of a density that varies M = ∫ dm, of a shape that no table holds σ A."""
     if piece.shape.tabled:
         return spread.mass, ()
@@ -87,7 +87,7 @@ def mass(spread: Spread, piece: Piece) -> tuple[Formula, Steps]:
     return letter, (*steps, spread.define(letter, sigma * extent, "mass"))
 
 
-def centre_letter(spread: Spread, piece: Piece, axis: str) -> tuple[Formula, Steps]:
+def centre_letter(spread: Spread, piece: RigidPiece, axis: str) -> tuple[Formula, Steps]:
     """x = (1/M) ∫ x dm, from where the shape's coordinates begin; zero where symmetry says so."""
     number = AXES.index(axis)
     cut = sliced(spread, piece)
@@ -102,7 +102,7 @@ def centre_letter(spread: Spread, piece: Piece, axis: str) -> tuple[Formula, Ste
     return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
 
 
-def by_integration(spread: Spread, piece: Piece, entry: str) -> tuple[Formula, str, Words, Steps]:
+def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formula, str, Words, Steps]:
     """∫ r² dm about the point itself, or about the axis of the elements and from there by the parallel-axes theorem."""
     cut = sliced(spread, piece)
     straight = cut.measured_from(spread.point) if piece.shape.tabled or not spread.central else None
@@ -124,7 +124,7 @@ def by_integration(spread: Spread, piece: Piece, entry: str) -> tuple[Formula, s
     return letter - there + away, f"parallel axes, {law}" if entry in ONE_AXIS else "parallel axes, products", (), steps
 
 
-def centre_of(spread: Spread, piece: Piece, cut: Slicing) -> tuple[Place, Steps]:
+def centre_of(spread: Spread, piece: RigidPiece, cut: Slicing) -> tuple[Place, Steps]:
     """The centre of mass from the origin of the elements: a letter for each coordinate that has to be integrated."""
     if piece.shape.tabled:
         return place_of(at - origin for at, origin in zip(piece.place(), cut.origin, strict=True)), ()
@@ -137,7 +137,7 @@ def place_of(parts: Iterable[Formula]) -> Place:
     return (x, y, z)
 
 
-def integral_of(spread: Spread, piece: Piece, cut: Slicing, sigma: Formula, entry: str) -> Law:
+def integral_of(spread: Spread, piece: RigidPiece, cut: Slicing, sigma: Formula, entry: str) -> Law:
     """The integral for an entry, its law, and what the elements are."""
     second = cut.second(entry)
     words = {**INTEGRALS, **(FLAT if piece.shape.flat else {})}

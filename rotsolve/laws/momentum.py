@@ -15,7 +15,7 @@ from rotsolve.core.varying import at_any_time
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
-from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.rigid import tidy
 
 
 def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:

@@ -13,7 +13,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Facts, Force, Inertia, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
-from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.rigid import tidy
 
 
 def second_law(facts: Facts, section: str) -> Iterator[Equation]:

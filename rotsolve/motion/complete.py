@@ -1,4 +1,4 @@
-"""Complete: give every mass, radius and length that a scene leaves out a letter of its own. Missing is never zero."""
+"""Complete: a problem made ready for the laws: letters for what a scene leaves out. Missing is never zero; what can not be is refused."""
 
 from __future__ import annotations
 
@@ -7,28 +7,58 @@ from typing import Any
 
 from msgspec.structs import replace
 
+from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR
-from rotsolve.elements.connections import guide
-from rotsolve.elements.connections.connection import Connection
-from rotsolve.elements.connections.contacts.contact import Contact
-from rotsolve.elements.connections.contacts.rolling import Rolls
-from rotsolve.elements.connections.contacts.rubbing import Clutch, Rims
+from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.varying import paths_in
+from rotsolve.elements.actions import Action
+from rotsolve.elements.connections import Connection, guide
+from rotsolve.elements.connections.contact import Contact, Rolls
+from rotsolve.elements.connections.rubbing import Clutch, Rims
 from rotsolve.elements.connections.springs import Torsion
 from rotsolve.elements.connections.supports import Rides
 from rotsolve.elements.rims import shape_of
 from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
+from rotsolve.language.keys import varying
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
-from rotsolve.motion.bodies.frame import locate
-from rotsolve.motion.bodies.owndata import versions
-from rotsolve.motion.bodies.rigid import centre_of_mass, pieces, place, tidy
-from rotsolve.motion.checks.admissible import check, on_axes
-from rotsolve.motion.checks.fits import check_holding, check_surfaces
-from rotsolve.motion.checks.sequence import check_sequence
+from rotsolve.motion.admissible import check, check_holding, check_sequence, check_surfaces, on_axes
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.owndata import versions
 from rotsolve.motion.positive import positive_letters
+from rotsolve.motion.rigid import centre_of_mass, locate, pieces, place, tidy
+
+
+def check_values(configuration: Configuration) -> None:
+    """A value that varies speaks of a body that moves as it is said to, and that is tied to the body on which it acts."""
+    for state in configuration.timeline.states:
+        if state.conditions:
+            configuration.present(state.name)  # refuses own data of bodies that can not be so
+        items = configuration.connections(state.name)
+        for host in {configuration.host(owner, state.name): None for item in items for owner, *_ in item.prescribes()}:
+            configuration.drives(host, state.name)  # refuses what can not be driven so
+        instant = Instant(configuration, Registry(), state.name)
+        for item in configuration.acting(state.name):
+            for value in varying(item):
+                for path in paths_in(value):
+                    check_path(item, path, instant)
+
+
+def check_path(item: Connection | Action, path: tuple[str, str, str], instant: Instant) -> None:
+    """The body that a path of an element's value speaks of moves so, and with the body on which the element acts."""
+    name, owner, word = path
+    configuration = instant.configuration
+    held = [ref for ref in item.touches() if ref.owner in configuration.bodies]
+    motion = instant.motion(owner)
+    if motion.kind != "line" if word in ("displacement", "velocity") else not motion.turns:
+        how = "travel along a line" if word in ("displacement", "velocity") else "turn"
+        raise Unsolvable(f"there is no `{name}`: `{owner}` does not {how}", span=held[-1].span)
+    if instant.host(owner) not in configuration.component(held[-1].owner, instant.state):
+        message = f"`{item.name}` varies with a body that is not tied to `{held[-1].owner}`: not solved yet"
+        raise Unsolvable(message, span=held[-1].span)
 
 
 class _Letters:
@@ -171,3 +201,31 @@ def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
         if not walls:
             changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
     return replace(shape, **changes) if changes else shape
+
+
+def configured(problem: Problem) -> Configuration:
+    """The problem with letters for what it leaves out; refused where a value in it can not be."""
+    try:
+        configuration = Configuration(completed(problem))
+        check_values(configuration)
+    except Unsolvable as error:
+        fault = error.fault
+        raise Unsolvable(
+            fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
+        ) from None
+    faults = list(negative_inertia(configuration.problem))
+    if faults:
+        raise SceneError(faults, problem.lines, problem.file)
+    return configuration
+
+
+def negative_inertia(problem: Problem) -> Iterator[Fault]:
+    """Moments of inertia given about a point that are smaller than m d² alone."""
+    values = {given.name: given.value for given in problem.givens if given.value is not None}
+    for body in problem.bodies:
+        if body.inertia is None or body.inertia_about is None or body.inertia.symbols() - set(values):
+            continue
+        sign = evaluate(body.inertia, values, digits=3).sign
+        if sign is not None and sign < 0:
+            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
+            yield Fault(message, body.span, "", "limits")

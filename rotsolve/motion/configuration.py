@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container, Mapping
 from functools import cached_property
 from typing import TYPE_CHECKING
 
@@ -19,18 +20,39 @@ from rotsolve.elements.actions import Action
 from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.events import Fixes, Joins
+from rotsolve.elements.rims import shape_of
 from rotsolve.elements.surfaces import Surface
 from rotsolve.language.problem import Body, PointRef, Problem
-from rotsolve.motion.absence import absent, gripped
-from rotsolve.motion.bodies.frame import frame
-from rotsolve.motion.bodies.members import Member, rider, welded
-from rotsolve.motion.bodies.owndata import Version, versions
 from rotsolve.motion.mentions import Mentions
+from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import positive_letters
-from rotsolve.motion.timeline import Timeline, timeline
+from rotsolve.motion.rigid import frame
+from rotsolve.motion.timeline import Timeline, absent, gripped, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration
+
+
+class Member(Struct, frozen=True):
+    """A body that is part of another (joined or welded): its host, and the host's point where it sits."""
+
+    name: str
+    host: str
+    at: PointRef
+    own: PointRef
+
+
+def rider(item: Rides, axis: PointRef | None) -> Member:
+    """A body that rides on another: its distance is counted from the carrier's axis."""
+    own, carrier = item.rides
+    return Member(own.owner, carrier.owner, axis or PointRef(carrier.owner, "center"), PointRef(own.owner, "center"))
+
+
+def welded(first: PointRef, second: PointRef, held: Container[str], bodies: Mapping[str, Body]) -> Member:
+    """The joined pair as host and member: a body `held` on an axis, else the extended one, else the last-named is the host."""
+    weight = [(ref.owner in held, shape_of(bodies[ref.owner]).word != "particle") for ref in (first, second)]
+    member, host = (first, second) if weight[1] >= weight[0] else (second, first)
+    return Member(member.owner, host.owner, host, member)
 
 
 class Configuration(Struct, frozen=True, dict=True):

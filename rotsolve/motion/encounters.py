@@ -9,14 +9,14 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.elements.actions import pointing
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.events import Collides, Cuts, Event, Fixes, Grips, Impulse, Joins, Removes
 from rotsolve.elements.rims import rim_radius
 from rotsolve.language.problem import PointRef
-from rotsolve.motion.bodies.rigid import tidy
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_body
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
 
 HOLDING = (Fixes, Grips)

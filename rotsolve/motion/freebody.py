@@ -30,9 +30,8 @@ from rotsolve.core.registry import Quantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.elements.rims import shape_of
 from rotsolve.language.problem import Body, PointRef
-from rotsolve.motion.bodies.frame import Frame
-from rotsolve.motion.bodies.rigid import mass_of, moment_about, product_about
 from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import Frame, mass_of, moment_about, product_about
 
 
 def free_bodies(instant: Instant) -> Facts:

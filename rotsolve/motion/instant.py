@@ -10,18 +10,121 @@ from msgspec import Struct, field
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
-from rotsolve.core.quantity import BY_WORD
-from rotsolve.core.registry import GENERIC, VIRTUAL, Quantity, Registry
+from rotsolve.core.quantity import BY_WORD, PLANE
+from rotsolve.core.registry import COURSE, GENERIC, TIME, VIRTUAL, Quantity, Registry
+from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.connections.connection import Orbit
 from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes.shape import WHEEL
+from rotsolve.language.keys import varying
 from rotsolve.language.problem import Body, PointRef
-from rotsolve.motion.bodies.frame import ON_RIM, Frame, frame, locate
-from rotsolve.motion.bodies.rigid import direction_of, polar, tidy
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.followed import followed
-from rotsolve.motion.running import value_now
+from rotsolve.motion.rigid import ON_RIM, Frame, direction_of, frame, locate, polar, tidy
+
+
+def value_now(value: Formula, instant: Instant) -> Formula:
+    """The value with letters of this moment for `time` and for paths of bodies."""
+    if not value.symbols():
+        return value
+    letters = {name: letter_of(word, instant.host(owner), instant) for name, owner, word in paths_in(value)}
+    return value.substitute({**letters, TIME: instant.time()})
+
+
+def letter_of(word: str, name: str, instant: Instant) -> Formula:
+    """Place or rate of a body at a moment, along its declared sense; even at a moment of a motion only thought of, the real rate."""
+    match word:
+        case "angle":
+            return instant.ask("angle", name, words=TURNS)
+        case "angular_velocity":
+            return instant.ask(word, name, when=instant.when, words=instant.turn_words(name))
+        case "velocity":
+            return instant.ask(word, name, when=instant.when, words=line_words(name, instant))
+        case _:
+            return since_first(word, name, instant)
+
+
+def since_first(word: str, name: str, instant: Instant) -> Formula:
+    """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
+    words = instant.turn_words(name) if word == "rotation" else line_words(name, instant)
+    timeline = instant.configuration.timeline
+    if instant.generic:
+        return instant.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
+    result: Formula = ZERO
+    for interval in timeline.between(timeline.states[0].name, instant.state):
+        if interval.event is None:
+            result = result + instant.ask(word, name, when=interval.name, words=words)
+    return result
+
+
+def line_words(name: str, instant: Instant) -> tuple[str, str]:
+    """The words for the two senses in which a body travels along its line."""
+    line = instant.line(name)
+    return (line[1], opposite(line[1])) if line else ("", "")
+
+
+STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
+FOLLOWED = ("position", "velocity", "acceleration")
+
+
+def followed(name: str, instant: Instant) -> bool:
+    """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
+    that turns where a motion is followed in time."""
+    if instant.mark == COURSE:
+        return instant.configuration.pivot(name, instant.state) is not None or instant.can_turn(
+            name, slides(name, instant)
+        )
+    rod = shape_of(instant.body(name)).word == "rod"
+    if swings(name, instant):
+        return True
+    if not (rod and instant.configuration.heavy) and not (spoken_of(name, instant) or marked(name, instant)):
+        return False
+    return rod or not stands(name, instant)
+
+
+def swings(name: str, instant: Instant) -> bool:
+    """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+    configuration = instant.configuration
+    hinged = instant.generic and instant.mark != GENERIC and configuration.pivot(name, instant.state) is not None
+    return hinged and configuration.heavy and bool(instant.frame(name).cm.parts)
+
+
+def spoken_of(name: str, instant: Instant) -> bool:
+    """Whether the scene asks for a body's angle, states it, drives it, or lets something vary with it."""
+    configuration = instant.configuration
+    problem = configuration.problem
+    if any(path.owner == name and path.quantity == "angle" and not path.point for path in configuration.mentions.paths):
+        return True
+    if any(drive.word == "angle" for drive in configuration.drives(name, instant.state)):
+        return True
+    values = (value for item in (*problem.connections, *problem.actions) for value in varying(item))
+    return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
+
+
+def marked(name: str, instant: Instant) -> bool:
+    """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
+    configuration, body = instant.configuration, instant.body(name)
+    slanted = instant.frame(name).cm.parts and shape_of(body).word != "rod"
+    if len(configuration.timeline.states) < 2 or slanted:
+        return False
+    asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
+    still = (*STILL, *dict(body.radii))
+    return any(
+        path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
+    )
+
+
+def stands(name: str, instant: Instant) -> bool:
+    """Whether a body slides along as it is drawn, with nothing said of its angle."""
+    flat = slides(name, instant)
+    said = instant.configuration.mentions.says
+    return flat and not instant.can_turn(name, flat) and not said(instant.state, name, "angle")
+
+
+def slides(name: str, instant: Instant) -> bool:
+    """Whether a body travels along a line."""
+    return instant.line(name) is not None
 
 
 class Instant(Struct, frozen=True, dict=True):

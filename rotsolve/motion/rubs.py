@@ -7,8 +7,8 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.elements.connections.contacts.rubbing import Rubbing
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 

@@ -15,9 +15,9 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
-from rotsolve.motion.bodies.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.heights import height
+from rotsolve.motion.passages import height
+from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import Meaning, NotYet, path_text, size_of
 from rotsolve.paths.moment import Moment
 from rotsolve.paths.natural import NATURAL, about_centre

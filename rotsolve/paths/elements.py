@@ -9,8 +9,8 @@ from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts.touch import Touch
-from rotsolve.elements.connections.ropes.strings import String
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Path
 from rotsolve.paths.bodies import OfBodies

@@ -19,10 +19,9 @@ from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
 from rotsolve.laws.integration import NotSliced, mass
-from rotsolve.motion.bodies.frame import locate, rise
-from rotsolve.motion.bodies.rigid import tidy
-from rotsolve.motion.bodies.spread import Spread
 from rotsolve.motion.positive import positive_letters
+from rotsolve.motion.rigid import locate, rise, tidy
+from rotsolve.motion.spread import Spread
 from rotsolve.paths.meaning import Meaning, NotYet
 from rotsolve.paths.moment import Moment
 

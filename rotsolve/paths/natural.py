@@ -6,7 +6,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, sqrt
 from rotsolve.core.facts import signed
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
-from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.rigid import tidy
 from rotsolve.paths.meaning import absolute
 
 NATURAL = ("tangential", "normal")

@@ -14,7 +14,7 @@ from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.language.problem import Path, Term
 from rotsolve.laws.energy import kinetic
-from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.elements import OfElements
 from rotsolve.paths.meaning import Meaning, NotYet, label_of, size_of

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, add, negate
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Term
-from rotsolve.motion.bodies.rigid import tidy
+from rotsolve.motion.rigid import tidy
 from rotsolve.paths import Meaning, size_of
 from rotsolve.questions.question import whole_vector
 from rotsolve.questions.transfers import potential_change

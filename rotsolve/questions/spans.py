@@ -7,8 +7,8 @@ from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
-from rotsolve.motion.phases.travels import angle_turned
 from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import angle_turned
 from rotsolve.paths import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
 from rotsolve.questions.transfers import blow, impulse, ways_of_blow, work
 

@@ -14,8 +14,8 @@ from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.core.varying import paths_in
-from rotsolve.elements.connections.contacts.rubbing import Rubbing
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.rubbing import Rubbing
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.keys import keys_of
 from rotsolve.language.problem import Condition, Path, State

@@ -10,8 +10,8 @@ from time import monotonic
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Problem
+from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.configured import configured
 from rotsolve.paths import NotYet
 from rotsolve.scene.read import read_source
 from rotsolve.scene.values import read_seconds

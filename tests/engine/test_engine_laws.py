@@ -17,8 +17,8 @@ from rotsolve.core.equation import LAWS
 from rotsolve.core.faults import Unsolvable
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Body, Problem
-from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.owndata import is_own
 from rotsolve.pipeline import solve_problem
 from rotsolve.search.answering import answer
 from rotsolve.search.friction import decide

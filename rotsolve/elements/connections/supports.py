@@ -1,4 +1,4 @@
-"""Supports: hinges, axles and welds hold bodies to the ground or to each other."""
+"""Supports: hinges, axles and shafts hold bodies to the ground; hinges, welds and what rides hold them to each other."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
-from rotsolve.core.facts import Couple, Force, Rule, held_still, signed
+from rotsolve.core.facts import Couple, Force, Rule, Turntable, held_still, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
@@ -246,3 +246,35 @@ def joint(owner: str, carrier: PointRef, body: PointRef, instant: Instant) -> It
             (instant.acceleration(body).along(direction), instant.acceleration(carrier).along(direction)),
             linear=False,
         )
+
+
+class Shaft(Connection, frozen=True):
+    word = "shaft"
+    about = "hinges a point of a body to an upright shaft that turns steadily; the picture is the upright plane that turns with it"
+    quantities = ("force", "angle")
+    shaft: tuple[PointRef, ...] = key("points", "the point held", count=(1, 1), required=True, example="rod.start")
+    turning: Formula | None = key(
+        "quantity",
+        "angular velocity of the shaft",
+        dimension="angular velocity",
+        letter="Omega",
+        limits="positive",
+        required=True,
+        default=None,
+    )
+    distance: Formula | None = key(
+        "quantity",
+        "how far to the right of the axis the hinge is",
+        dimension="length",
+        letter="b",
+        limits="nonnegative",
+        default=None,
+    )
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        return self.shaft
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        yield from reaction(self.name, "hinge", self.shaft[0], instant)
+        name = instant.host(self.shaft[0].owner)
+        yield Turntable(self.name, name, self.turning or ZERO, self.distance or ZERO)

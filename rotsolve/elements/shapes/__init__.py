@@ -1,9 +1,8 @@
 """Shapes of bodies: how mass is spread. A size that the scene leaves out is None."""
 
-from rotsolve.elements.shapes.cylinders import Cylinder, CylindricalShell
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
 from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina, Revolution
-from rotsolve.elements.shapes.round import Annulus, Disc, Ring, Sphere, SphericalShell
+from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
 from rotsolve.elements.shapes.shape import WHEEL, Place, Shape
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
 from rotsolve.elements.shapes.thin import Arc, Particle, Rod, Rope

@@ -1,13 +1,12 @@
-"""Flat shapes with corners: rectangle, triangle, polygon."""
+"""Flat shapes with corners: rectangle, triangle, polygon; what a polygon's area and moments are by sums over its edges."""
 
 from __future__ import annotations
 
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate, total
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.elements.shapes import shoelace
 from rotsolve.elements.shapes.shape import Place, Shape
 from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.language.keys import key
@@ -82,7 +81,7 @@ class Triangle(Shape, frozen=True):
     def moment(self, mass: Formula) -> Formula:
         """M (a² + b² + c²)/36."""
         if self.corners:
-            return shoelace.moment(self.corners, mass)
+            return polygon_moment(self.corners, mass)
         a, b, c = self.sides
         return mass * (a**2 + b**2 + c**2) / 36
 
@@ -114,10 +113,10 @@ class Triangle(Shape, frozen=True):
         )
 
     def centroid(self) -> Place:
-        return shoelace.centroid(self.vertices())
+        return polygon_centroid(self.vertices())
 
     def measure(self) -> Formula:
-        return shoelace.area(self.vertices())
+        return polygon_area(self.vertices())
 
     def vertices(self) -> tuple[Place, ...]:
         """The three corners; from three sides the first lies along +x: x₃ = (a² + c² − b²)/(2 a)."""
@@ -140,16 +139,16 @@ class Polygon(Shape, frozen=True):
 
     def moment(self, mass: Formula) -> Formula:
         """By the shoelace formula."""
-        return shoelace.moment(self.corners, mass)
+        return polygon_moment(self.corners, mass)
 
     def tensor(self, mass: Formula) -> InertiaTensor:
         return of_corners(self.corners, mass, self.moment(mass))
 
     def centroid(self) -> Place:
-        return shoelace.centroid(self.corners)
+        return polygon_centroid(self.corners)
 
     def measure(self) -> Formula:
-        return shoelace.area(self.corners)
+        return polygon_area(self.corners)
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         return corner(self.corners, point, self.centroid())
@@ -157,7 +156,7 @@ class Polygon(Shape, frozen=True):
 
 def of_corners(corners: tuple[Place, ...], mass: Formula, moment: Formula) -> InertiaTensor:
     """The tensor of a flat shape from the means of x², y² and x y: I_xx = M y², I_yy = M x², I_xy = −M x y."""
-    xx, yy, xy = shoelace.products(corners, mass)
+    xx, yy, xy = polygon_products(corners, mass)
     return InertiaTensor(yy, xx, moment, negate(xy))
 
 
@@ -165,3 +164,47 @@ def corner(corners: tuple[Place, ...], point: str, centre: Place) -> Place:
     """The place of `corner1`, `corner2`, …; the centre of mass for any other point."""
     number = point.removeprefix("corner")
     return corners[int(number) - 1] if number.isdigit() and 0 < int(number) <= len(corners) else centre
+
+
+def edges_of(corners: tuple[Place, ...]) -> list[tuple[Place, Place, Formula]]:
+    """The edges of a polygon with twice the signed area of the triangle that each spans with the origin."""
+    pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
+    return [(p, q, p[0] * q[1] - q[0] * p[1]) for p, q in pairs]
+
+
+def polygon_area(corners: tuple[Place, ...]) -> Formula:
+    """A = ½ Σ p × q."""
+    return simplify(total([spanned for _, _, spanned in edges_of(corners)]) / 2)
+
+
+def polygon_centroid(corners: tuple[Place, ...]) -> Place:
+    """Σ (p + q) (p × q)/(6 A), the shoelace formula."""
+    around = edges_of(corners)
+    six = 3 * total([spanned for _, _, spanned in around])
+    x, y = (simplify(total([(p[axis] + q[axis]) * spanned for p, q, spanned in around]) / six) for axis in (0, 1))
+    return (x, y)
+
+
+def polygon_moment(corners: tuple[Place, ...], mass: Formula) -> Formula:
+    """M Σ (p·p + p·q + q·q) (p × q)/(6 Σ p × q), about the origin, less M d² of the centroid."""
+    around = edges_of(corners)
+    origin = total([(dot(p, p) + dot(p, q) + dot(q, q)) * spanned for p, q, spanned in around])
+    centre = polygon_centroid(corners)
+    return mass * simplify(origin / (6 * total([spanned for _, _, spanned in around])) - dot(centre, centre))
+
+
+def polygon_products(corners: tuple[Place, ...], mass: Formula) -> tuple[Formula, Formula, Formula]:
+    """M times the means of x², y² and x y about the centroid (C. Steger, On the Calculation of Arbitrary Moments of Polygons)."""
+    around, centre = edges_of(corners), polygon_centroid(corners)
+    whole = total([spanned for _, _, spanned in around])
+
+    def mean(i: int, j: int) -> Formula:
+        terms = [(2 * p[i] * p[j] + p[i] * q[j] + q[i] * p[j] + 2 * q[i] * q[j]) * spanned for p, q, spanned in around]
+        return mass * simplify(total(terms) / (12 * whole) - centre[i] * centre[j])
+
+    return mean(0, 0), mean(1, 1), mean(0, 1)
+
+
+def dot(p: Place, q: Place) -> Formula:
+    """p · q."""
+    return p[0] * q[0] + p[1] * q[1]

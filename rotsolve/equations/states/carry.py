@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.events import Grips
 from rotsolve.elements.surfaces import Curved
 from rotsolve.equations.states.fixed import Fixed

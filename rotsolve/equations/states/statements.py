@@ -13,18 +13,17 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states.balance import balance, check_shafts, check_steady
 from rotsolve.equations.states.carry import carry_over
 from rotsolve.equations.states.drives import prescribe
 from rotsolve.equations.states.fixed import Fixed
 from rotsolve.language.problem import Condition, Path, State
-from rotsolve.motion.bodies.owndata import is_own
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.followed import marked
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.travels import angle_turned, displacement
+from rotsolve.motion.instant import Instant, marked
+from rotsolve.motion.owndata import is_own
+from rotsolve.motion.travels import angle_turned, displacement
 from rotsolve.paths import NotYet, Reader
 
 RATE_OF = {  # what is zero where a quantity is largest or smallest

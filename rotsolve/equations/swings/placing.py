@@ -16,10 +16,9 @@ from rotsolve.equations.swings.swing import Swing, displacements, moving, places
 from rotsolve.language.problem import Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.followed import swings
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.passages import groups_of
+from rotsolve.motion.instant import Instant, swings
+from rotsolve.motion.passages import groups_of
 from rotsolve.paths import NotYet
 
 

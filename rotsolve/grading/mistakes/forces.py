@@ -27,7 +27,7 @@ from rotsolve.grading.mistakes.mistake import (
     of_forces,
     of_owners,
 )
-from rotsolve.motion.bodies.rigid import direction_of
+from rotsolve.motion.rigid import direction_of
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene

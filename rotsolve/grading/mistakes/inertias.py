@@ -19,7 +19,7 @@ from rotsolve.elements.shapes import Rod, Shape
 from rotsolve.elements.shapes.round import Annulus
 from rotsolve.grading.mistakes.mistake import Change, Made, each_and_all, of_bodies
 from rotsolve.language.problem import Body, Problem
-from rotsolve.motion.bodies.rigid import Piece, tidy
+from rotsolve.motion.rigid import RigidPiece, tidy
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
@@ -134,7 +134,7 @@ def with_axis_inertia(
         formula = simplify(total(terms), order=scene.configuration.order)
         return replace(body, inertia=Inertia(formula, formula, ""))
 
-    def moved(piece: Piece, reference: Vector) -> Formula:
+    def moved(piece: RigidPiece, reference: Vector) -> Formula:
         arm = tidy(piece.at - reference)
         return simplify(piece.mass * arm.dot(arm)) if arm.parts else ZERO
 

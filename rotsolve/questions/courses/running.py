@@ -9,8 +9,8 @@ from rotsolve.core.varying import CONSTANT
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, Term
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.travels import displacement, so_far
 from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import displacement, so_far
 from rotsolve.paths import Meaning, NotYet, Unclear, path_text
 
 

@@ -16,8 +16,8 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.travels import rotation, so_far
 from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import rotation, so_far
 from rotsolve.paths import Meaning, NotYet
 from rotsolve.paths.meaning import size_of
 from rotsolve.questions.courses.beside import Beside, straight

@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterator, Mapping
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import Equation
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem
 from rotsolve.motion.configuration import Configuration

@@ -6,7 +6,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, call, negate
 from rotsolve.core.equation import NEWTON, Equation
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
 from rotsolve.motion.configuration import Configuration

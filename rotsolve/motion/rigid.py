@@ -6,6 +6,7 @@ I_P = Σ (I_own + m d²), the parallel-axes theorem over all pieces. Places are 
 from __future__ import annotations
 
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -14,18 +15,22 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.rims import rim_radius, shape_of
 from rotsolve.elements.shapes import Rod, Shape
-from rotsolve.language.problem import Body, Part
+from rotsolve.language.problem import Body, Part, PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.configuration import Configuration
+
 
 MINUS = Number(Fraction(-1))
 
 
-class Piece(Struct, frozen=True):
+class RigidPiece(Struct, frozen=True):
     """A piece of a rigid body: mass, own moment of inertia about its centre of mass, and where that is.
 
     `tensor` are all its second moments, None where only the moment about its axis is known; `height` is the third coordinate.
@@ -49,7 +54,7 @@ class Piece(Struct, frozen=True):
         x, y = (simplify(part) if isinstance(part, Sum) else part for part in (self.at.along(RIGHT), self.at.along(UP)))
         return (x, y, self.height)
 
-    def weighing(self, mass: Formula) -> Piece:
+    def weighing(self, mass: Formula) -> RigidPiece:
         """The piece with another mass, all its moments in terms of that."""
         tensor = turned_by(self.shape.tensor(mass), self.heading) if self.tensor is not None else None
         return replace(self, mass=mass, moment=self.shape.moment(mass), tensor=tensor)
@@ -63,7 +68,7 @@ class Piece(Struct, frozen=True):
             return ZERO if self.moment == ZERO else None
         return negate(turned_by(tensor, orientation).xy)
 
-    def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> Piece:
+    def moved(self, direction: Heading, origin: Vector, height: Formula, sign: Formula) -> RigidPiece:
         """The piece turned in the plane and moved; with a minus sign it is cut out."""
         turned = None if self.tensor is None else turned_by(self.tensor, direction)
         return replace(
@@ -92,7 +97,7 @@ def mass_of(body: Body) -> Formula:
     return Number(Fraction(body.count)) * mass if body.count > 1 else mass
 
 
-def pieces(body: Body) -> tuple[Piece, ...]:
+def pieces(body: Body) -> tuple[RigidPiece, ...]:
     """The pieces of a body: itself, its parts, and its holes with negative mass; all of it for each copy of `count`."""
     own = _own_piece(body)
     parts = tuple(piece for part in body.parts for piece in _placed(part, ONE))
@@ -101,7 +106,7 @@ def pieces(body: Body) -> tuple[Piece, ...]:
     return single if body.count == 1 else tuple(_repeated(piece, body.count) for piece in single)
 
 
-def _repeated(piece: Piece, count: int) -> Piece:
+def _repeated(piece: RigidPiece, count: int) -> RigidPiece:
     """Identical pieces placed symmetrically about the body's centre: their common centre of mass lies there.
 
     Nobody says how each of them is turned, so that only their moment about the axis is known.
@@ -109,10 +114,10 @@ def _repeated(piece: Piece, count: int) -> Piece:
     number, arm = Number(Fraction(count)), tidy(piece.at)
     moment = piece.moment + piece.mass * arm.dot(arm) if arm.parts else piece.moment
     moment = number * moment if moment != ZERO else ZERO
-    return Piece(piece.name, number * piece.mass, moment, NOWHERE, piece.shape, piece.height)
+    return RigidPiece(piece.name, number * piece.mass, moment, NOWHERE, piece.shape, piece.height)
 
 
-def _own_piece(body: Body) -> Piece | None:
+def _own_piece(body: Body) -> RigidPiece | None:
     if body.parts and body.shape is None and body.mass is None:
         return None
     shape = shape_of(body)
@@ -123,8 +128,8 @@ def _own_piece(body: Body) -> Piece | None:
     at, height = place(shape.centroid()), shape.rise()
     if body.inertia is not None or body.gyration is not None:
         moment = body.inertia if body.inertia is not None else mass * (body.gyration or ZERO) ** 2
-        return Piece(body.name, mass, moment, at, shape, height)
-    return Piece(body.name, mass, shape.moment(mass), at, shape, height, shape.tensor(mass), measure, whole=True)
+        return RigidPiece(body.name, mass, moment, at, shape, height)
+    return RigidPiece(body.name, mass, shape.moment(mass), at, shape, height, shape.tensor(mass), measure, whole=True)
 
 
 def _rest(body: Body) -> Formula:
@@ -132,7 +137,7 @@ def _rest(body: Body) -> Formula:
     return shape_of(body).measure() - total([shape_of(hole.body).measure() for hole in body.holes])
 
 
-def _cut(hole: Part, body: Body) -> tuple[Piece, ...]:
+def _cut(hole: Part, body: Body) -> tuple[RigidPiece, ...]:
     """The pieces of a hole, with the mass of the material that it would hold, for a body of uniform thickness."""
     if hole.body.mass is not None or body.mass is None:
         return _placed(hole, MINUS)
@@ -145,7 +150,7 @@ def _cut(hole: Part, body: Body) -> tuple[Piece, ...]:
     return pieces
 
 
-def _placed(part: Part, sign: Formula) -> tuple[Piece, ...]:
+def _placed(part: Part, sign: Formula) -> tuple[RigidPiece, ...]:
     """The pieces of a part, turned and moved to its place."""
     direction, origin = part_frame(part)
     height = part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
@@ -219,7 +224,7 @@ def direction_of(arm: Vector) -> Heading:
     return heading(simplify(call("atan2", y, x)))
 
 
-def centre_of_mass(items: tuple[Piece, ...]) -> Vector:
+def centre_of_mass(items: tuple[RigidPiece, ...]) -> Vector:
     """Σ m r / Σ m; the only place where all pieces agree needs no masses."""
     places = {tidy(piece.at) for piece in items}
     if len(places) == 1:
@@ -230,7 +235,7 @@ def centre_of_mass(items: tuple[Piece, ...]) -> Vector:
     return cartesian(x, y)
 
 
-def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...] = ()) -> tuple[Formula, Words]:
+def moment_about(items: tuple[RigidPiece, ...], point: Vector, order: tuple[str, ...] = ()) -> tuple[Formula, Words]:
     """Moment of inertia about a point: as a simplified formula for each mass, and the parallel-axes sum that it comes from."""
     terms: list[Formula] = []
     by_mass: dict[Formula, list[Formula]] = {}
@@ -251,7 +256,9 @@ def moment_about(items: tuple[Piece, ...], point: Vector, order: tuple[str, ...]
     return shown, (("parallel axes: ", whole) if shifted else ())
 
 
-def product_about(items: tuple[Piece, ...], point: Vector, orientation: Heading, offset: Formula) -> Formula | None:
+def product_about(
+    items: tuple[RigidPiece, ...], point: Vector, orientation: Heading, offset: Formula
+) -> Formula | None:
     """∫ (offset + x) y dm, x to the right and y up from a point, of a body turned by `orientation`; None where a shape does not tell."""
     terms: list[Formula] = []
     for piece in items:
@@ -262,3 +269,65 @@ def product_about(items: tuple[Piece, ...], point: Vector, orientation: Heading,
         terms.append(piece.mass * (offset + arm.along(RIGHT)) * arm.along(UP))
         terms.append(own)
     return simplify(total(terms))
+
+
+ON_RIM = {"top": UP, "bottom": UP.turned(180), "rim": RIGHT}  # directions in space, save for a point that is held
+
+
+class Frame(Struct, frozen=True):
+    """A rigid body (with all that is joined to it) in its own axes: pieces, centre of mass and reference point."""
+
+    pieces: tuple[RigidPiece, ...]
+    reference: Vector
+    cm: Vector  # from the reference
+
+
+def frame(configuration: Configuration, name: str, state: str) -> Frame:
+    """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
+    body = configuration.body(name, state)
+    items = list(pieces(body))
+    for member in configuration.cluster(name, state):
+        if member.host == name:
+            base = locate(body, member.at)
+            offset = locate(configuration.body(member.name, state), member.own)
+            own = frame(configuration, member.name, state).pieces
+            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
+    pivot = configuration.pivot(name, state)
+    centre = centre_of_mass(tuple(items))
+    reference = locate(body, pivot) if pivot is not None else centre
+    return Frame(tuple(items), reference, polar(tidy(centre - reference)))
+
+
+def locate(body: Body, ref: PointRef | None) -> Vector:
+    """Place of a point in a body's own axes; of a rim, the place that it has while the body stands as drawn."""
+    if ref is None or ref.point in (None, "center"):
+        return NOWHERE
+    radius = rim_radius(body, ref.point)
+    if ref.point in ON_RIM and radius is not None:
+        return vector(radius, ON_RIM[ref.point])
+    if ref.point == "cm":
+        return centre_of_mass(pieces(body))
+    for name, at in body.points:
+        if name == ref.point:
+            return place(at)
+    for part in body.parts:
+        if part.body.name == ref.point:
+            return part_frame(part)[1]
+    return place(shape_of(body).locate(ref.point or "", ref.argument))
+
+
+def rise(body: Body, ref: PointRef) -> Formula:
+    """Height of a point above the picture, in the body's axes."""
+    if ref.point == "cm":
+        items = pieces(body)
+        if all(piece.height == ZERO for piece in items):
+            return ZERO
+        whole = total([piece.mass for piece in items])
+        return simplify(total([piece.mass * piece.height for piece in items]) / whole)
+    for name, at in body.points:
+        if name == ref.point:
+            return at[2] if len(at) > 2 else ZERO
+    for part in body.parts:
+        if part.body.name == ref.point:
+            return part.at[2] if part.at is not None and len(part.at) > 2 else ZERO
+    return shape_of(body).rise(ref.point or "center")

@@ -13,13 +13,14 @@ from rotsolve.core.facts import Couple, Force, Rule
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.connections.contacts.friction import Friction
+from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.language.keys import key
 from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
+
 
 TWO_THIRDS = Number(Fraction(2, 3))
 

@@ -14,12 +14,11 @@ from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import CONSTANT, RATES, UNKNOWN, at_any_time, running
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.phases.leading import Lead, place_of, share
-from rotsolve.motion.phases.travels import displacement, rotation
 from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import Lead, displacement, place_of, rotation, share
 
 
-def works_on(body: BodyFacts, way: Way, duration: Formula) -> Iterator[Work]:
+def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Work]:
     """Work of the forces and couples on a body that are neither weights, springs nor ideal connections."""
     name, interval, first = body.name, way.interval, way.first
     for force in body.forces:
@@ -39,7 +38,7 @@ def works_on(body: BodyFacts, way: Way, duration: Formula) -> Iterator[Work]:
             yield named_work(couple.owner, told, (name,), interval, first)
 
 
-def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: Way) -> Formula | None:
+def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: PhaseWorks) -> Formula | None:
     """F · displacement along a line plus r × F times the angle turned; None where a part is not told."""
     name, motion = body.name, body.motion
     parts: list[Formula | None] = []
@@ -56,7 +55,7 @@ def work_of_force(vector: Vector, arm: Vector, body: BodyFacts, way: Way) -> For
     return total(told) if len(told) == len(parts) else None
 
 
-class Way(Struct, frozen=True):
+class PhaseWorks(Struct, frozen=True):
     """A phase as works are summed over it."""
 
     interval: Interval

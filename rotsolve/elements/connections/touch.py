@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, ClassVar
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
@@ -14,7 +15,6 @@ from rotsolve.core.vectors.directions import TURNS, along_text, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact, Orbit
-from rotsolve.elements.connections.contacts.friction import Friction
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Curved, Level, Surface
 from rotsolve.language.problem import Body, PointRef
@@ -22,6 +22,14 @@ from rotsolve.language.problem import Body, PointRef
 if TYPE_CHECKING:
     from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
+
+
+class Friction(Struct, frozen=True):
+    """Friction of a contact: `none`, one coefficient, static and kinetic, or `any` (rough enough; the engine decides)."""
+
+    kind: str = "none"  # none | coefficient | any
+    static: Formula | None = None
+    kinetic: Formula | None = None
 
 
 class Touch(Connection, frozen=True):

@@ -1,4 +1,4 @@
-"""Rolling: wheels that roll without slipping, and rolls that lay themselves out."""
+"""Contacts: a body that lies, slides or rolls on a surface with the friction that the scene gives; a roll that lays itself out."""
 
 from __future__ import annotations
 
@@ -11,8 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Rule
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.connections.connection import Fact
-from rotsolve.elements.connections.contacts.friction import Friction
-from rotsolve.elements.connections.contacts.touch import Touch
+from rotsolve.elements.connections.touch import Friction, Touch
 from rotsolve.elements.surfaces import Surface
 from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
@@ -20,6 +19,35 @@ from rotsolve.language.problem import Body, PointRef
 if TYPE_CHECKING:
     from rotsolve.motion.configuration import Configuration
     from rotsolve.motion.instant import Instant
+
+
+class Contact(Touch, frozen=True):
+    word = "contact"
+    about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
+    contact: tuple[PointRef, ...] = key(
+        "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
+    )
+    friction: Friction = key(
+        "friction",
+        "`none`, a coefficient, {static: , kinetic: }, or `any`",
+        default=Friction(),
+        letter="mu",
+        limits="nonnegative",
+    )
+    press: Formula | None = key(
+        "quantity",
+        "force that presses two wheels together at their rims",
+        dimension="force",
+        letter="F",
+        limits="positive",
+        default=None,
+    )
+
+    def pair(self) -> tuple[PointRef, ...]:
+        return self.contact
+
+    def grip(self) -> Friction:
+        return self.friction
 
 
 class Rolls(Touch, frozen=True):

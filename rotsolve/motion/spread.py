@@ -13,7 +13,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.core.vectors.tensor import ORIGIN, Place
-from rotsolve.motion.bodies.rigid import Piece
+from rotsolve.motion.rigid import RigidPiece
 
 DENSITY = {"line": ("lambda", "length"), "surface": ("sigma", "area"), "volume": ("rho", "volume")}
 EXTENTS = {"line": ("s", "length"), "surface": ("A", "area"), "volume": ("V", "volume")}
@@ -40,7 +40,7 @@ class Spread(Struct, frozen=True):
     """
 
     name: str
-    pieces: tuple[Piece, ...]
+    pieces: tuple[RigidPiece, ...]
     mass: Formula
     registry: Registry
     section: str
@@ -78,7 +78,7 @@ class Spread(Struct, frozen=True):
         """What a letter stands for."""
         return Equation(letter, formula, label, self.section, "", 1, said, bodies=(self.name,))
 
-    def called(self, piece: Piece) -> str:
+    def called(self, piece: RigidPiece) -> str:
         """A name for a piece that no other has."""
         names = [item.name for item in self.pieces]
         return piece.name if names.count(piece.name) < 2 else f"{piece.name}{self.pieces.index(piece) + 1}"

@@ -1,0 +1,344 @@
+"""Strings over and round pulleys and drums: tensions, and the rate rules of a string that neither stretches nor slips.
+
+A string is drawn from left to right in the order in which it is written. Each leg between two neighbours has a direction, from the
+earlier to the later; the two ends of a leg move equally fast along it. Round a wheel it passes over the top (clockwise from left
+to right) unless it is said to pass under.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import cached_property
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.facts import Force, Requirement, Rule
+from rotsolve.core.vectors.directions import along_text, opposite
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
+from rotsolve.core.writing import balance, spoken
+from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.connections.places import between
+from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.sides import rough
+from rotsolve.elements.surfaces import Surface, Wall
+from rotsolve.language.keys import key
+from rotsolve.language.problem import Body, PointRef
+
+if TYPE_CHECKING:
+    from rotsolve.motion.configuration import Configuration
+    from rotsolve.motion.instant import Instant
+
+
+WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
+
+
+class Leg(Struct, frozen=True):
+    """The straight part of a string between two neighbours: unit vector from the first to the second, and the two ends."""
+
+    first: PointRef
+    second: PointRef
+    along: Vector
+    arms: tuple[Vector, Vector]  # from the reference of either body; nothing for what does not move
+
+
+class Routing(Struct, frozen=True, dict=True):
+    """What a string touches, in order, and what the scene says of how it runs: by body the way it pulls, wheels passed under, a surface."""
+
+    points: tuple[PointRef, ...]
+    pulls: Mapping[str, str]
+    under: tuple[str, ...]
+    along: str | None
+    instant: Instant
+
+    @cached_property
+    def legs(self) -> tuple[Leg, ...]:
+        """All legs, with the points where they meet the bodies."""
+        pairs = list(pairwise(self.points))
+        along = [self.direction(index) for index in range(len(pairs))]
+        result = []
+        for index, (first, second) in enumerate(pairs):
+            arms = (self.meeting(index, along, index), self.meeting(index + 1, along, index))
+            result.append(Leg(first, second, along[index], arms))
+        return tuple(result)
+
+    def direction(self, index: int) -> Vector:
+        """Unit vector of a leg from its first to its second body, by whichever end settles it."""
+        leaving = self.leaving(index, index + 1)
+        if leaving is not None:
+            return leaving
+        arriving = self.leaving(index + 1, index)
+        if arriving is not None:
+            return -arriving
+        return unit(RIGHT)
+
+    def leaving(self, index: int, other: int) -> Vector | None:
+        """Direction in which the string leaves a body towards its neighbour, where that body settles it."""
+        ref, neighbour = self.points[index], self.points[other]
+        pulled = self.pulls.get(ref.owner)
+        if pulled is not None:
+            return unit(WORDS[pulled])
+        configuration = self.instant.configuration
+        surface = configuration.surfaces.get(self.along or "")
+        if surface is not None and any(self.travels(owner, surface) for owner in (ref.owner, neighbour.owner)):
+            return unit(uphill(surface) if ref.owner in configuration.bodies else uphill(surface).turned(180))
+        if ref.owner == "ceiling":
+            return unit(DOWN)
+        if isinstance(configuration.surfaces.get(ref.owner), Wall):
+            return unit(configuration.surfaces[ref.owner].normal)
+        geometric = between(ref, neighbour, self.instant)
+        if geometric is not None:
+            return geometric
+        return self.leaving_mover(index, other) if ref.owner in configuration.bodies else None
+
+    def travels(self, owner: str, surface: Surface) -> bool:
+        """Whether a body travels along a surface."""
+        instant = self.instant
+        line = instant.line(instant.host(owner)) if owner in instant.configuration.bodies else None
+        return line is not None and (line[0] - uphill(surface)).sin() == ZERO
+
+    def leaving_mover(self, index: int, other: int) -> Vector | None:
+        """Direction in which the string leaves a body that travels.
+
+        A hanging body is pulled up, one on a slope up the slope, one on the level towards its neighbour; a travelling pulley is
+        pulled up where the string passes under it, down where it passes over.
+        """
+        ref, neighbour = self.points[index], self.points[other]
+        line = self.instant.line(self.instant.host(ref.owner))
+        if line is None:
+            hinged = ref.point not in (None, "rim", "center") and self.instant.configuration.heavy
+            if not hinged or self.wraps(index):
+                return None
+            hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
+            return unit(DOWN if hanging else UP)
+        direction, words = line
+        if words.endswith("slope"):
+            return unit(direction if words.startswith("up") else direction.turned(180))
+        if direction.sin() == ZERO:
+            return unit(RIGHT if other > index else LEFT)
+        if self.wraps(index):
+            if index in (0, len(self.points) - 1):
+                return None if neighbour.owner == "ceiling" else unit(UP)
+            return unit(UP if ref.owner in self.under else DOWN)
+        lower = other > index and neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
+        return unit(DOWN if lower else UP)
+
+    def same_line(self, index: int) -> bool:
+        """Whether a neighbour hangs below: it travels too and the string does not go round it."""
+        owner = self.points[index].owner
+        return self.instant.configuration.line(owner, self.instant.state) is not None and not self.wraps(index)
+
+    def wraps(self, index: int) -> bool:
+        """Whether the string runs on a rim there: a round body named alone, by `rim`, or by one of its radii."""
+        ref = self.points[index]
+        if ref.owner not in self.instant.configuration.bodies or not self.instant.is_round(ref.owner):
+            return False
+        radii = {name for name, _ in self.instant.body(ref.owner).radii} | {"inner", "outer"}
+        return ref.point is None or ref.point == "rim" or ref.point in radii
+
+    def meeting(self, station: int, along: list[Vector], leg: int) -> Vector:
+        """Where a leg meets a body: the tangent point of a rim, on the left of the running string when it turns clockwise."""
+        ref = self.points[station]
+        if ref.owner not in self.instant.configuration.bodies:
+            return Vector()
+        if not self.wraps(station):
+            return self.instant.point(ref)
+        centre = self.instant.point(PointRef(ref.owner, "center"))
+        radius = rim_radius(self.instant.body(ref.owner), ref.point) or ZERO
+        if self.light(station):
+            return centre
+        return centre + along[leg].turned(90 * self.clockwise(station, along)).times(radius)
+
+    def clockwise(self, station: int, along: list[Vector]) -> int:
+        """+1 where the running string turns a wheel clockwise: over from left to right, or under from right to left."""
+        legs = [along[index] for index in (station - 1, station) if 0 <= index < len(along)]
+        leftward = any(rough(leg.along(RIGHT)) < -1e-9 for leg in legs)
+        return -1 if (self.points[station].owner in self.under) != leftward else 1
+
+    def light(self, station: int) -> bool:
+        """Whether the string just passes a pulley without inertia: the same tension on both sides."""
+        if station in (0, len(self.points) - 1) or not self.wraps(station):
+            return False
+        name = self.instant.host(self.points[station].owner)
+        weightless = all(piece.moment == ZERO for piece in self.instant.frame(name).pieces)
+        return weightless and not self.instant.configuration.driven(name, self.instant.state)
+
+    def strands(self) -> tuple[tuple[Leg, ...], ...]:
+        """Runs of legs with one tension: cut at every pulley that has inertia."""
+        strands: list[list[Leg]] = [[self.legs[0]]]
+        for index in range(1, len(self.legs)):
+            if self.light(index):
+                strands[-1].append(self.legs[index])
+            else:
+                strands.append([self.legs[index]])
+        return tuple(tuple(strand) for strand in strands)
+
+    def end_of(self, strand: tuple[Leg, ...]) -> str:
+        """The body that names a strand: one that it ends at without passing round it, else its first."""
+        stations = [(leg, side) for leg in strand for side in (0, 1)]
+        for leg, side in stations:
+            ref = (leg.first, leg.second)[side]
+            index = self.points.index(ref)
+            if ref.owner in self.instant.configuration.bodies and not self.wraps(index):
+                return ref.owner
+        return strand[0].first.owner or strand[0].second.owner
+
+
+def uphill(surface: Surface) -> Heading:
+    """Direction up a slope."""
+    return surface.travel("up")[0]
+
+
+def told_along(push: Vector, name: str, instant: Instant) -> str:
+    """A pull along the line on which a body travels, in the words of that line: ", up the slope"."""
+    line = instant.line(instant.host(name))
+    if line is None or len(push.parts) != 1:
+        return ""
+    gap = push.parts[0][1] - line[0]
+    if gap.terms or gap.degrees % 180:
+        return ""
+    return f", {line[1]}" if gap.degrees % 360 == 0 else f", {opposite(line[1])}"
+
+
+def said(push: Vector, arm: Vector, kind: str) -> str:
+    """How a pull is told: its direction for what travels, its turn for what is held on an axis."""
+    direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
+    if kind == "axis" and arm.parts:
+        turn = rough(arm.cross(push))
+        sense = "" if abs(turn) < 1e-12 else ", turning it counterclockwise" if turn > 0 else ", turning it clockwise"
+        return (f" {direction}" if direction and not sense else "") + sense
+    return f", {direction}" if direction else ", along the string"
+
+
+class String(Connection, frozen=True):
+    """A string over, round and under what it touches, named in order from its first end (on the left) to its last."""
+
+    word = "string"
+    about = "a string by what it touches, in order from its first end on the left to its last"
+    quantities = ("tension", "force", "work", "power", "impulse", "length")
+    words = ("slack", "taut")
+    string: tuple[PointRef, ...] = key(
+        "points", "what it touches, in order", count=(2, 200), required=True, example="[left, pulley, right]"
+    )
+    pulls: tuple[tuple[str, str], ...] = key(
+        "map of directions",
+        "direction in which it pulls a body",
+        default=(),
+        choices=("left", "right", "up", "down"),
+        refers=("body",),
+    )
+    over: tuple[str, ...] = key(
+        "names", "pulleys that it passes over, turning them clockwise (the default)", default=(), refers=("body",)
+    )
+    under: tuple[str, ...] = key(
+        "names", "pulleys that it passes under, turning them counterclockwise", default=(), refers=("body",)
+    )
+    along: str | None = key("name", "the surface that it runs along", default=None, refers=("surface",))
+    mass: Formula | None = key(
+        "quantity",
+        "mass of the string (a heavy rope is a body, `shape: rope`)",
+        dimension="mass",
+        limits="nonnegative",
+        default=None,
+        letter="m",
+        later=True,
+    )
+
+    def hangs(self, body: Body) -> bool:
+        """A body at an end of a string hangs from it where nothing else says how it travels."""
+        ends = (self.string[0], self.string[-1])
+        return any(ref.owner == body.name and ref.point in (None, "center") for ref in ends)
+
+    def pace(self, configuration: Configuration, state: str) -> str:
+        """Constant while all its legs keep their directions: bodies on lines and wheels turning about their centres."""
+        for ref in self.string:
+            if ref.owner in configuration.bodies and configuration.line(ref.owner, state) is None:
+                pivot = configuration.pivot(ref.owner, state)
+                if pivot is None or not configuration.balanced(ref.owner, state):
+                    return "position"
+        return "constant"
+
+    def facts(self, instant: Instant) -> Iterator[Fact]:
+        """A tension for each strand, its pulls on the bodies, and the rule that the strand keeps its length."""
+        course = self.course(instant)
+        for strand in course.strands():
+            tension = self.tension(strand, course)
+            yield Requirement(
+                self.name, tension, ZERO, (tension, " ≥ 0: the string stays taut"), "the string goes slack"
+            )
+            for leg in strand:
+                yield from self.pulls_of(leg, tension, instant)
+            yield from self.rules(strand, instant)
+
+    def course(self, instant: Instant) -> Routing:
+        """How it runs at a moment."""
+        return Routing(self.string, dict(self.pulls), self.under, self.along, instant)
+
+    def tension_at(self, name: str, instant: Instant) -> Formula | None:
+        """Tension of the part that leaves a body or support towards the next one named; at the last one, of the part that arrives."""
+        index = next((k for k, ref in enumerate(self.string) if ref.owner == name), None)
+        if index is None:
+            return None
+        course = self.course(instant)
+        wanted = course.legs[min(index, len(course.legs) - 1)]
+        return next(self.tension(strand, course) for strand in course.strands() if wanted in strand)
+
+    def tension(self, strand: tuple[Leg, ...], course: Routing) -> Formula:
+        """The tension of a strand, named after the body that it ends at where the string has several."""
+        instant = course.instant
+        component = "" if len(strand) == len(course.legs) else course.end_of(strand)
+        owner = next(ref.owner for ref in self.string if ref.owner in instant.configuration.bodies)
+        return instant.ask("tension", self.name, when=instant.span(instant.host(owner)), component=component)
+
+    def pulls_of(self, leg: Leg, tension: Formula, instant: Instant) -> Iterator[Force]:
+        """The tension on the bodies at both ends of a leg."""
+        for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
+            if ref.owner in instant.configuration.bodies:
+                words = (
+                    "tension ",
+                    tension,
+                    told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind),
+                )
+                yield Force(self.name, "tension", instant.host(ref.owner), tension, push, arm, words, internal=True)
+
+    def rules(self, strand: tuple[Leg, ...], instant: Instant) -> Iterator[Rule]:
+        """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0."""
+        sides = []
+        for rates in (velocity_at, acceleration_at):
+            terms = []
+            for leg in strand:
+                terms.append((rates(instant, leg.second, leg.arms[1]).dot(leg.along), 1))
+                terms.append((rates(instant, leg.first, leg.arms[0]).dot(leg.along), -1))
+            sides.append(balance([(value, sign) for value, sign in terms if value != ZERO]))
+        bodies = tuple(
+            {
+                ref.owner: None
+                for leg in strand
+                for ref in (leg.first, leg.second)
+                if ref.owner in instant.configuration.bodies
+            }
+        )
+        turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
+        label = "the string does not slip" if turning else "the string does not stretch"
+        others = [name for name in bodies if not instant.motion(name).turns] if len(self.string) > 2 else []
+        label += f", {spoken(others[0])}" if len(others) == 1 else ""
+        yield Rule(
+            self.name,
+            label,
+            bodies,
+            sides[0],
+            sides[1],
+            linear=self.pace(instant.configuration, instant.state) == "constant",
+        )
+
+
+def velocity_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
+    """Velocity of the point of a body at an arm from its reference; the ground is at rest."""
+    return instant.motion(ref.owner).velocity_of(arm) if ref.owner in instant.configuration.bodies else Vector()
+
+
+def acceleration_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
+    """Acceleration along a leg; a rim's centripetal part does not feed the string, which leaves it on a tangent."""
+    return instant.motion(ref.owner).acceleration_of(arm) if ref.owner in instant.configuration.bodies else Vector()
