@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
-from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.algebra.units.dimension import ENERGY
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Term
 from rotsolve.motion.rigid import tidy
@@ -45,6 +45,4 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
         result = add(result, gained[1] - gained[0])
     word = term.path.quantity.replace("_", " ")
     label = f"{term.modifier.replace('lost', 'loss of')} {word}"
-    return Meaning(negate(result) if term.modifier == "lost" else result, DIMENSIONS["energy"], label=label), intervals[
-        -1
-    ].name
+    return Meaning(negate(result) if term.modifier == "lost" else result, ENERGY, label=label), intervals[-1].name
