@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from rotsolve.core.derivation import Section
-from rotsolve.core.equation import LAWS
+from rotsolve.core.equation import FAMILIES
 from rotsolve.derivation.checks import checks, contradiction, turned_back
 from rotsolve.derivation.compose import Composer, with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
@@ -22,7 +22,7 @@ from rotsolve.search.answering import answer_all
 from rotsolve.search.explain.contradictory import contradicted, said_otherwise, turns_back
 from rotsolve.search.explain.unsolvable import unsolvable
 from rotsolve.search.friction import Decision, decide
-from rotsolve.search.planning import SAID, families_for
+from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solution import Solution, Trace
 
@@ -54,8 +54,8 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if not 1 <= digits <= MOST_DIGITS:
         raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
-    if law is not None and law not in LAWS:
-        raise ValueError(f"unknown law {law!r}; one of {', '.join(LAWS)}")
+    if law is not None and law not in FAMILIES:
+        raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
     with stage("arrange", whole=True):
         configuration = asked_part(problem)
     try:
@@ -163,7 +163,7 @@ def check_law(search: Search, law: str) -> None:
     used = {search.planner.pool[index].family for answered in search.answered for index in answered.used}
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
-        others = ", ".join(SAID[name] for name in LAWS if name in used)
+        others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
         raise unsolvable(
-            problem, f"{SAID[law]} does not settle anything that is asked here", None, f"it takes {others}"
+            problem, f"{FAMILIES[law].words} does not settle anything that is asked here", None, f"it takes {others}"
         )

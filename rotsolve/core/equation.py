@@ -1,4 +1,8 @@
-"""Equation: one law or rule, as a textbook writes it, with its reason and the place in the derivation where it belongs."""
+"""Equations, and the laws that they state: each law has an identity, by which it is asked for; what it is called is printed only.
+
+To add a law: a row here or beside its function (`Law(name, words, family, cost)`), and a row in rotsolve/laws/table.py that says for
+what it is written. `Law.equation` fills in the words.
+"""
 
 from __future__ import annotations
 
@@ -7,32 +11,88 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Integral
 from rotsolve.core.derivation import Words
+from rotsolve.core.writing import spoken
 
 NEWTON, ENERGY, ANGULAR_MOMENTUM = "newton", "energy", "angular-momentum"
 KINEMATICS = "kinematics"  # motion in time: used with every law, but not where only one moment is looked at
-LAWS = (NEWTON, ENERGY, ANGULAR_MOMENTUM)  # what `--law` may name; an equation without a law serves them all
+SECOND_CHOICE = 5  # laws of this cost restate others: they serve only a law that is asked for, or a confirmation
 
-DERIVATIVE = "derivative of the energy"  # the label of what may stand in for one of Newton's laws of its bodies
+
+class Family(Struct, frozen=True):
+    """What `--law` may name: laws by which a problem can be solved alone. `words` is how it is said, `gives` the verb that follows."""
+
+    name: str
+    words: str
+    gives: str = "gives"
+
+
+FAMILIES = {  # an equation without a family serves them all
+    one.name: one
+    for one in (
+        Family(NEWTON, "Newton's laws", "give"),
+        Family(ENERGY, "energy"),
+        Family(ANGULAR_MOMENTUM, "angular momentum"),
+    )
+}
+
+
+class Law(Struct, frozen=True):
+    """What an equation states. `name` is its identity.
+
+    `words` is its label, with braces for what an equation fills in; {body} is the first of its bodies. `family` is one of FAMILIES,
+    KINEMATICS, or '' for rules and definitions; `cost` orders plans (a textbook's first choice costs least).
+    """
+
+    name: str
+    words: str = "{words}"
+    family: str = ""
+    cost: int = 2
+    steady: bool = False  # of constant acceleration: of all those of one coordinate in a phase only two are independent
+    condenses: bool = False  # may stand in for one of Newton's laws of its bodies
+    shifts: bool = False  # takes a moment of inertia to another axis, by M d² as its last term
+    kinetic: bool = False  # says what a kinetic energy is
+
+    def equation(
+        self,
+        left: Formula,
+        right: Formula,
+        section: str,
+        bodies: tuple[str, ...] = (),
+        remark: Words = (),
+        *,
+        cost: int | None = None,
+        defines: str = "",
+        relation: str = "=",
+        **words: str,
+    ) -> Equation:
+        """left = right by this law, its label filled in with `words`."""
+        label = self.words.format(body=spoken(bodies[0]) if bodies else "", **words)
+        own = self.cost if cost is None else cost
+        return Equation(left, right, self, section, label, own, remark, defines, bodies, relation)
 
 
 class Equation(Struct, frozen=True):
-    """left = right.
+    """left = right, by a law.
 
-    `family` is one of LAWS, or '' for rules and definitions; `label` names the law and the body; `section` the state, phase or event
-    where it is written; `cost` orders plans (a textbook's first choice costs least). `defines` names the symbol that a
-    definition introduces, which the solver puts in first. `relation` is ≈ where small quantities have been left out.
+    `section` is the state, phase or event where it is written, `label` what is printed beside it, `cost` that of its law or its own.
+    `defines` names the symbol that a definition introduces, which the solver puts in first. `relation` is ≈ where small quantities have
+    been left out.
     """
 
     left: Formula
     right: Formula
-    label: str
+    law: Law
     section: str
-    family: str = ""
+    label: str = ""
     cost: int = 2
     remark: Words = ()
     defines: str = ""
     bodies: tuple[str, ...] = ()
     relation: str = "="
+
+    @property
+    def family(self) -> str:
+        return self.law.family
 
     def symbols(self) -> frozenset[str]:
         return self.left.symbols() | self.right.symbols()
@@ -49,3 +109,75 @@ class Equation(Struct, frozen=True):
     def renamed(self, names: dict[str, Formula]) -> Equation:
         remark = tuple(part.substitute(names) if isinstance(part, Formula) else part for part in self.remark)
         return replace(self, left=self.left.substitute(names), right=self.right.substitute(names), remark=remark)
+
+
+# Newton's laws
+
+SECOND_LAW = Law("second law", "Newton's second law, {body}{component}", NEWTON, 3)
+ROTATION = Law("rotation", "Newton's law for rotation, {body}{about}", NEWTON, 3)
+TORQUES = Law("torques", "balance of torques, {body} about {point}", NEWTON, 3)
+CUT_TORQUES = Law("balance at a cut", "balance of torques about the cut, {body}", NEWTON, 3)
+SUMMED_OVER_WAY = Law("summed over the way", "Newton's law summed over the {over}, {body}", NEWTON, 5)
+POINT_OF_SLIPPING = Law("point of slipping", "on the point of slipping, f = μₛ N", NEWTON)
+
+# energy
+
+CONSERVATION = Law("conservation of energy", "conservation of energy{since}, K₁ + U₁ = K₂ + U₂", ENERGY, 4)
+WORK_AND_ENERGY = Law("work and energy", "work and energy, K₁ + U₁ + W = K₂ + U₂", ENERGY, 4)
+POWER = Law("power", "power and kinetic energy", ENERGY, 5)
+DERIVATIVE = Law("derivative of the energy", "derivative of the energy", ENERGY, 5, condenses=True)
+WORK = Law("work", "work of {owner}", cost=3)
+
+# momentum and angular momentum
+
+MOMENTUM = Law("momentum", "{words}", ANGULAR_MOMENTUM, 3)
+BLOWS = Law("blows", "impulse = change of momentum, {body}", ANGULAR_MOMENTUM, 4)
+TWISTS = Law("twists", "angular impulse = change of angular momentum, {body}{about}", ANGULAR_MOMENTUM, 4)
+COMMON_AXIS = Law("angular momentum about an axis", "{words}", ANGULAR_MOMENTUM, 3)
+ANGLES_TURNED = Law("angles turned", "angular momentum summed over the time", ANGULAR_MOMENTUM, 5)
+RATE = Law("rate of angular momentum", "angular momentum about {point}: its rate is the torque", ANGULAR_MOMENTUM, 5)
+RESTITUTION = Law("restitution", "coefficient of restitution")
+
+# motion
+
+RULE = Law("rule")  # of rates and accelerations
+RULE_OF_WAYS = Law("rule of ways", family=KINEMATICS)
+STRETCH = Law("stretch")
+GIVEN_MOTION = Law("given motion", "{quantity} {letters}, {body}", KINEMATICS, 1)
+PERIOD = Law("period", "period of {body}, T = 2π/ω", KINEMATICS, 1)
+STEADY = Law("steady rotation", "{body} turns steadily", KINEMATICS, 1)
+STEADY_TRAVEL = Law("constant acceleration", "constant acceleration, {body}", KINEMATICS, steady=True)
+STEADY_TURN = Law("constant angular acceleration", "constant angular acceleration, {body}", KINEMATICS, steady=True)
+TRAVEL_AT_ANY_TIME = Law("travel at any time", "constant acceleration, at any time, {body}", KINEMATICS, 3, steady=True)
+TURN_AT_ANY_TIME = Law(
+    "turn at any time", "constant angular acceleration, at any time, {body}", KINEMATICS, 3, steady=True
+)
+IN_TIME = Law("in time", "{words}, {body}", KINEMATICS)
+BY_PLACE = Law("by place", "{words}, {body}", KINEMATICS)
+COORDINATE = Law("coordinate", "{words}, {body}", KINEMATICS, 1)
+SEPARATED_BY_RATE = Law("separated by rate", "separating the variables, {words}, {body}", KINEMATICS, 3)
+SPEED_AT_PLACE = Law("speed at any place", "speed at any place, {words}, {body}", KINEMATICS, 3)
+SEPARATED_BY_PLACE = Law("separated by place", "separating the variables, {words}, {body}", KINEMATICS, 3)
+TIME_ELAPSED = Law("time elapsed", "time elapsed", KINEMATICS, 1)
+REVERSAL = Law("reversal", family=KINEMATICS, cost=1)
+
+# inertia and the centre of mass
+
+INERTIA = Law("inertia", cost=1)  # what a mass, a centre of mass or a moment of inertia is
+PARALLEL_AXES = Law("parallel axes", cost=1, shifts=True)
+
+# small swings
+
+HARMONIC = Law("simple harmonic motion", "simple harmonic motion")
+PENDULUM = Law("pendulum", "equation of motion of a pendulum")
+SMALL_SWINGS = Law("small swings", "small swings", cost=1)
+SWINGS = Law("period of swings", cost=1)
+STABILITY = Law("stability", "limit of stability, nothing drives it back")
+
+# what the scene and its questions say
+
+STATED = Law("stated")
+CONDITION = Law("condition", "the condition{words}")
+DEFINITION = Law("definition", cost=1)
+KINETIC_ENERGY = Law("kinetic energy", cost=1, kinetic=True)
+FOUND = Law("found", "", cost=0)  # found before: no law of its own

@@ -10,7 +10,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import STRETCH, Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
@@ -263,7 +263,7 @@ class SceneEquations(Struct, dict=True):
                 grown = midst.rate.substitute(self.changes(phase))
                 left = last.elongation - first.elongation
                 if left != grown and not midst.placed:
-                    yield Equation(left, grown, midst.label, name, "", 2, bodies=midst.bodies)
+                    yield STRETCH.equation(left, grown, name, midst.bodies, words=midst.label)
 
 
 def observed(state: State) -> Iterator[tuple[Condition, Term]]:

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Power, Product, Sum, Symbol, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import INERTIA, Equation, Law
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.laws.integration import centre_letter, origin
@@ -92,6 +92,7 @@ class Told(Struct, frozen=True):
     label: str
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
+    law: Law = INERTIA
 
 
 def centre(spread: Spread, axis: str) -> Told:

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.formula import ZERO, Formula, Number
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import ENERGY, Equation
+from rotsolve.core.equation import CONSERVATION, WORK, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP
@@ -35,13 +35,9 @@ def conservation(passage: Passage, section: str, earlier: Sequence[Passage] = ()
             if not flat(left) and not flat(right):
                 continue
             since = "" if start is passage else f" since {spoken(start.start.state)}"
-            label = (
-                "work and energy, K₁ + U₁ + W = K₂ + U₂"
-                if works
-                else f"conservation of energy{since}, K₁ + U₁ = K₂ + U₂"
-            )
-            words = reason(passage, group, bool(works))
-            yield Equation(*arranged(left, right), label, section, ENERGY, 4, words, bodies=tuple(sorted(group)))
+            law, names = WORK_AND_ENERGY if works else CONSERVATION, tuple(sorted(group))
+            remark = reason(passage, group, bool(works))
+            yield law.equation(*arranged(left, right), section, names, remark, since=since)
 
 
 def at_rest_before(passage: Passage, group: frozenset[str], earlier: Sequence[Passage]) -> Passage | None:
@@ -68,8 +64,7 @@ def works(passage: Passage, section: str) -> Iterator[Equation]:
     """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
     for work in passage.works:
         if work.spelled is not None and work.spelled != work.amount:
-            label = f"work of {work.owner.replace('_', ' ')}"
-            yield Equation(work.amount, work.spelled, label, section, "", 3, bodies=work.bodies)
+            yield WORK.equation(work.amount, work.spelled, section, work.bodies, owner=spoken(work.owner))
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:

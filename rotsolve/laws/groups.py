@@ -9,7 +9,7 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, DERIVATIVE, ENERGY, Equation
+from rotsolve.core.equation import DERIVATIVE, POWER, RATE, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import flat, positive_first, spoken
@@ -45,10 +45,8 @@ def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Itera
                 pushes.append(signed(held.arm.cross(pull), sense))
     pushes += [signed(force.torque, sense) for force in wheel.forces if (force.owner, force.size) not in between]
     pushes += [signed(couple.torque, sense) for couple in wheel.couples]
-    label = f"angular momentum about the {'pivot' if wheel.cm.parts else 'axle'}: its rate is the torque"
-    yield Equation(
-        positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(wheel.name,)
-    )
+    point = "the pivot" if wheel.cm.parts else "the axle"
+    yield RATE.equation(positive_first(pushes), positive_first(rates), section, (wheel.name,), point=point)
 
 
 def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
@@ -71,10 +69,8 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     pushes += [signed(couple.torque, sense) for couple in body.couples]
     orbital = signed((-point).cross(body.motion.acceleration.scaled(body.mass)), sense)
     rates = [term for term in (response(body), orbital) if term != ZERO]
-    label = f"angular momentum about the point of contact of {spoken(body.name)}: its rate is the torque"
-    yield Equation(
-        positive_first(pushes), positive_first(rates), label, section, ANGULAR_MOMENTUM, 5, bodies=(body.name,)
-    )
+    where = f"the point of contact of {spoken(body.name)}"
+    yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
 
 
 ACCELERATIONS = ("acceleration|", "angular_acceleration|")
@@ -122,7 +118,7 @@ def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterato
         f" times the square of the {pace}; the derivative of the energy, divided by this {pace}, leaves out the forces that do no work.",
     )
     sides = positive_first(pushes), inertia * Symbol(free)
-    yield Equation(*sides, DERIVATIVE, section, ENERGY, 5, words, bodies=tuple(sorted(group)))
+    yield DERIVATIVE.equation(*sides, section, tuple(sorted(group)), words)
 
 
 def with_free(names: list[str], others: dict[str, Formula], value: Formula) -> dict[str, Formula]:
@@ -145,10 +141,7 @@ def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equatio
         words: Words = (
             "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
         )
-        label = "power and kinetic energy"
-        yield Equation(
-            positive_first([balance[0]]), balance[1], label, section, ENERGY, 5, words, bodies=tuple(sorted(group))
-        )
+        yield POWER.equation(positive_first([balance[0]]), balance[1], section, tuple(sorted(group)), words)
 
 
 def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:

@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS
 from rotsolve.core.writing import flat, is_negative, spoken
@@ -41,7 +41,9 @@ def moment(spread: Spread, entry: str) -> Told:
     letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.spot}")
     if isinstance(spread.known, Symbol) and spread.central and entry == "zz":
         letter = spread.known
-    return Told(letter, "", (), (*told.definitions, spread.define(letter, told.formula, told.label, told.said)))
+    return Told(
+        letter, "", (), (*told.definitions, spread.define(letter, told.formula, told.label, told.said, told.law))
+    )
 
 
 def one_axis(spread: Spread, entry: str) -> Told:
@@ -65,7 +67,7 @@ def of_one(spread: Spread, entry: str) -> Told:
     square = sum_of_squares(distances)
     words = distance_words(distances, square)
     said = (*words, " from the centre of mass") if words else ()
-    return Told(letter + piece.mass * square, "parallel axes, I = I_cm + M d²", said, defined)
+    return Told(letter + piece.mass * square, "parallel axes, I = I_cm + M d²", said, defined, PARALLEL_AXES)
 
 
 def by_symmetry(spread: Spread, entry: str) -> Told | None:
@@ -159,7 +161,8 @@ def share(spread: Spread, piece: RigidPiece, mass: Formula, entry: str) -> tuple
     said: Words = (*distance_words(distances, square),) if distances else ()
     what = f"moment of inertia, {spoken(spread.called(piece))}{'' if noun(piece) == spoken(piece.name) else f' ({noun(piece)})'}"
     label = f"{what}, parallel axes" if distances else what
-    equation = spread.define(letter, add(tabled, size * square) if distances else tabled, label, said)
+    whole, law = (add(tabled, size * square), PARALLEL_AXES) if distances else (tabled, INERTIA)
+    equation = spread.define(letter, whole, label, said, law)
     return (negate(letter) if cut_out else letter), [equation]
 
 

@@ -7,14 +7,13 @@ from collections.abc import Iterable
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation, Law
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
 from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.motion.rigid import RigidPiece
 from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
 
 Steps = tuple[Equation, ...]
-Law = tuple[Formula, str, Words]
 INTEGRALS = {
     "xx": "I = ∫ (y² + z²) dm",
     "yy": "I = ∫ (x² + z²) dm",
@@ -102,13 +101,13 @@ def centre_letter(spread: Spread, piece: RigidPiece, axis: str) -> tuple[Formula
     return letter, (*steps, *more, spread.define(letter, ONE / whole * integral, label, said))
 
 
-def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formula, str, Words, Steps]:
+def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formula, str, Words, Steps, Law]:
     """∫ r² dm about the point itself, or about the axis of the elements and from there by the parallel-axes theorem."""
     cut = sliced(spread, piece)
     straight = cut.measured_from(spread.point) if piece.shape.tabled or not spread.central else None
     sigma, steps = density(spread, piece)
     if straight is not None:
-        return (*integral_of(spread, piece, straight, sigma, entry), steps)
+        return (*integral_of(spread, piece, straight, sigma, entry), steps, INERTIA)
     whole, more = mass(spread, piece)
     centre, placed = centre_of(spread, piece, cut)
     about, label, said = integral_of(spread, piece, cut, sigma, entry)
@@ -120,8 +119,9 @@ def by_integration(spread: Spread, piece: RigidPiece, entry: str) -> tuple[Formu
     there = displaced(whole, centre).entry(entry)
     seen = place_of(p - o - c for p, o, c in zip(spread.point, cut.origin, centre, strict=True))
     away = ZERO if spread.central else displaced(whole, seen).entry(entry)
-    law = "I_cm = I − M d²" if spread.central else "I = I_cm + M d²"
-    return letter - there + away, f"parallel axes, {law}" if entry in ONE_AXIS else "parallel axes, products", (), steps
+    words = "I_cm = I − M d²" if spread.central else "I = I_cm + M d²"
+    words = f"parallel axes, {words if entry in ONE_AXIS else 'products'}"
+    return letter - there + away, words, (), steps, PARALLEL_AXES
 
 
 def centre_of(spread: Spread, piece: RigidPiece, cut: Slicing) -> tuple[Place, Steps]:
@@ -137,7 +137,9 @@ def place_of(parts: Iterable[Formula]) -> Place:
     return (x, y, z)
 
 
-def integral_of(spread: Spread, piece: RigidPiece, cut: Slicing, sigma: Formula, entry: str) -> Law:
+def integral_of(
+    spread: Spread, piece: RigidPiece, cut: Slicing, sigma: Formula, entry: str
+) -> tuple[Formula, str, Words]:
     """The integral for an entry, its law, and what the elements are."""
     second = cut.second(entry)
     words = {**INTEGRALS, **(FLAT if piece.shape.flat else {})}

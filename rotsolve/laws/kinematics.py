@@ -5,13 +5,25 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.formula import ONE, Formula, Integral, Number, Symbol, add
-from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINEMATICS, NEWTON, Equation
+from rotsolve.algebra.formula import ONE, Integral, Number, Symbol, add
+from rotsolve.core.equation import (
+    BY_PLACE,
+    COORDINATE,
+    IN_TIME,
+    SEPARATED_BY_PLACE,
+    SEPARATED_BY_RATE,
+    SPEED_AT_PLACE,
+    STEADY_TRAVEL,
+    STEADY_TURN,
+    SUMMED_OVER_WAY,
+    TIME_ELAPSED,
+    TRAVEL_AT_ANY_TIME,
+    TURN_AT_ANY_TIME,
+    Equation,
+)
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.registry import TIME
-from rotsolve.core.writing import spoken
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
 LETTERS = {"turn": ("ω", "α", "θ"), "line": ("v", "a", "x")}
@@ -33,26 +45,11 @@ def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
         if start is not None and end is not None and end != add(start, travel.change):
             change = travel.arm * (end - start)
             words = CHANGE[travel.kind] if travel.arm == ONE else "way along the circle"
-            yield equation(travel.change, change, words, travel, section, cost=1)
+            yield COORDINATE.equation(travel.change, change, section, (travel.body,), words=words)
         if travel.running is not None:
             yield from at_any_time(travel, passage, section)
     if passage.times[0] != passage.times[1]:
-        yield Equation(passage.duration, passage.times[1] - passage.times[0], "time elapsed", section, KINEMATICS, 1)
-
-
-def equation(
-    left: Formula,
-    right: Formula,
-    words: str,
-    travel: Travel,
-    section: str,
-    family: str = KINEMATICS,
-    cost: int = 2,
-    remark: Words = (),
-) -> Equation:
-    return Equation(
-        left, right, f"{words}, {spoken(travel.body)}", section, family, cost, remark, bodies=(travel.body,)
-    )
+        yield TIME_ELAPSED.equation(passage.duration, passage.times[1] - passage.times[0], section)
 
 
 def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
@@ -64,47 +61,45 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
         travel.change,
         passage.duration,
     )
-    words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
-    yield equation(after, before + rate * time, words, travel, section)
-    yield equation(change, before * time + HALF * rate * square(time), words, travel, section, cost=3)
-    yield equation(square(after), square(before) + TWO * rate * change, words, travel, section, cost=3)
-    yield equation(
-        change, HALF * (before + after) * time, words, travel, section, cost=3, remark=("mean velocity × time",)
-    )
+    law, bodies = STEADY_TRAVEL if travel.kind == "line" else STEADY_TURN, (travel.body,)
+    yield law.equation(after, before + rate * time, section, bodies)
+    yield law.equation(change, before * time + HALF * rate * square(time), section, bodies, cost=3)
+    yield law.equation(square(after), square(before) + TWO * rate * change, section, bodies, cost=3)
+    yield law.equation(change, HALF * (before + after) * time, section, bodies, ("mean velocity × time",), cost=3)
 
 
 def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
     """v₂ = v₁ + ∫ a dt where the velocity is not given, and the change of the coordinate as ∫ v dt."""
-    start, end = passage.times
+    bodies, (start, end) = (travel.body,), passage.times
     if travel.given != 1:
         words = "velocity from acceleration" if travel.kind == "line" else "angular velocity from angular acceleration"
         gained = Integral(travel.acceleration, TIME, start, end)
-        yield equation(travel.after, travel.before + gained, words, travel, section)
+        yield IN_TIME.equation(travel.after, travel.before + gained, section, bodies, words=words)
         gained = Integral(travel.acceleration, TIME, start, Symbol(TIME))
-        yield equation(travel.moving, travel.before + gained, f"{words}, at any time", travel, section)
+        yield IN_TIME.equation(travel.moving, travel.before + gained, section, bodies, words=f"{words}, at any time")
     words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
-    yield equation(travel.change, Integral(travel.moving, TIME, start, end), words, travel, section)
+    yield IN_TIME.equation(travel.change, Integral(travel.moving, TIME, start, end), section, bodies, words=words)
 
 
 def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
     """v(t) and the change of the coordinate up to any time, and what the coordinate is then."""
     start, now = passage.times[0], Symbol(TIME)
-    change = travel.running
+    change, bodies = travel.running, (travel.body,)
     assert change is not None
     if travel.pace == "constant" and travel.given != 0:
-        words = "constant acceleration" if travel.kind == "line" else "constant angular acceleration"
+        law = TRAVEL_AT_ANY_TIME if travel.kind == "line" else TURN_AT_ANY_TIME
         rate, passed = travel.acceleration, now - start
-        words = f"{words}, at any time"
-        yield equation(travel.moving, travel.before + rate * passed, words, travel, section, cost=3)
+        yield law.equation(travel.moving, travel.before + rate * passed, section, bodies)
         way = travel.before * passed + HALF * rate * square(passed)
-        yield equation(change, way, words, travel, section, cost=3)
+        yield law.equation(change, way, section, bodies)
     elif travel.pace == "time" and travel.given != 0:
         words = "displacement from velocity" if travel.kind == "line" else "angle turned from angular velocity"
         way = Integral(travel.moving, TIME, start, now)
-        yield equation(change, way, f"{words}, at any time", travel, section)
+        yield IN_TIME.equation(change, way, section, bodies, words=f"{words}, at any time")
     if travel.start is not None and travel.coordinate is not None:
         gained = travel.arm * (signed(travel.coordinate, travel.sense) - travel.start)
-        yield equation(change, gained, f"{CHANGE[travel.kind]}, at any time", travel, section, cost=1)
+        words = f"{CHANGE[travel.kind]}, at any time"
+        yield COORDINATE.equation(change, gained, section, bodies, words=words)
 
 
 def by_place(travel: Travel, section: str) -> Iterator[Equation]:
@@ -116,10 +111,10 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
     integral = Integral(signed(travel.acceleration * travel.arm, travel.sense), travel.coordinate.name, start, end)
     if travel.given is not None:
         words = "ω dω = α dθ" if travel.kind == "turn" else "v dv = a dx"
-        yield equation(gained, integral, words, travel, section)
+        yield BY_PLACE.equation(gained, integral, section, (travel.body,), words=words)
     else:
         over = "angle" if travel.kind == "turn" else "way"
-        yield equation(gained, integral, f"Newton's law summed over the {over}", travel, section, NEWTON, 5)
+        yield SUMMED_OVER_WAY.equation(gained, integral, section, (travel.body,), over=over)
 
 
 def separation(passage: Passage, section: str) -> Iterator[Equation]:
@@ -135,12 +130,11 @@ def by_rate(travel: Travel, rate: str, passage: Passage, section: str) -> Iterat
     """t = ∫ dω/α and θ = ∫ ω dω/α from the first speed to the last."""
     limits = (rate, travel.before, travel.after)
     rate_letter, acceleration, place = LETTERS[travel.kind]
-    words = f"separating the variables, dt = d{rate_letter}/{acceleration}"
-    yield equation(passage.duration, Integral(ONE / travel.acceleration, *limits), words, travel, section, cost=3)
-    words = f"separating the variables, d{place} = {rate_letter} d{rate_letter}/{acceleration}"
-    yield equation(
-        travel.change, Integral(travel.moving / travel.acceleration, *limits), words, travel, section, cost=3
-    )
+    time, way = (Integral(top / travel.acceleration, *limits) for top in (ONE, travel.moving))
+    words = f"dt = d{rate_letter}/{acceleration}"
+    yield SEPARATED_BY_RATE.equation(passage.duration, time, section, (travel.body,), words=words)
+    words = f"d{place} = {rate_letter} d{rate_letter}/{acceleration}"
+    yield SEPARATED_BY_RATE.equation(travel.change, way, section, (travel.body,), words=words)
 
 
 def along_the_way(travel: Travel, place: str, passage: Passage, section: str) -> Iterator[Equation]:
@@ -150,8 +144,7 @@ def along_the_way(travel: Travel, place: str, passage: Passage, section: str) ->
     gained = HALF * square(travel.moving) - HALF * square(travel.before)
     pushed = Integral(signed(travel.acceleration, travel.sense), place, start, Symbol(place))
     rate, acceleration, letter = LETTERS[travel.kind]
-    words = f"speed at any place, {rate} d{rate} = {acceleration} d{letter}"
-    yield equation(gained, pushed, words, travel, section, cost=3)
-    slowness = ONE / signed(travel.moving, travel.sense)
-    words = f"separating the variables, dt = d{letter}/{rate}"
-    yield equation(passage.duration, Integral(slowness, place, start, end), words, travel, section, cost=3)
+    words = f"{rate} d{rate} = {acceleration} d{letter}"
+    yield SPEED_AT_PLACE.equation(gained, pushed, section, (travel.body,), words=words)
+    time = Integral(ONE / signed(travel.moving, travel.sense), place, start, end)
+    yield SEPARATED_BY_PLACE.equation(passage.duration, time, section, (travel.body,), words=f"dt = d{letter}/{rate}")

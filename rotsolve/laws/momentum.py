@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, Equation
+from rotsolve.core.equation import ANGLES_TURNED, BLOWS, COMMON_AXIS, MOMENTUM, RESTITUTION, TWISTS, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
 from rotsolve.core.registry import SEPARATOR, TIME
@@ -25,27 +25,32 @@ def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
         if first is None or body is None or travel.pace not in ("constant", TIME):
             continue
         if travel.kind == "turn" and body.motion.kind == "axis" and body.inertia is not None:
-            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about(body)}"
             sense, pairs = body.motion.sense, zip(first.acting, body.acting, strict=False)
             efforts = [(signed(one.torque, sense), signed(other.torque, sense)) for one, other in pairs]
-            yield summed(efforts, body.inertia.letter, travel, passage, label, section)
+            yield summed(TWISTS, efforts, body.inertia.letter, travel, passage, section, about(body))
         elif travel.kind == "line" and travel.pace == TIME and body.motion.heading is not None:
-            label, way = f"impulse = change of momentum, {spoken(body.name)}", body.motion.heading
+            way = body.motion.heading
             efforts = [
                 (one.vector.along(way), other.vector.along(way))
                 for one, other in zip(first.forces, body.forces, strict=False)
             ]
-            yield summed(efforts, body.mass, travel, passage, label, section)
+            yield summed(BLOWS, efforts, body.mass, travel, passage, section)
 
 
 def summed(
-    efforts: list[tuple[Formula, Formula]], inertia: Formula, travel: Travel, passage: Passage, label: str, section: str
+    stated: Law,
+    efforts: list[tuple[Formula, Formula]],
+    inertia: Formula,
+    travel: Travel,
+    passage: Passage,
+    section: str,
+    about: str = "",
 ) -> Equation:
     """Σ effort summed over time = inertia · (after − before)."""
     pushes = [over_time(first, midway, passage) for first, midway in efforts]
     left, right = law(flat(pushes), inertia * travel.after - inertia * travel.before)
     cost = 4 if travel.pace != TIME else 5  # in time it restates what Newton's law and the velocity as an integral say
-    return Equation(left, right, label, section, ANGULAR_MOMENTUM, cost, bodies=(travel.body,))
+    return stated.equation(left, right, section, (travel.body,), cost=cost, about=about)
 
 
 def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
@@ -71,7 +76,7 @@ def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
             if all(force.vector.along(axis) == ZERO for force in body.forces):
                 before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
                 label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
-                yield Equation(before, after, label, section, ANGULAR_MOMENTUM, 3, bodies=(body.name,))
+                yield MOMENTUM.equation(before, after, section, (body.name,), words=label)
 
 
 def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
@@ -90,7 +95,7 @@ def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
             label = "angular impulse = change of angular momentum about the axis"
         if flat(before) or flat(after):
             sides = positive_first([*before, *outside]), positive_first(after)
-            yield Equation(*sides, label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+            yield COMMON_AXIS.equation(*sides, section, names, words, words=label)
         if len(members) > 1 and not outside and not any(body.changing for body in members):
             yield from angles_turned(passage, members, before, section)
 
@@ -114,9 +119,8 @@ def angles_turned(
         if body.inertia is not None and (travel.body, travel.kind) == (body.name, "turn")
     ]
     right = [term * passage.duration for term in momentum]
-    label = "angular momentum summed over the time"
     words: Words = ("Angular momentum is the same at every moment: its sum over the time tells the angles turned.",)
-    yield Equation(*moved(turned, right), label, section, ANGULAR_MOMENTUM, 5, words, bodies=names)
+    yield ANGLES_TURNED.equation(*moved(turned, right), section, names, words)
 
 
 def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:
@@ -159,7 +163,7 @@ def rebound(encounter: Encounter, section: str) -> Iterator[Equation]:
     """Speed of separation = e · speed of approach, where the scene tells e."""
     if encounter.restitution is not None:
         coefficient, approach, separation = encounter.restitution
-        yield Equation(separation, coefficient * approach, "coefficient of restitution", section, "", 2)
+        yield RESTITUTION.equation(separation, coefficient * approach, section)
 
 
 def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], section: str) -> Iterator[Equation]:
@@ -186,7 +190,7 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         )
         words: Words = (f"No outside torque acts {point}: {why_none(members)}.",) if pivot and not outside else ()
         if flat(before) or flat(after):
-            yield Equation(*moved([*before, *torque], after), label, section, ANGULAR_MOMENTUM, 3, words, bodies=names)
+            yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
     if pivot is None:
         yield from linear(members, outside, section, names)
 
@@ -210,7 +214,7 @@ def linear(members: list[Meeting], outside: list[Force], section: str, names: tu
         blow = [force.vector.along(axis) for force in outside]
         if flat(before) or flat(after) or flat(blow):
             label = "momentum is conserved" if not flat(blow) else "impulse = change of momentum"
-            yield Equation(*moved([*before, *blow], after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
+            yield MOMENTUM.equation(*moved([*before, *blow], after), section, names, words=label)
 
 
 def spin_terms(item: Meeting, sense: int, *, after: bool) -> list[Formula]:
@@ -239,8 +243,7 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
         change = [body.mass * item.after.along(axis), negate(body.mass * item.before.along(axis))]
         if flat(pushes) or flat(change):
             left, right = moved([*pushes, body.mass * item.before.along(axis)], [change[0]])
-            label = f"impulse = change of momentum, {spoken(body.name)}"
-            yield Equation(left, right, label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+            yield BLOWS.equation(left, right, section, (body.name,))
     if body.motion.turns:
         sense = body.motion.sense
         pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
@@ -248,5 +251,4 @@ def single(item: Meeting, section: str) -> Iterator[Equation]:
         before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
         if flat(pushes) or flat([before, after]):
             about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"
-            label = f"angular impulse = change of angular momentum, {spoken(body.name)}{about_centre}"
-            yield Equation(*moved([*pushes, before], [after]), label, section, ANGULAR_MOMENTUM, 4, bodies=(body.name,))
+            yield TWISTS.equation(*moved([*pushes, before], [after]), section, (body.name,), about=about_centre)

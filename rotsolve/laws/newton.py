@@ -9,7 +9,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
 from rotsolve.core.facts import BodyFacts, Cut, Facts, Force, Inertia, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
@@ -41,15 +41,7 @@ def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     if all(force == ZERO for force in forces) and response == ZERO:
         return None
     left, right = law(forces, response)
-    return Equation(
-        left,
-        right,
-        f"Newton's second law, {spoken(body.name)}{axis_words(body, axis)}",
-        section,
-        NEWTON,
-        3,
-        bodies=(body.name,),
-    )
+    return SECOND_LAW.equation(left, right, section, (body.name,), component=axis_words(body, axis))
 
 
 def axis_words(body: BodyFacts, axis: Heading) -> str:
@@ -91,8 +83,7 @@ def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
     """Σ τ = I α of one body."""
     left, right = law(torques(body), response(body))
     if (left, right) != (ZERO, ZERO):
-        label = f"Newton's law for rotation, {spoken(body.name)}{about(body)}"
-        yield Equation(left, right, label, section, NEWTON, 3, carried(body), bodies=(body.name,))
+        yield ROTATION.equation(left, right, section, (body.name,), carried(body), about=about(body))
 
 
 def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
@@ -111,9 +102,9 @@ def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
         for point, owner in points:
             pushes = [torque_about(point, force) for force in body.forces]
             left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
-            label = f"balance of torques, {spoken(body.name)} about its point of contact at {spoken(owner)}"
             geometry = next(filter(None, (by_triangle(point, force) for force in body.forces)), ())
-            yield Equation(left, right, label, section, NEWTON, 3, geometry, bodies=(body.name,))
+            where = f"its point of contact at {spoken(owner)}"
+            yield TORQUES.equation(left, right, section, (body.name,), geometry, point=where)
 
 
 def by_triangle(point: Vector, force: Force) -> Words:
@@ -212,7 +203,7 @@ def of_pieces(facts: Facts, section: str) -> Iterator[Equation]:
 
 def definition(item: Inertia, name: str, section: str) -> Equation:
     defines = next(iter(item.letter.symbols()), "")
-    return Equation(item.letter, item.formula, item.label, section, "", 1, item.remark, defines, bodies=(name,))
+    return INERTIA.equation(item.letter, item.formula, section, (name,), item.remark, defines=defines, words=item.label)
 
 
 def still(cut: Cut) -> bool:
@@ -227,5 +218,4 @@ def about_cut(cut: Cut, section: str) -> Iterator[Equation]:
     away = [force for force in body.forces if force.arm != cut.at]
     torques: list[Formula] = [signed(torque_about(cut.at, force), sense) for force in away]
     torques += [signed(couple.torque, sense) for couple in body.couples]
-    label = f"balance of torques about the cut, {spoken(body.name)}"
-    yield Equation(*law(torques, ZERO), label, section, NEWTON, 3, bodies=(body.name,))
+    yield CUT_TORQUES.equation(*law(torques, ZERO), section, (body.name,))

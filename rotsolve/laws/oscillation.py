@@ -9,26 +9,26 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Integral, Number, Symbol, call, negate, sqrt
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import HARMONIC, PENDULUM, SMALL_SWINGS, SWINGS, Equation
 
 TWO = Number(Fraction(2))
 
 
 def harmonic(acceleration: Formula, coordinate: Formula, omega: Formula, section: str) -> Equation:
     """q̈ = −ω₀² q."""
-    return Equation(acceleration, negate(omega**2 * coordinate), "simple harmonic motion", section, "", 2)
+    return HARMONIC.equation(acceleration, negate(omega**2 * coordinate), section)
 
 
 def pendulum(acceleration: Formula, angle: Formula, omega: Formula, section: str) -> Equation:
     """α = −ω₀² sin θ: ω₀ is the angular frequency of small swings."""
     right = negate(omega**2 * call("sin", angle))
-    return Equation(acceleration, right, "equation of motion of a pendulum", section, "", 2)
+    return PENDULUM.equation(acceleration, right, section)
 
 
 def periods(omega: Formula, letters: Mapping[str, Formula], section: str, words: str) -> Iterator[Equation]:
     """T = 2π/ω₀ and f = ω₀/(2π)."""
-    yield Equation(letters["swing_period"], TWO * PI / omega, words, section, "", 1)
-    yield Equation(letters["frequency"], omega / (TWO * PI), "frequency", section, "", 1)
+    yield SWINGS.equation(letters["swing_period"], TWO * PI / omega, section, words=words)
+    yield SWINGS.equation(letters["frequency"], omega / (TWO * PI), section, words="frequency")
 
 
 def large(
@@ -46,9 +46,9 @@ def large(
     )
     half = amplitude / 2 if isinstance(amplitude, Symbol) else simplify(amplitude / 2)
     exact = 4 / omega * call("ellipk", call("sin", half) ** 2)
-    yield Equation(period, exact, "period of large swings", section, "", 1, remark)
-    yield Equation(letters["frequency"], ONE / period, "frequency", section, "", 1)
-    yield Equation(letters["angular_frequency"], TWO * PI / period, "angular frequency", section, "", 1)
+    yield SWINGS.equation(period, exact, section, (), remark, words="period of large swings")
+    yield SWINGS.equation(letters["frequency"], ONE / period, section, words="frequency")
+    yield SWINGS.equation(letters["angular_frequency"], TWO * PI / period, section, words="angular frequency")
 
 
 def restoring(acceleration: Formula, coordinate: Symbol) -> Formula:
@@ -66,7 +66,7 @@ def linearised(
 ) -> Equation:
     """q̈ ≈ slope · q for small q, with the approximations that make it so."""
     remark = approximations(exact, coordinate)
-    return Equation(acceleration, first_order, "small swings", section, "", 1, remark, relation="≈")
+    return SMALL_SWINGS.equation(acceleration, first_order, section, (), remark, relation="≈")
 
 
 def approximations(exact: Formula, coordinate: Symbol) -> Words:

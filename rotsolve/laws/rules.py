@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 
-from msgspec.structs import replace
-
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import TURNING
-from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.equation import GIVEN_MOTION, PERIOD, RULE, RULE_OF_WAYS, STEADY, Equation, Law
 from rotsolve.core.facts import Facts, GivenMotion, Rule, signed
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import SEPARATOR, TIME
@@ -35,14 +33,14 @@ def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str
     for rule in facts.rules:
         if rule.linear:
             left, right = (side.substitute(dict(changes)) for side in rule.velocity)
-            yield replace(rule_equation(rule, (left, right), section), family=KINEMATICS)
+            yield rule_equation(rule, (left, right), section, RULE_OF_WAYS)
 
 
-def rule_equation(rule: Rule, sides: tuple[Formula, Formula], section: str) -> Equation:
+def rule_equation(rule: Rule, sides: tuple[Formula, Formula], section: str, law: Law = RULE) -> Equation:
     """A rule as an equation; two sides that are both negative are turned round."""
     if all(is_negative(term) for side in sides for term in flat([side])):
         sides = negate(sides[0]), negate(sides[1])
-    return Equation(sides[0], sides[1], rule.label, section, "", 2, rule.remark, bodies=rule.bodies)
+    return law.equation(*sides, section, rule.bodies, rule.remark, words=rule.label)
 
 
 def rates(facts: Facts, section: str) -> Iterator[Equation]:
@@ -55,9 +53,9 @@ def rates(facts: Facts, section: str) -> Iterator[Equation]:
                 continue
             left, right = given.letters[word], function.substitute({TIME: given.time})
             if left != right and not is_zero(left - right):
-                label = f"{spoken(word)} {in_letters(given, word)}, {spoken(given.drive.body)}"
-                remark = chain(given, word, functions)
-                yield Equation(left, right, label, section, KINEMATICS, 1, remark, bodies=(given.drive.body,))
+                words, remark = in_letters(given, word), chain(given, word, functions)
+                bodies, quantity = (given.drive.body,), spoken(word)
+                yield GIVEN_MOTION.equation(left, right, section, bodies, remark, quantity=quantity, letters=words)
 
 
 def in_letters(given: GivenMotion, word: str) -> str:
@@ -94,8 +92,5 @@ def steady_rotation(facts: Facts, section: str) -> Iterator[Equation]:
         spin = signed(motion.spin, motion.sense)
         asked = isinstance(period, Symbol) and SEPARATOR in period.name
         rate: Formula = Call("abs", (spin,)) if asked else spin
-        name = spoken(body.name)
-        yield Equation(
-            period, 2 * PI / rate, f"period of {name}, T = 2π/ω", section, KINEMATICS, 1, bodies=(body.name,)
-        )
-        yield Equation(motion.spin_rate, ZERO, f"{name} turns steadily", section, KINEMATICS, 1, bodies=(body.name,))
+        yield PERIOD.equation(period, 2 * PI / rate, section, (body.name,))
+        yield STEADY.equation(motion.spin_rate, ZERO, section, (body.name,))

@@ -6,8 +6,10 @@ from collections.abc import Sequence
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.units.dimension import ANGLE, is_positive
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.language.problem import Given
+
+POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
@@ -15,7 +17,8 @@ def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
     result = set()
     values = {given.name: given.value for given in givens if given.value is not None}
     for given in givens:
-        if is_positive(given.dimension) and not given.asked:
+        sized = given.dimension is not None and any(DIMENSIONS[word] == given.dimension for word in POSITIVE)
+        if sized and not given.asked:
             result.add(given.name)
         elif given.value is not None and not given.asked and not is_angle(given):
             try:
@@ -28,4 +31,4 @@ def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
 
 def is_angle(given: Given) -> bool:
     """Whether a given is an angle, which may be negative."""
-    return given.dimension == ANGLE
+    return given.dimension is not None and given.dimension == DIMENSIONS["angle"]

@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units import dimension as base
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import INERTIA, Equation, Law
 from rotsolve.core.letters import letter_order
 from rotsolve.core.registry import Quantity, Registry
 from rotsolve.core.vectors.tensor import ORIGIN, Place
@@ -74,9 +74,9 @@ class Spread(Struct, frozen=True):
         own = [(quantity.key, quantity.dimension) for quantity in self.registry.quantities.values()]
         return simplify(formula, order=letter_order([*self.givens, *own]), positive=self.positive)
 
-    def define(self, letter: Formula, formula: Formula, label: str, said: Words = ()) -> Equation:
+    def define(self, letter: Formula, formula: Formula, label: str, said: Words = (), law: Law = INERTIA) -> Equation:
         """What a letter stands for."""
-        return Equation(letter, formula, label, self.section, "", 1, said, bodies=(self.name,))
+        return law.equation(letter, formula, self.section, (self.name,), said, words=label)
 
     def called(self, piece: RigidPiece) -> str:
         """A name for a piece that no other has."""

@@ -35,7 +35,9 @@ class OfInertias(Moment, frozen=True):
         """The meaning of `inertia`, `gyration`, `inertia_tensor`, `cm` or `mass` of a body."""
         told = self.refused(path, lambda: self._told(path, term))
         dimension = BY_WORD[path.quantity].dimension
-        return Meaning(told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions)
+        return Meaning(
+            told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
+        )
 
     def refused(self, path: Path, told: Callable[[], Told]) -> Told:
         """What is told, or the refusal in words."""
@@ -173,7 +175,9 @@ class OfInertias(Moment, frozen=True):
         """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
         told = self.refused(path, lambda: self._angular_momentum(path, term))
         dimension = BY_WORD[path.quantity].dimension
-        return Meaning(told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions)
+        return Meaning(
+            told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
+        )
 
     def _angular_momentum(self, path: Path, term: Term | None) -> Told:
         motion = self.instant.motion(path.owner)

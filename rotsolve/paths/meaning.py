@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.facts import square
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import POINT, QUANTITIES
@@ -49,6 +49,7 @@ class Meaning(Struct, frozen=True):
     said: Words = ()
     definitions: tuple[Equation, ...] = ()
     moving: Vector = NOWHERE
+    law: Law = DEFINITION
     laws: tuple[Equation, ...] = ()  # what this question alone speaks of
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, total
+from rotsolve.core.equation import KINETIC_ENERGY
 from rotsolve.core.facts import signed
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.vectors.directions import opposite
@@ -47,7 +48,8 @@ class Reader(Moment, frozen=True):
             )
         meaning = found if isinstance(found, Meaning) else Meaning(found, kind.dimension)
         words = meaning.words if any(meaning.words) else self._words(path)
-        return replace(meaning, label=meaning.label or label_of(path, term), words=words)
+        law = KINETIC_ENERGY if path.quantity == "kinetic_energy" else meaning.law
+        return replace(meaning, label=meaning.label or label_of(path, term), law=law, words=words)
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether all parts of a body lie at the height of the point about which is asked."""

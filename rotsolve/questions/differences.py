@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, negate
-from rotsolve.algebra.units.dimension import ENERGY
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Term
 from rotsolve.motion.rigid import tidy
@@ -27,8 +27,8 @@ def difference(term: Term, start: str, end: str, scene: SceneEquations) -> tuple
     earlier, later = (last, first) if term.modifier == "lost" else (first, last)
     if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
         gap = tidy(later.vector - earlier.vector)
-        return Meaning(size_of(gap), first.dimension, gap, label=label), section
-    return Meaning(later.formula - earlier.formula, first.dimension, label=label), section
+        return Meaning(size_of(gap), first.dimension, gap, label=label, law=first.law), section
+    return Meaning(later.formula - earlier.formula, first.dimension, label=label, law=first.law), section
 
 
 def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -> tuple[Meaning, str]:
@@ -45,4 +45,6 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
         result = add(result, gained[1] - gained[0])
     word = term.path.quantity.replace("_", " ")
     label = f"{term.modifier.replace('lost', 'loss of')} {word}"
-    return Meaning(negate(result) if term.modifier == "lost" else result, ENERGY, label=label), intervals[-1].name
+    return Meaning(negate(result) if term.modifier == "lost" else result, DIMENSIONS["energy"], label=label), intervals[
+        -1
+    ].name

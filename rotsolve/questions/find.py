@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.equations.scene_equations import SceneEquations
@@ -43,7 +43,9 @@ def rewritten(question: Asked, altered: Alteration) -> Asked:
     steps = tuple(altered.rewritten(question.definitions))
     if question.direct:
         return replace(question, definitions=steps)
-    meaning = altered.rewritten([Equation(Symbol(question.letter), question.formula, question.label, question.section)])
+    meaning = altered.rewritten(
+        [question.law.equation(Symbol(question.letter), question.formula, question.section, words=question.label)]
+    )
     return replace(question, definitions=steps, formula=meaning[0].right if meaning else question.formula)
 
 
@@ -54,12 +56,15 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
     known = known_dimensions(meanings, scene, earlier)
     dimension = own.dimension if own is not None else dimension_in(find.formula, known)
+    label = label_of(find, known)
+    share = label != "" and any(term.path.quantity == "kinetic_energy" for term in find.terms[-1:])
     question = Asked(
         find,
         formula,
         f"asked{SEPARATOR}{find.name}",
         dimension,
-        label=label_of(find, known),
+        label=label,
+        law=KINETIC_ENERGY if share else DEFINITION,
         section=meanings[0][1] if meanings else "",
         definitions=tuple(dict.fromkeys(step for meaning, _ in meanings for step in meaning.definitions)),
         laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
@@ -90,6 +95,7 @@ def of_one_path(question: Asked, meaning: Meaning) -> Asked:
         vector=meaning.vector,
         remark=meaning.remark,
         label=meaning.label,
+        law=meaning.law,
         words=meaning.words if modifier == "" and whole else ("", ""),
         moving=meaning.moving,
         said=meaning.said,

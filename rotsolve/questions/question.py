@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.language.problem import Find, Path
@@ -36,6 +36,7 @@ class Asked(Struct, frozen=True):
     vector: Vector | None = None
     remark: str = ""
     label: str = ""
+    law: Law = DEFINITION
     section: str = ""
     words: tuple[str, str] = ("", "")
     parts: tuple[Asked, ...] = ()
@@ -112,6 +113,7 @@ def component(question: Asked, vector: Vector, axis: str) -> Asked:
         letter,
         question.dimension,
         label=f"{question.label}, {side}",
+        law=question.law,
         section=question.section,
         words=words,
         whole=find.name,

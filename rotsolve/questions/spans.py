@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, total
-from rotsolve.algebra.units.dimension import LENGTH
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
@@ -54,7 +53,7 @@ def within(path: Path, interval: Interval, scene: SceneEquations) -> Formula:
 
 def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning:
     """Displacement of a point of a body on a fixed axis: where it is at the end less where it was."""
-    path, dimension = term.path, LENGTH
+    path, dimension = term.path, DIMENSIONS["length"]
     ref = PointRef(path.owner, path.point, path.argument)
     instants = [scene.instant(state) for state in (start, end)]
     host = instants[0].host(path.owner)

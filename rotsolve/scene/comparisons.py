@@ -13,8 +13,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.algebra.units.dimension import word_of
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import BY_WORD, DIMENSIONS
 from rotsolve.language.grammar import CLAUSES, IS, WHICH
 from rotsolve.language.problem import Choice, Condition, Find, Option, Path
 from rotsolve.language.words import hint, quoted
@@ -79,7 +78,7 @@ def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: 
         return Condition(None, ZERO, span=part.span, phrase=both)
     start, stop = words[sign + 1].start, words[end - 1].end
     right = Text(part.value[start:stop], part.part(start, stop), True, part.exact)
-    word = word_of(dimension)
+    word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
     owner = find.terms[0].path.owner if find.terms else ""
     found = value(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
     return None if found is None else Condition(None, found, span=part.span, phrase=find)

@@ -11,9 +11,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.witness import note
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.problem import Given, Problem, points_of
@@ -286,9 +286,9 @@ class Sections:
         if node is not None:
             return value(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
         given = scope.givens.get("g")
-        if given is not None and (given.dimension is None or given.dimension.matches(ACCELERATION)):
+        if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
             if given.dimension is None:
-                scope.dimensions["g"] = ACCELERATION
+                scope.dimensions["g"] = DIMENSIONS["acceleration"]
             return Symbol("g")
         return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
 

@@ -8,7 +8,6 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import degree
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.equation import Equation
 from rotsolve.language.problem import Given
 from rotsolve.plan import Planner
 from rotsolve.questions.question import Asked
@@ -29,7 +28,7 @@ class Definitions(Struct):
             return
         section = asked.section or section_of(asked.formula, earlier)
         label, remark = asked.label or "definition", asked.said or ((asked.remark,) if asked.remark else ())
-        definition = Equation(Symbol(asked.letter), asked.formula, label, section, "", 1, remark)
+        definition = asked.law.equation(Symbol(asked.letter), asked.formula, section, (), remark, cost=1, words=label)
         self.places[asked.letter] = self.planner.extend(definition)
 
     def place(self, letter: str) -> int | None:

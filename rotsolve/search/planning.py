@@ -12,12 +12,10 @@ from itertools import combinations
 
 from msgspec import Struct
 
-from rotsolve.core.equation import ANGULAR_MOMENTUM, DERIVATIVE, ENERGY, KINEMATICS, LAWS, NEWTON
+from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.plan import Plan, Planner, Shortage
 
-SAID = {ENERGY: "energy", NEWTON: "Newton's laws", ANGULAR_MOMENTUM: "angular momentum"}
-SECOND_CHOICE = 5  # equations of this cost serve only a law that is asked for, or a confirmation
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
 FORCES = ("tension", "force", "normal_force", "friction_force")
 OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES)
@@ -25,7 +23,7 @@ OF_ONE_MOMENT = ("acceleration", "angular_acceleration", *FORCES)
 
 def families_for(law: str | None) -> tuple[str, ...]:
     """The equation families that a law may use; all for none."""
-    return (*LAWS, KINEMATICS) if law is None else (law, KINEMATICS)
+    return (*FAMILIES, KINEMATICS) if law is None else (law, KINEMATICS)
 
 
 def forces_in(plan: Plan) -> int:
@@ -85,7 +83,7 @@ class LawChoice(Struct, frozen=True, dict=True):
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
-        laws = [law for law in self.families if law in LAWS]
+        laws = [law for law in self.families if law in FAMILIES]
         if len(laws) <= 1:
             return [allowed]
         alone = [self._of_families(allowed, ("", KINEMATICS, law)) for law in laws]
@@ -97,7 +95,7 @@ class LawChoice(Struct, frozen=True, dict=True):
         pool = self.planner.pool
         for index in self._allowed:
             energy = pool[index]
-            if energy.label == DERIVATIVE and index not in allowed:
+            if energy.law.condenses and index not in allowed:
                 laws = [law for law in self._of_families(allowed, (NEWTON,)) if pool[law].section == energy.section]
                 for law in laws:
                     if set(pool[law].bodies) <= set(energy.bodies):
@@ -110,13 +108,14 @@ class LawChoice(Struct, frozen=True, dict=True):
 
     # equations of constant acceleration
 
-    def _in_time(self, indices: Iterable[int]) -> dict[str, dict[str, list[int]]]:
+    def _in_time(self, indices: Iterable[int]) -> dict[str, dict[object, list[int]]]:
         """The equations of constant acceleration among some, by phase and by coordinate."""
-        phases: dict[str, dict[str, list[int]]] = {}
+        phases: dict[str, dict[object, list[int]]] = {}
         for index in indices:
             equation = self.planner.pool[index]
-            if equation.family == KINEMATICS and equation.label.startswith("constant"):
-                phases.setdefault(equation.section, {}).setdefault(equation.label, []).append(index)
+            if equation.law.steady:
+                coordinate = (equation.law.name, equation.bodies)
+                phases.setdefault(equation.section, {}).setdefault(coordinate, []).append(index)
         return phases
 
     def _crowded(self, plan: Plan, *, strict: bool = False) -> list[int]:

@@ -15,7 +15,7 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.equation import ENERGY, KINEMATICS, Equation
+from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
 from rotsolve.plan import Plan
 from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.item import Item, inner, isolated, kind_of, monomial, moved_alone, only_squared, put_square
@@ -171,7 +171,7 @@ class Solver(Isolation, kw_only=True):
             ]
             step = self._keep(item, line_of(item, name, value, more), name, reason or ())
             refs = [("step", step.number)]
-            self.derived.append((Equation(Symbol(name), value, "", item.section, "", 0), refs[0]))
+            self.derived.append((FOUND.equation(Symbol(name), value, item.section), refs[0]))
         for other in items:
             if name in other.unknowns({name}):
                 self._substitute(other, {name: value}, refs)
@@ -204,7 +204,7 @@ class Solver(Isolation, kw_only=True):
                         Equality(square, value),
                     ]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
-                    self.derived.append((Equation(square, value, "", item.section, "", 0), refs[0]))
+                    self.derived.append((FOUND.equation(square, value, item.section), refs[0]))
                 for other in items:
                     if other is not item and name in other.unknowns({name}):
                         other.left, other.right = (put_square(side, name, value) for side in (other.left, other.right))

@@ -13,7 +13,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.equation import LAWS
+from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Unsolvable
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Body, Problem
@@ -72,7 +72,7 @@ def test_all_laws_give_the_same_answers(
     problem = problem_of(file)
     plain = closed_forms(search_of(file))
     values = nearby(problem, random.Random(1))
-    for law in LAWS:
+    for law in FAMILIES:
         for name, formula in answers(problem, law).items():
             assert name in plain, f"only by {law}: {name} = {to_text(formula)}"
             if not (formula.symbols() | plain[name].symbols()) <= set(values):

@@ -9,7 +9,7 @@ import pytest
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import RULE, Equation
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.solver import Choice, Contradiction, Redundant, Solver
 
@@ -18,7 +18,7 @@ def pool(*lines: str, costs: tuple[int, ...] = ()) -> list[Equation]:
     found = []
     for index, line in enumerate(lines):
         left, right = (parse(side.strip()) for side in line.split("="))
-        found.append(Equation(left, right, f"law {index}", "", cost=costs[index] if costs else 2))
+        found.append(RULE.equation(left, right, "", cost=costs[index] if costs else 2, words=f"law {index}"))
     return found
 
 
@@ -48,7 +48,10 @@ def test_a_known_letter_needs_no_equation() -> None:
 
 
 def test_an_integral_tells_a_constant_within_it() -> None:
-    equations = [Equation(Symbol("T"), Integral(ONE / Symbol("a"), "w", ZERO, Symbol("u")), "", ""), *pool("-c w = a")]
+    equations = [
+        RULE.equation(Symbol("T"), Integral(ONE / Symbol("a"), "w", ZERO, Symbol("u")), "", words=""),
+        *pool("-c w = a"),
+    ]
     known = {"T", "u", "w"}
     assert isinstance(Planner(equations).plan("c", known), Shortage)
     plan = Planner(equations, ["c"]).plan("c", known)

@@ -16,7 +16,7 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.equation import LAWS
+from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Published
 from rotsolve.pipeline import solve
@@ -139,7 +139,7 @@ def test_every_question_has_a_published_answer(problem_file: Path) -> None:
     assert {entry.name for entry in problem.answers} == {find.name for find in problem.finds}
 
 
-@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("law", FAMILIES)
 def test_each_law_that_applies_gives_the_same_answers(problem_file: Path, law: str) -> None:
     try:
         solution = solved(problem_file, law)

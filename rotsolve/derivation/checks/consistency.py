@@ -16,7 +16,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.certified.witness import decided_by_size, note, watched
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import POSITION, RATE, at_any_time
 from rotsolve.motion.timeline import Interval
@@ -26,7 +26,7 @@ TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
 BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
 NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
 ROUNDS = 8
-ALONG_THE_WAY = ("separating the variables, dt = dx/v", "separating the variables, dt = dθ/ω")
+FORWARDS = Law("time runs forwards", "time runs forwards")
 
 
 def contradiction(search: Search) -> Equation | None:
@@ -96,7 +96,7 @@ def backwards(search: Search, numbers: Numbers) -> Equation | None:
     for name, passage in search.scene.passages.items():
         duration = numbers.size(passage.duration)
         if duration is not None and duration < 0:
-            return Equation(passage.duration, ZERO, "time runs forwards", name)
+            return FORWARDS.equation(passage.duration, ZERO, name)
         if duration is not None and watched():
             told(passage.duration, search)
     return None
@@ -116,9 +116,7 @@ def told(duration: Formula, search: Search) -> None:
 def turned_back(search: Search) -> Interval | None:
     """A phase whose time is summed along the way although the motion turns back in it."""
     used = {index for answered in search.answered for index in answered.used}
-    timed = {
-        law.section for law in (search.planner.pool[index] for index in used) if law.label.startswith(ALONG_THE_WAY)
-    }
+    timed = {law.section for law in (search.planner.pool[index] for index in used) if law.law == SEPARATED_BY_PLACE}
     for name, passage in search.scene.passages.items():
         for travel in passage.travels if name in timed else ():
             if travel.leads and travel.pace == POSITION:

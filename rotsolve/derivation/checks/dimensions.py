@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Symbol
-from rotsolve.algebra.units.dimension import TIME, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.core.derivation import Check
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.search.search import Search
 
 
@@ -19,7 +20,7 @@ def dimensions(search: Search) -> Iterator[Check]:
         if formula is None or wanted is None or formula == ZERO or not formula.symbols() <= set(known) | {"time"}:
             continue
         try:
-            if not dimension_of(formula, {**known, "time": TIME}).matches(wanted):
+            if not dimension_of(formula, {**known, "time": DIMENSIONS["time"]}).matches(wanted):
                 yield Check(("the dimension of ", Symbol(answered.asked.find.name), " is wrong"), False)
             checked += 1
         except DimensionError as error:

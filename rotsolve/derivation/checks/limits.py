@@ -6,8 +6,8 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.algebra.units.dimension import MASS
 from rotsolve.core.derivation import Check, Words
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.search.search import Search
 
 SHORT = 3  # a limit is told when its value is no longer than this many nodes
@@ -21,7 +21,7 @@ def limits(search: Search) -> Iterator[Check]:
         if answered.asked.find.runs or formula is None or formula.symbols() == frozenset():
             continue
         for given in search.givens.values():
-            if given.name not in formula.symbols() or given.dimension != MASS:
+            if given.name not in formula.symbols() or given.dimension != DIMENSIONS["mass"]:
                 continue
             value = limit(formula, given.name, search)
             if value is None or length(value) > SHORT or value == formula or length(formula) < 6:

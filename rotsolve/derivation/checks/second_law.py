@@ -9,12 +9,12 @@ from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Check
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, LAWS, NEWTON
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON
 from rotsolve.derivation.checks.consistency import runs
 from rotsolve.derivation.compose import Letters
 from rotsolve.paths import NotYet
 from rotsolve.search.answers import Answered, NoAnswer
-from rotsolve.search.planning import SAID, families_for
+from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solver.textbook import is_long_root
 
@@ -42,13 +42,14 @@ def second_law(search: Search, letters: Letters) -> Iterator[Check]:
             elif over_a_phase(other):
                 pending.remove(answered)
                 name = Symbol(answered.asked.find.name)
-                yield Check((f"{SAID[law]} gives another ", name, ": ", formula.substitute(letters.symbols)), False)
+                yield Check(
+                    (f"{FAMILIES[law].words} gives another ", name, ": ", formula.substitute(letters.symbols)), False
+                )
         if agreed:
             names: list[str | Formula] = []
             for answered in agreed:
                 names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
-            verb = "give" if SAID[law].endswith("s") else "gives"
-            yield Check((f"{SAID[law]} {verb} the same ", *names))
+            yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names))
 
 
 def over_a_phase(other: Search) -> bool:
@@ -83,7 +84,7 @@ def families(answered: Answered, search: Search) -> set[str]:
                 if name in by_letter and name not in seen:
                     seen.add(name)
                     pending.append(by_letter[name])
-    return found & set(LAWS)
+    return found & FAMILIES.keys()
 
 
 def again(other: Search, answered: Answered) -> Formula | None:

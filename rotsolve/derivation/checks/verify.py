@@ -6,13 +6,13 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Check
+from rotsolve.core.equation import FAMILIES
 from rotsolve.derivation.checks.dimensions import dimensions
 from rotsolve.derivation.checks.limits import limits
 from rotsolve.derivation.checks.requirements import requirements
 from rotsolve.derivation.checks.second_law import second_law
 from rotsolve.derivation.checks.verges import nudged
 from rotsolve.derivation.compose import Letters
-from rotsolve.search.planning import SAID
 from rotsolve.search.search import Search
 
 
@@ -34,4 +34,6 @@ def alone(search: Search) -> Iterator[Check]:
         names: list[str | Formula] = []
         for name in search.helped:
             names += [", ", Symbol(name)] if names else [Symbol(name)]
-        yield Check((f"{SAID[search.families[0]]} alone does not give ", *names, ": Newton's laws were used as well"))
+        yield Check(
+            (f"{FAMILIES[search.families[0]].words} alone does not give ", *names, ": Newton's laws were used as well")
+        )

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.derivation import ForceLine, Words
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
@@ -16,7 +16,6 @@ from rotsolve.derivation.compose.draft import Draft
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.freebody import free_bodies
 
-SECOND_LAW = "Newton's second law"
 UNSEEN = ("reaction", "grip")  # told in a free-body diagram only where an equation speaks of them
 WITH_FORCES = (NEWTON, ENERGY, ANGULAR_MOMENTUM)
 
@@ -93,7 +92,7 @@ class Diagrams(Struct, frozen=True):
     def _pushed(self, body: BodyFacts, draft: Draft) -> bool:
         """Whether a law of a section is Newton's second for a body."""
         laws = (self.pool[index] for index in draft.laws)
-        return any(law.label.startswith(SECOND_LAW) and body.name in law.bodies for law in laws)
+        return any(law.law == SECOND_LAW and body.name in law.bodies for law in laws)
 
 
 def at_the_axis(item: Force | Couple, body: BodyFacts, pushed: bool) -> bool:

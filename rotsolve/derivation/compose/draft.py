@@ -6,7 +6,6 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from msgspec import Struct, field
 
-from rotsolve.core.equation import DERIVATIVE
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.search.answers import Answered, Chosen
@@ -126,7 +125,7 @@ def is_law(index: int, search: Search) -> bool:
 def law_order(index: int, search: Search) -> tuple[int, bool, int]:
     """Laws and what approximates them first, a derivative behind what it is of, then definitions and rules, as they were written."""
     equation = search.planner.pool[index]
-    return (0 if equation.family or equation.relation != "=" else 1, equation.label == DERIVATIVE, index)
+    return (0 if equation.family or equation.relation != "=" else 1, equation.law.condenses, index)
 
 
 def home(answered: Answered, laws: list[int], search: Search) -> str:

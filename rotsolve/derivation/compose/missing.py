@@ -9,8 +9,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import word_of
 from rotsolve.core.derivation import Answer, Derivation
+from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Body, Given, Problem
 
@@ -50,7 +50,7 @@ def undefined(formula: Formula, problem: Problem) -> str:
 
 def meaning(given: Given, problem: Problem) -> str:
     """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
-    kind = word_of(given.dimension) or "value"
+    kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
     owner = given.name.partition("_")[2]
     body = next(
         (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None

@@ -9,7 +9,7 @@ from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import STATED, Equation
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
@@ -134,7 +134,7 @@ class Statements(Struct):
                 label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
                 section = before.name if before is not None else state  # it tells how long the phase takes
             cost = 1 if isinstance(letter, Symbol) else 2
-            self.stated.append((Equation(letter, value, label, section, "", cost), condition))
+            self.stated.append((STATED.equation(letter, value, section, cost=cost, words=label), condition))
 
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""
@@ -148,13 +148,13 @@ class Statements(Struct):
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
         if not state.balance:
-            self.stated.append((Equation(normal, ZERO, label, state.name, "", 1), condition))
+            self.stated.append((STATED.equation(normal, ZERO, state.name, cost=1, words=label), condition))
             return
         self.fixed.fix(normal, ZERO)  # just about to leave: what no longer pushes is no force of the balance
         if item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
-            self.stated.append((Equation(friction, ZERO, label, state.name, "", 1), condition))
+            self.stated.append((STATED.equation(friction, ZERO, state.name, cost=1, words=label), condition))
 
     def _label(self, path: Path) -> str:
         """What a stated equation is called: of one body against another, which two."""

@@ -11,19 +11,19 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, negate, total
 from rotsolve.core.alteration import Alteration
-from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, KINEMATICS, NEWTON, Equation
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_CHOICE, Equation, Law
 from rotsolve.core.facts import Force
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.mistake import Change, Made
 from rotsolve.laws import momentum
-from rotsolve.search.planning import SECOND_CHOICE
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
 HALF = Number(Fraction(1, 2))
+KEPT = Law("kinetic energy kept", "conservation of kinetic energy", ANGULAR_MOMENTUM, 3, kinetic=True)
 
 Laws = Callable[[Encounter, str], Iterator[Equation]]  # of an event, for the section in which they are written
 
@@ -54,7 +54,7 @@ def halves(scene: Scene) -> Made:
 
 def speaks_of_energy(equation: Equation) -> bool:
     """Whether an equation is a law of energy, or says what a kinetic energy is that is asked for."""
-    return equation.family == ENERGY or "kinetic energy" in equation.label
+    return equation.family == ENERGY or equation.law.kinetic
 
 
 def half_of_way(scene: Scene) -> Made:
@@ -72,7 +72,7 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
     """
 
     def timed(equation: Equation) -> bool:
-        return equation.family == KINEMATICS and equation.label.startswith("constant")
+        return equation.law.steady
 
     twice = without_halves(timed, lambda term: True)
 
@@ -147,8 +147,7 @@ def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     before = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=False)]
     after = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=True)]
     names = tuple(sorted(meeting.body.name for meeting in encounter.meetings))
-    label = "conservation of kinetic energy"
-    yield Equation(*moved(before, after), label, section, ANGULAR_MOMENTUM, 3, bodies=names)
+    yield KEPT.equation(*moved(before, after), section, names)
 
 
 def kinetic_terms(meeting: Meeting, *, after: bool) -> list[Formula]:

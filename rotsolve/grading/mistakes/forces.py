@@ -11,7 +11,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.alteration import Alteration
-from rotsolve.core.equation import ENERGY, Equation
+from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import Vector
@@ -75,7 +75,7 @@ def in_balance(name: str, pull: Formula, weight: Formula) -> Callable[[Equation]
     """T = m g wherever Newton's second law for a body stands."""
 
     def changed(equation: Equation) -> Equation:
-        moved = equation.bodies == (name,) and equation.label.startswith("Newton's second law")
+        moved = equation.bodies == (name,) and equation.law == SECOND_LAW
         return replace(equation, left=pull, right=weight) if moved else equation
 
     return changed
@@ -243,7 +243,7 @@ def levelled(name: str, pair: tuple[Formula, Formula]) -> Callable[[Equation], E
 
 def is_rotation_of(equation: Equation, name: str) -> bool:
     """Whether an equation is the law of rotation of a body."""
-    return equation.bodies == (name,) and equation.label.startswith("Newton's law for rotation")
+    return equation.bodies == (name,) and equation.law == ROTATION
 
 
 # supports
@@ -284,7 +284,7 @@ def centre_at_rest(scene: Scene) -> Made:
 
 def without_rates(equation: Equation, rates: Collection[Formula]) -> Equation:
     """Newton's second law without angular accelerations."""
-    if not equation.label.startswith("Newton's second law"):
+    if equation.law != SECOND_LAW:
         return equation
     sides = (side.transform(lambda node: ZERO if node in rates else node) for side in (equation.left, equation.right))
     left, right = sides
@@ -308,7 +308,7 @@ def speed_letters(body: BodyFacts) -> Iterator[Formula]:
 
 def without_squares(equation: Equation, speeds: Collection[Formula]) -> Equation:
     """Newton's second law without the squares of speeds."""
-    if not equation.label.startswith("Newton's second law"):
+    if equation.law != SECOND_LAW:
         return equation
 
     def change(node: Formula) -> Formula:

@@ -143,7 +143,7 @@ def with_axis_inertia(
 
 def without_steiner_term(equation: Equation) -> Equation:
     """A step by the parallel-axes theorem without its m d², which stands last."""
-    if "parallel axes" not in equation.label or not isinstance(equation.right, Sum):
+    if not equation.law.shifts or not isinstance(equation.right, Sum):
         return equation
     return replace(equation, right=total(equation.right.terms[:-1]))
 

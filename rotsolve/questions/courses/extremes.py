@@ -11,7 +11,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.equation import REVERSAL
 from rotsolve.core.quantity import BY_WORD, SPANNED
 from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
@@ -81,9 +81,11 @@ def within(term: Term, best: Candidate, name: str, scene: SceneEquations) -> tup
     zero: tuple[Formula, Formula] = (slope.substitute({TIME: time}), ZERO)
     if not straight(slope):
         zero = (time, best.moment)
-    law = Equation(*zero, f"{name}, {owner}: its rate is zero", best.interval.name, KINEMATICS, 1)
+    law = REVERSAL.equation(*zero, best.interval.name, words=f"{name}, {owner}: its rate is zero")
     value = best.function.substitute({TIME: time})
     meaning = scene.reader(best.interval.start, generic=True).meaning(term.path, term)
     label = f"{name} of {owner}"
-    result = Meaning(value, BY_WORD[term.path.quantity].dimension, label=label, words=meaning.words, laws=(law,))
+    result = Meaning(
+        value, BY_WORD[term.path.quantity].dimension, label=label, law=meaning.law, words=meaning.words, laws=(law,)
+    )
     return result, best.interval.name

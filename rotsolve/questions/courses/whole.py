@@ -9,7 +9,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import KINEMATICS, Equation
+from rotsolve.core.equation import REVERSAL, Equation
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import TIME
 from rotsolve.core.writing import spoken
@@ -123,4 +123,4 @@ class Reversal(Struct, frozen=True):
         yield self._law((self.until(first), self.come.substitute({TIME: time})), f"{way_} until {body} reverses", ())
 
     def _law(self, sides: tuple[Formula, Formula], label: str, remark: Words) -> Equation:
-        return Equation(*sides, label, self.interval.name, KINEMATICS, 1, remark)
+        return REVERSAL.equation(*sides, self.interval.name, (), remark, words=label)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
@@ -18,7 +18,6 @@ from rotsolve.plan import Shortage
 from rotsolve.search.answers import NoAnswer
 from rotsolve.search.explain.contradictory import contradicted
 from rotsolve.search.explain.unsolvable import CHECK_DATA, unsolvable
-from rotsolve.search.planning import SAID
 from rotsolve.search.search import Search
 from rotsolve.solver import ENTANGLED
 
@@ -40,7 +39,7 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     problem = search.scene.configuration.problem
     if error.equation is not None:
         return contradicted(search.planner.pool[error.equation], search.scene, find.span)
-    alone = "" if NEWTON in search.families else f" by {SAID[search.families[0]]} alone"
+    alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
     missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
     if error.open_form and str(error) != ENTANGLED:
         return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
@@ -56,7 +55,7 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
 
 def is_law(equation: Equation) -> bool:
     """Whether an equation is of the scene, and not what a question means."""
-    return bool(equation.label) and not any(name.startswith("asked" + SEPARATOR) for name in equation.symbols())
+    return bool(equation.law.words) and not any(name.startswith("asked" + SEPARATOR) for name in equation.symbols())
 
 
 def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[Quantity | str]:

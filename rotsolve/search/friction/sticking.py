@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, call, negate
-from rotsolve.core.equation import NEWTON, Equation
+from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
@@ -76,8 +76,8 @@ def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equa
         return []
     most = static * forces["normal"]
     for side in (most, negate(most)):
-        words = "on the point of slipping, f = μₛ N"
-        found.append((Equation(forces["friction"], side, words, scene.section(state), NEWTON, 2), forces["normal"]))
+        limit = POINT_OF_SLIPPING.equation(forces["friction"], side, scene.section(state))
+        found.append((limit, forces["normal"]))
     return found
 
 

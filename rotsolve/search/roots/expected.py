@@ -7,10 +7,9 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Symbol
-from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
-from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.quantity import DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
@@ -48,7 +47,7 @@ class Expected(Struct, frozen=True):
     def _is_size(self, name: str) -> bool:
         """Whether a given has a dimension, so that it is meant to be positive."""
         given = self.givens.get(name)
-        return given is not None and given.dimension is not None and not given.dimension.matches(ANGLE)
+        return given is not None and given.dimension is not None and not given.dimension.matches(DIMENSIONS["angle"])
 
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.

@@ -11,7 +11,7 @@ from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import HARMONIC, STABILITY, Equation
 from rotsolve.core.writing import spoken
 from rotsolve.equations.swings.equilibrium import sign
 from rotsolve.equations.swings.swing import Swing
@@ -168,7 +168,7 @@ def observe(swing: Swing, search: Search) -> None:
     unknowns = frozenset(given.name for given in search.givens.values() if given.asked)
     slope, told = slope_in(unknowns, swing, search)
     way: Words = (swing.acceleration, " = ", negate(swing.omega**2 * swing.coordinate), " and ", *told)
-    search.planner.extend(Equation(swing.omega**2, negate(slope), "simple harmonic motion", swing.harmonic, "", 2, way))
+    search.planner.extend(HARMONIC.equation(swing.omega**2, negate(slope), swing.harmonic, (), way))
     for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):
         search.planner.extend(equation)
 
@@ -183,4 +183,4 @@ def verge(swing: Swing, unknown: str, modifier: str, search: Search) -> Equation
     if growing is not None and growing != (1 if modifier == "largest" else -1):
         side = "smallest" if modifier == "largest" else "largest"
         raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
-    return Equation(slope, ZERO, "limit of stability, nothing drives it back", swing.harmonic, "", 2, told)
+    return STABILITY.equation(slope, ZERO, swing.harmonic, (), told)

@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import FOUND
 from rotsolve.questions.question import Asked
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
@@ -69,6 +69,6 @@ def forget(answered: Answered, search: Search) -> None:
     del search.solver.solved[letter]
     search.known.discard(letter)
     if formula is not None:
-        result = Equation(Symbol(letter), formula, "", answered.asked.section, "", 1)
+        result = FOUND.equation(Symbol(letter), formula, answered.asked.section, cost=1)
         search.solver.derived.append((result, ref_of(answered, search)))
         search.remember()

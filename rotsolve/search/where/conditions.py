@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
-from rotsolve.core.equation import Equation
+from rotsolve.core.equation import CONDITION
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import term_of
@@ -53,7 +53,7 @@ def with_equation(search: Search, find: Find) -> None:
         return
     question = asked(replace(find, where=None), search.scene, search.letters())
     said = asked(condition.phrase, search.scene, search.letters())
-    limit = Equation(said.formula, condition.value, f"the condition{told(condition.phrase)}", said.section, "", 2)
+    limit = CONDITION.equation(said.formula, condition.value, said.section, words=told(condition.phrase))
     try:
         answered = search.answer(question, limit)
     except NoAnswer:
