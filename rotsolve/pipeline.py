@@ -8,20 +8,21 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
-from rotsolve.derivation.checks import checks, contradiction, turned_back
-from rotsolve.derivation.compose import Composer, with_missing_told
+from rotsolve.derivation.checks import checks
+from rotsolve.derivation.compose import DerivationComposer
+from rotsolve.derivation.consistency import contradiction, turned_back
+from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
 from rotsolve.search.answering import answer_all
-from rotsolve.search.explain.contradictory import contradicted, said_otherwise, turns_back
-from rotsolve.search.explain.unsolvable import unsolvable
-from rotsolve.search.friction import Decision, decide
+from rotsolve.search.answers import unsolvable
+from rotsolve.search.friction import Decision, decide, said_otherwise
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solution import Solution, Trace
@@ -83,7 +84,7 @@ def composed(problem: Problem, search: Search, decision: Decision, digits: int, 
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
         before, first = sections_before(decision)
-        composer = Composer(search, first, moment(at))
+        composer = DerivationComposer(search, first, moment(at))
     with stage("verify", whole=True):
         held = checks(search, composer.letters)
     with stage("compose", whole=True):
@@ -134,7 +135,7 @@ def validity_of(search: Search) -> Validity:
     return validity(search)
 
 
-def meanings_of(composer: Composer) -> Meanings:
+def meanings_of(composer: DerivationComposer) -> Meanings:
     """What the letters of the scene stand for; worked out when someone asks."""
     from rotsolve.derivation.meanings import Meanings
 
@@ -152,9 +153,13 @@ def check_consistent(search: Search) -> None:
     """The answers must agree with everything that the laws write about the scene."""
     back = turned_back(search)
     if back is not None:
+        from rotsolve.search.explain import turns_back
+
         raise turns_back(back, search.scene.configuration.problem)
     broken = contradiction(search)
     if broken is not None:
+        from rotsolve.search.explain import contradicted
+
         raise contradicted(broken, search.scene)
 
 

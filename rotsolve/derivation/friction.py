@@ -7,8 +7,8 @@ from collections.abc import Iterable
 from rotsolve.algebra.formula import Symbol, call
 from rotsolve.core.derivation import Equality, Move, Section, Words
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.compose import Composer
-from rotsolve.search.friction.sticking import Trial
+from rotsolve.derivation.compose import DerivationComposer
+from rotsolve.search.friction import Trial
 
 
 def trial_sections(trials: Iterable[Trial]) -> tuple[tuple[Section, ...], int]:
@@ -16,14 +16,14 @@ def trial_sections(trials: Iterable[Trial]) -> tuple[tuple[Section, ...], int]:
     sections: list[Section] = []
     number = 1
     for trial in trials:
-        section, number = shown(trial, number)
+        section, number = trial_section(trial, number)
         sections.append(section)
     return tuple(sections), number
 
 
-def shown(trial: Trial, first: int) -> tuple[Section, int]:
+def trial_section(trial: Trial, first: int) -> tuple[Section, int]:
     """The section that shows why a contact can not stick, and the number of the next equation."""
-    composer = Composer(trial.search, first)
+    composer = DerivationComposer(trial.search, first)
     body = spoken(trial.contact.pair()[0].owner)
     derivation = composer.derivation(())
     laws = tuple(law for section in derivation.sections for law in section.laws)

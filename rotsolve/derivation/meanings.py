@@ -11,8 +11,8 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Equality
 from rotsolve.core.registry import SEPARATOR, TIME
-from rotsolve.derivation.compose.composer import Composer
-from rotsolve.derivation.compose.letters import in_letters
+from rotsolve.derivation.compose import DerivationComposer
+from rotsolve.derivation.letters import in_letters
 from rotsolve.derivation.stages import all_names
 from rotsolve.search.search import Search
 
@@ -20,7 +20,7 @@ from rotsolve.search.search import Search
 class Meanings(Struct, frozen=True, dict=True):
     """The letters of a solved scene: quantities by their printed names."""
 
-    composer: Composer
+    composer: DerivationComposer
 
     @property
     def search(self) -> Search:

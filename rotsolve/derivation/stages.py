@@ -9,10 +9,9 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.compose import Letters, in_letters
-from rotsolve.derivation.compose.letters import own_indices
+from rotsolve.derivation.letters import Letters, in_letters, own_indices
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.search.explain.missing import plural
+from rotsolve.search.explain import plural
 from rotsolve.search.search import Search
 
 

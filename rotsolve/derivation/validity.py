@@ -7,7 +7,7 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import PI, Formula, Number, Power, Product, Quotient, Sum, Symbol
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.checks.requirements import concerns, judged, needed
+from rotsolve.derivation.requirements import concerns, margin_of, requirements_by_state
 from rotsolve.motion.rubs import rubs
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
@@ -30,10 +30,10 @@ def validity(search: Search) -> Validity:
     aside = Search(search.scene, families_for(None))
     bounds: dict[Formula, None] = {}
     decided: dict[str, None] = {}
-    for _, needs in needed(search):
+    for _, needs in requirements_by_state(search):
         for need in needs:
             if concerns(need, search):
-                gap = judged(need, search, aside)[1]
+                gap = margin_of(need, search, aside)[1]
                 if gap is None:
                     decided[f"whether {spoken(need.owner)} holds"] = None
                 elif not (is_zero(gap, positive) or surely_positive(gap, positive)):

@@ -26,11 +26,12 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of, passage
 from rotsolve.motion.timeline import Interval
-from rotsolve.paths import NotYet, Reader
+from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.reader import PathReader
 from rotsolve.profile import staged
 
 if TYPE_CHECKING:
-    from rotsolve.equations.swings.swing import Swing
+    from rotsolve.equations.swing import Swing
 
 
 class SceneEquations(Struct, dict=True):
@@ -58,8 +59,8 @@ class SceneEquations(Struct, dict=True):
             self._facts[key] = free_bodies(self.instant(state, generic=generic, virtual=virtual))
         return self._facts[key]
 
-    def reader(self, state: str, *, generic: bool = False) -> Reader:
-        return Reader(self.instant(state, generic=generic), lambda: self.facts(state, generic=generic))
+    def reader(self, state: str, *, generic: bool = False) -> PathReader:
+        return PathReader(self.instant(state, generic=generic), lambda: self.facts(state, generic=generic))
 
     @cached_property
     def passages(self) -> dict[str, Passage]:
@@ -92,7 +93,7 @@ class SceneEquations(Struct, dict=True):
         spoken_of = (*self._swings_asked(), *self._swings_observed())
         if not spoken_of:
             return {}
-        from rotsolve.equations.swings.placing import Placing
+        from rotsolve.equations.equilibrium import Placing
 
         placing = Placing(self.configuration, self.registry, self.modes, self.configuration.problem.values)
         found: dict[str, Swing] = {}
@@ -246,7 +247,7 @@ class SceneEquations(Struct, dict=True):
         thought = self.instant(passage.start.state, generic=True, virtual=True)
         result = {}
         for travel in passage.travels:
-            change, rate = travel.running if running else travel.change, rate_of(travel, thought)
+            change, rate = travel.running if running else travel.change, coordinate_rate(travel, thought)
             if change is not None and isinstance(rate, Symbol):
                 result[rate.name] = change
         return result
@@ -283,7 +284,7 @@ def question_of(term: Term) -> str:
     return SEPARATOR.join((term.path.owner, term.at or "", term.start or ""))
 
 
-def rate_of(travel: Travel, instant: Instant) -> Formula:
+def coordinate_rate(travel: Travel, instant: Instant) -> Formula:
     """The rate of a coordinate at a moment."""
     if travel.kind == "turn":
         return instant.rate("angular_velocity", travel.body)

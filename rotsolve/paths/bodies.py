@@ -18,9 +18,7 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
-from rotsolve.paths.meaning import Meaning, NotYet, path_text, size_of
-from rotsolve.paths.moment import Moment
-from rotsolve.paths.natural import NATURAL, about_centre
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, NotYet, about_centre, path_text, vector_size
 
 if TYPE_CHECKING:
     from rotsolve.paths.inertias import OfInertias
@@ -28,7 +26,7 @@ if TYPE_CHECKING:
 HALF = Number(Fraction(1, 2))
 
 
-class OfBodies(Moment, frozen=True):
+class OfBodies(AtInstant, frozen=True):
     """Reads paths of bodies at one instant."""
 
     def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
@@ -45,7 +43,7 @@ class OfBodies(Moment, frozen=True):
             case "height":
                 return self._height(name, host)
             case "speed":
-                return size_of(instant.motion(name).velocity)
+                return vector_size(instant.motion(name).velocity)
             case "kinetic_energy":
                 return self._kinetic(name, component)
             case "mass" if shape_of(instant.body(name)).tabled:
@@ -207,7 +205,7 @@ class OfBodies(Moment, frozen=True):
         if body.motion.kind == "line" and body.motion.heading is not None:
             return body.mass * body.motion.velocity.along(body.motion.heading)
         momentum = body.centre_velocity.scaled(body.mass)
-        return Meaning(size_of(momentum), BY_WORD["momentum"].dimension, momentum)
+        return Meaning(vector_size(momentum), BY_WORD["momentum"].dimension, momentum)
 
     def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
@@ -243,7 +241,7 @@ class OfBodies(Moment, frozen=True):
             return Meaning(
                 part, BY_WORD["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
             )
-        return Meaning(size_of(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
+        return Meaning(vector_size(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
 
     def _power(self, name: str, component: str | None) -> Formula:
         """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""

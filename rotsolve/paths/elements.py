@@ -14,12 +14,10 @@ from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Path
 from rotsolve.paths.bodies import OfBodies
-from rotsolve.paths.meaning import Meaning, NotYet, size_of
-from rotsolve.paths.moment import Moment
-from rotsolve.paths.natural import NATURAL, about_centre
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, NotYet, about_centre, vector_size
 
 
-class OfElements(Moment, frozen=True):
+class OfElements(AtInstant, frozen=True):
     """Reads paths of connections and actions at one instant."""
 
     def of_element(self, path: Path) -> Formula | Meaning:
@@ -170,7 +168,7 @@ class OfElements(Moment, frozen=True):
             part = self._along_body(last, vector, arm, path.component or "")
             label = f"{path.component} part of the force of {spoken(path.owner)}"
             return Meaning(part, BY_WORD["force"].dimension, label=label)
-        return Meaning(size_of(vector), BY_WORD["force"].dimension, vector)
+        return Meaning(vector_size(vector), BY_WORD["force"].dimension, vector)
 
     def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
         """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""

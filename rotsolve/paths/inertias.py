@@ -22,13 +22,12 @@ from rotsolve.laws.integration import NotSliced, mass
 from rotsolve.motion.positive import positive_letters
 from rotsolve.motion.rigid import locate, rise, tidy
 from rotsolve.motion.spread import Spread
-from rotsolve.paths.meaning import Meaning, NotYet
-from rotsolve.paths.moment import Moment
+from rotsolve.paths.meaning import AtInstant, Meaning, NotYet
 
 ENTRY_OF = {"x": "xx", "y": "yy", "z": "zz"}
 
 
-class OfInertias(Moment, frozen=True):
+class OfInertias(AtInstant, frozen=True):
     """Reads paths about the spread of a body's mass."""
 
     def meaning(self, path: Path, term: Term | None) -> Meaning:
@@ -132,7 +131,7 @@ class OfInertias(Moment, frozen=True):
             instant.registry,
             instant.state,
             (x, y, height),
-            "cm" if central else _named(ref),
+            "cm" if central else _index_of_point(ref),
             central,
             facts.letter if facts is not None and centred and not doubled else None,
             integrates,
@@ -216,7 +215,7 @@ def _velocity(spin: Formula) -> tuple[str | Formula, ...]:
     return ("v = ", size, " × r, perpendicular to the axis")
 
 
-def _named(ref: PointRef | None) -> str:
+def _index_of_point(ref: PointRef | None) -> str:
     """The index that a letter about a point has."""
     if ref is None:
         return "cm"

@@ -1,22 +1,26 @@
-"""Meanings: what a path of the scene language stands for, and how it is called."""
+"""Meanings: what a path of the scene language stands for and how it is called, and what all questions about one instant start from."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 
 from msgspec import Struct
 
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, Equation, Law
-from rotsolve.core.facts import square
+from rotsolve.core.facts import BodyFacts, Facts, signed, square
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, Term
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.rigid import tidy
 
 POINT_WORDS = [entry.word for entry in QUANTITIES if POINT in entry.owners]
 
@@ -53,7 +57,7 @@ class Meaning(Struct, frozen=True):
     laws: tuple[Equation, ...] = ()  # what this question alone speaks of
 
 
-def size_of(vector: Vector) -> Formula:
+def vector_size(vector: Vector) -> Formula:
     """Length of a vector: the size of its only part, else √(Σ components²)."""
     if not vector.parts:
         return ZERO
@@ -112,3 +116,63 @@ def spoken_point(path: Path) -> str:
     at = f"point at {to_text(path.argument)}" if path.argument is not None else path.point
     point = {"cm": "centre of mass", None: ""}.get(path.point, at)
     return f"the {name}'s {point}" if point else name
+
+
+class AtInstant(Struct, frozen=True):
+    """An instant with its facts, which are worked out when a question needs them."""
+
+    instant: Instant
+    facts: Callable[[], Facts]
+
+    def body(self, name: str) -> BodyFacts:
+        found = self.facts().body(self.instant.host(name))
+        if found is None:
+            raise NotYet(f"`{name}` is not there{self._moment()}")
+        return found
+
+    def _moment(self) -> str:
+        return f" at `{self.instant.state}`" if self.instant.state else ""
+
+    def _turned_by(self, owner: str) -> str:
+        """The body on which a connection or action acts."""
+        refs = [
+            ref
+            for item in self.instant.configuration.acting(self.instant.state)
+            if item.name == owner
+            for ref in item.touches()
+            if ref.owner in self.instant.configuration.bodies
+        ]
+        return refs[-1].owner if refs else ""
+
+
+NATURAL = ("tangential", "normal")
+
+
+def arm_length(arm: Vector) -> Formula:
+    """|r|: the size of the only part, else √(x² + y²)."""
+    arm = tidy(arm)
+    if len(arm.parts) == 1:
+        return arm.parts[0][0]
+    x, y = arm.along(RIGHT), arm.along(UP)
+    return simplify(sqrt(x**2 + y**2), positive=(x + y).symbols())
+
+
+def about_centre(vector: Vector, arm: Vector, sense: int, component: str) -> Formula:
+    """Component of a vector at `arm` from a centre: across the arm along the positive turn, or towards the centre."""
+    arm = tidy(arm)
+    if len(arm.parts) == 1:
+        outward = arm.parts[0][1]
+        return vector.along(outward.turned(180) if component == "normal" else outward.turned(90 * sense))
+    part = signed(arm.cross(vector), sense) if component == "tangential" else (-arm).dot(vector)
+    return simplify(part / arm_length(arm))
+
+
+def along_path(vector: Vector, velocity: Vector, component: str) -> Formula:
+    """Component of a vector along the velocity of a point, or square to it: a·v/|v|, |v × a|/|v|."""
+    velocity = tidy(velocity)
+    if len(velocity.parts) == 1:
+        onward = velocity.parts[0][1]
+        return vector.along(onward) if component == "tangential" else absolute(vector.along(onward.turned(90)))
+    speed = sqrt(velocity.along(RIGHT) ** 2 + velocity.along(UP) ** 2)
+    part = velocity.dot(vector) if component == "tangential" else absolute(velocity.cross(vector))
+    return part / speed

@@ -7,12 +7,20 @@ from rotsolve.core.facts import Motion, signed, square
 from rotsolve.core.quantity import BY_WORD, INSIDE
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.language.problem import Path, PointRef
-from rotsolve.paths.meaning import Meaning, NotYet, path_text, size_of, spoken_point
-from rotsolve.paths.moment import Moment
-from rotsolve.paths.natural import NATURAL, along_path, length
+from rotsolve.paths.meaning import (
+    NATURAL,
+    AtInstant,
+    Meaning,
+    NotYet,
+    along_path,
+    arm_length,
+    path_text,
+    spoken_point,
+    vector_size,
+)
 
 
-class OfPoints(Moment, frozen=True):
+class OfPoints(AtInstant, frozen=True):
     """Reads paths of points at one instant."""
 
     def at_point(self, path: Path) -> bool:
@@ -38,7 +46,7 @@ class OfPoints(Moment, frozen=True):
             return self._place(path, arm)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
         dimension = BY_WORD[path.quantity].dimension
-        label = f"{path.quantity} of {spoken_point(path)}{carried(motion, arm, path.quantity)}"
+        label = f"{path.quantity} of {spoken_point(path)}{carrying_words(motion, arm, path.quantity)}"
         if path.component in ("x", "y"):
             side, axis = ("horizontally", RIGHT) if path.component == "x" else ("vertically", UP)
             return Meaning(vector.along(axis), dimension, label=f"{label}, {side}")
@@ -50,7 +58,7 @@ class OfPoints(Moment, frozen=True):
             else ""
         )
         shown = None if path.quantity == "speed" else vector  # a speed points nowhere
-        return Meaning(size_of(vector), dimension, shown, remark, label)
+        return Meaning(vector_size(vector), dimension, shown, remark, label)
 
     def _inside(self, path: Path) -> Meaning:
         """What acts at a cut through a rod."""
@@ -84,7 +92,7 @@ class OfPoints(Moment, frozen=True):
         vector = unit(motion.orientation.turned(90)).times(radius * motion.spin) + outward
         if path.component in ("x", "y"):
             return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
-        return Meaning(size_of(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
+        return Meaning(vector_size(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
 
     def _place(self, path: Path, arm: Vector) -> Meaning:
         """A component of a point's place: that of the body's reference, and from there to the point."""
@@ -104,7 +112,7 @@ class OfPoints(Moment, frozen=True):
         else:
             squared = square(motion.spin) if path.quantity == "acceleration" else ZERO
             part, value = arm.turned(180).times(squared), squared
-        radius = length(arm) if arm.parts else ZERO
+        radius = arm_length(arm) if arm.parts else ZERO
         return Meaning(radius * value, BY_WORD[path.quantity].dimension, part, "", self._called(path))
 
     def _on_path(self, path: Path, motion: Motion, arm: Vector) -> Meaning:
@@ -112,7 +120,7 @@ class OfPoints(Moment, frozen=True):
         velocity = motion.velocity_of(arm)
         straight = motion.kind == "line" and not arm.parts and motion.heading is not None
         if straight and motion.heading is not None:
-            velocity = Vector(((size_of(velocity), motion.heading),))
+            velocity = Vector(((vector_size(velocity), motion.heading),))
         if not velocity.parts:
             raise NotYet(resting(path))
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
@@ -124,7 +132,7 @@ class OfPoints(Moment, frozen=True):
         return f"{path.component} {path.quantity} of {spoken_point(path)}"
 
 
-def carried(motion: Motion, arm: Vector, quantity: str) -> str:
+def carrying_words(motion: Motion, arm: Vector, quantity: str) -> str:
     """How a point moves with a body that travels and turns; nothing where that is plain."""
     if motion.kind != "plane" or motion.spin == ZERO or not arm.parts:
         return ""

@@ -18,14 +18,13 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.elements import OfElements
-from rotsolve.paths.meaning import Meaning, NotYet, label_of, size_of
-from rotsolve.paths.moment import Moment
+from rotsolve.paths.meaning import AtInstant, Meaning, NotYet, label_of, vector_size
 from rotsolve.paths.points import OfPoints
 
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 
 
-class Reader(Moment, frozen=True):
+class PathReader(AtInstant, frozen=True):
     """Reads paths at one instant."""
 
     def meaning(self, path: Path, term: Term | None = None) -> Meaning:
@@ -94,7 +93,7 @@ class Reader(Moment, frozen=True):
                 whole = tidy(Vector(tuple(part for momentum in momenta for part in momentum.parts)))
                 if path.component is not None:
                     return whole.along(RIGHT if path.component == "x" else UP)
-                return Meaning(size_of(whole), BY_WORD["momentum"].dimension, whole)
+                return Meaning(vector_size(whole), BY_WORD["momentum"].dimension, whole)
             case "time":
                 return self.instant.time()
             case "mass":

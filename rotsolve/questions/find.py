@@ -6,29 +6,212 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
+from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol, add, sqrt
+from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
+from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY, Equation, Law
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
+from rotsolve.core.vectors.tensor import AXES, ENTRIES
+from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Find
-from rotsolve.paths import Meaning
-from rotsolve.questions.conversion import conversion
-from rotsolve.questions.question import Asked, in_parts
-from rotsolve.questions.ratios import dimension_in, label_of
-from rotsolve.questions.terms import DIFFERENCE, meaning_of, size
+from rotsolve.language.problem import Find, Given, Path, Term
+from rotsolve.paths.meaning import Meaning
+from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration
-    from rotsolve.questions.courses import Beside
+    from rotsolve.equations.swing import Swing
+    from rotsolve.questions.functions_of_time import Beside
+
+
+class Asked(Struct, frozen=True):
+    """An asked quantity: its name, what it is made of, and the letter that stands for it in the laws.
+
+    `letter` is the quantity's own letter where the question is just that quantity, else a letter made for the question; `section` is
+    where its definition belongs. `parts` are the questions for the components of a vector, which are answered before its size; each
+    of them, and each quantity that a choice compares, knows its `whole` by name. `moving` is a velocity without which the question
+    has no meaning; `said` is a remark with formulas in it, `definitions` are the steps that lead to the formula, and
+    `laws` what this question alone speaks of, such as when a wheel reverses.
+    """
+
+    find: Find
+    formula: Formula
+    letter: str
+    dimension: Dimension | None
+    vector: Vector | None = None
+    remark: str = ""
+    label: str = ""
+    law: Law = DEFINITION
+    section: str = ""
+    words: tuple[str, str] = ("", "")
+    parts: tuple[Asked, ...] = ()
+    whole: str = ""
+    moving: Vector = NOWHERE
+    said: Words = ()
+    definitions: tuple[Equation, ...] = ()
+    laws: tuple[Equation, ...] = ()
+    swings: tuple[tuple[Swing, str], ...] = ()  # with what is asked of each: its period or frequency
+
+    @property
+    def direct(self) -> bool:
+        """Whether the question is a single quantity of the laws."""
+        return isinstance(self.formula, Symbol) and self.formula.name == self.letter
+
+    def same_as(self, other: Asked) -> bool:
+        """Whether both ask for the same, under whatever names."""
+        return self.letter == other.letter or (self.formula, self.section) == (other.formula, other.section)
+
+    @property
+    def of_givens(self) -> bool:
+        """Whether the question is made of givens alone, so that no law has a say in it."""
+        return not self.find.terms and not any(SEPARATOR in name for name in self.formula.symbols())
+
+    @property
+    def points(self) -> bool:
+        """Whether a vector or a part of one is asked, not a mere speed."""
+        return self.vector is not None and self.find.terms[0].path.quantity != "speed"
+
+    @property
+    def resolves(self) -> bool:
+        """Whether a whole vector is asked, not one component of it."""
+        return self.vector is not None and whole_vector(self.find.terms[0].path)
+
+
+def whole_vector(path: Path) -> bool:
+    """Whether a path that may be a vector asks for all of it: not for one component, nor a mere speed."""
+    return path.quantity != "speed" and path.component in (None, "gravity")
+
+
+def in_parts(question: Asked) -> Asked:
+    """The question for a vector with those for its components in front: v_x and v_y, then v = √(v_x² + v_y²).
+
+    A vector of one part needs none: its size and its direction are seen at once.
+    """
+    vector = question.vector
+    if (
+        vector is None
+        or not question.resolves
+        or len(vector.parts) < 2
+        or ZERO in (vector.along(RIGHT), vector.along(UP))
+    ):
+        return question
+    parts = tuple(component(question, vector, axis) for axis in "xy")
+    headings = [heading for _, heading in vector.parts]
+    if len(headings) == 2 and (headings[0] - headings[1]).cos() == ZERO and headings[0].terms:
+        return replace(question, parts=parts)  # such as √(a_t² + a_n²), shorter than by x and y
+    size = sqrt(add(*(Symbol(part.letter) ** 2 for part in parts)))
+    return replace(question, formula=size, parts=parts)
+
+
+def component(question: Asked, vector: Vector, axis: str) -> Asked:
+    """The question for one component of a vector."""
+    find = question.find
+    path = replace(find.terms[0].path, component=axis)
+    own = replace(find, name=f"{find.name}_{axis}", terms=(replace(find.terms[0], path=path),))
+    formula = vector.along(RIGHT if axis == "x" else UP)
+    direct = isinstance(formula, Symbol) and SEPARATOR in formula.name
+    letter = formula.name if isinstance(formula, Symbol) and direct else SEPARATOR.join((question.letter, axis))
+    side, words = ("horizontally", ("right", "left")) if axis == "x" else ("vertically", ("up", "down"))
+    return Asked(
+        own,
+        formula,
+        letter,
+        question.dimension,
+        label=f"{question.label}, {side}",
+        law=question.law,
+        section=question.section,
+        words=words,
+        whole=find.name,
+    )
+
+
+def conversion(find: Find, given: Given) -> Words:
+    """1° = π/180 rad, so 15 · π/180 rad = π/12 rad; nothing where the unit stays."""
+    old, new = given.unit, find.unit
+    if given.value is None or given.value.symbols() or old is None or new is None or old.factor == new.factor:
+        return ()
+    number, factor = in_unit(given.value, old), simplify(in_unit(old.factor, new))
+    unit = new.after("")
+    known: Words = (f"{old.after('1')} = ", factor, unit)
+    if number == ONE:
+        return known
+    return (*known, ": ", number, " · ", factor, unit, " = ", simplify(number * factor), unit)
+
+
+FRICTION = "friction over normal force"  # the least coefficient that keeps it from slipping
+ENERGIES = ("kinetic_energy", "potential_energy", "energy")
+
+
+def find_label(find: Find, dimensions: Mapping[str, Dimension]) -> str:
+    """What a `find` line that is a quotient is called, by the `dimensions` of its letters; nothing where its parts do not tell."""
+    formula = find.formula
+    if not isinstance(formula, Quotient):
+        return ""
+    top, bottom = formula.numerator, formula.denominator
+    paths = {f"#{index}": term.path for index, term in enumerate(find.terms)}
+    upper, lower = (paths.get(side.name) if isinstance(side, Symbol) else None for side in (top, bottom))
+    sides = [(path.quantity, path.owner) for path in (upper, lower) if path is not None]
+    if [quantity for quantity, _ in sides] == ["friction_force", "normal_force"] and sides[0][1] == sides[1][1]:
+        return FRICTION
+    above, below = dimension_in(top, dimensions), dimension_in(bottom, dimensions)
+    if top == 2 * PI and below == ANGULAR_VELOCITY:
+        return "period, the time of one turn"
+    if above is None or above != below or above == NONE:
+        return ""
+    return f"share of the {spoken(lower.quantity)}" if lower is not None and lower.quantity in ENERGIES else "ratio"
+
+
+def dimension_in(formula: Formula, dimensions: Mapping[str, Dimension]) -> Dimension | None:
+    """The dimension of a part of a question, where it is known."""
+    try:
+        return dimension_of(formula, dimensions)
+    except (DimensionError, KeyError, ValueError):
+        return None
+
+
+def entries(find: Find, scene: SceneEquations) -> tuple[Find, ...]:
+    """A question for a matrix or a vector in space as questions for its entries; any other question alone."""
+    if len(find.terms) != 1 or find.formula != Symbol("#0") or find.terms[0].path.component is not None:
+        return (find,)
+    term = find.terms[0]
+    names = components(term, scene)
+    return tuple(
+        replace(
+            find,
+            name=f"{find.name}_{name}",
+            terms=(replace(term, path=replace(term.path, component=name)),),
+            whole=find.name,
+        )
+        for name in names
+    ) or (find,)
+
+
+def components(term: Term, scene: SceneEquations) -> tuple[str, ...]:
+    """The entries that belong to a question for a whole: all of a tensor; the coordinates in which a body extends."""
+    path = term.path
+    if path.owner not in scene.configuration.bodies:
+        return ()
+    if path.quantity == "inertia_tensor":
+        return ENTRIES
+    if path.quantity not in ("cm", "angular_momentum") or term.modifier:
+        return ()
+    flat = scene.reader(scene.configuration.timeline.states[0].name).is_flat(path.owner, term)
+    if path.quantity == "cm":
+        return AXES[:2] if flat else AXES
+    return AXES if term.about is not None and not flat else ()
+
 
 Earlier = Mapping[str, tuple[Formula, "Dimension | None"]]  # answers found before, by name
 
 
-def asked(
+def question_for(
     find: Find, scene: SceneEquations, earlier: Earlier = MappingProxyType({}), beside: Beside | None = None
 ) -> Asked:
     """What a `find` line asks for; it may speak of `earlier` answers by name."""
@@ -52,11 +235,11 @@ def rewritten(question: Asked, altered: Alteration) -> Asked:
 def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: Beside | None) -> Asked:
     """The formula of a `find` line, and the letter that stands for it."""
     meanings = [meaning_of(term, scene, beside) for term in find.terms]
-    formula = formula_of(find, [meaning.formula for meaning, _ in meanings], earlier)
+    formula = find_formula(find, [meaning.formula for meaning, _ in meanings], earlier)
     own = meanings[0][0] if len(meanings) == 1 and find.formula == Symbol("#0") else None  # where one path is all of it
     known = known_dimensions(meanings, scene, earlier)
     dimension = own.dimension if own is not None else dimension_in(find.formula, known)
-    label = label_of(find, known)
+    label = find_label(find, known)
     share = label != "" and any(term.path.quantity == "kinetic_energy" for term in find.terms[-1:])
     question = Asked(
         find,
@@ -79,12 +262,12 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     return question if own is None else of_one_path(question, own)
 
 
-def formula_of(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> Formula:
+def find_formula(find: Find, meanings: Sequence[Formula], earlier: Earlier) -> Formula:
     """The arithmetic of a `find` line with the meanings of its paths, and the letters of earlier answers, put in."""
     values = {f"#{index}": meaning for index, meaning in enumerate(meanings)}
     values |= {name: letter for name, (letter, _) in earlier.items() if name != find.name}
     formula = find.formula.substitute(values)
-    return size(formula) if find.modifier == "size of" else formula
+    return magnitude(formula) if find.modifier == "size of" else formula
 
 
 def of_one_path(question: Asked, meaning: Meaning) -> Asked:

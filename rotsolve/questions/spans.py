@@ -1,16 +1,216 @@
-"""Spans: quantities that belong to one or several phases: time, way, angle turned, work, impulse."""
+"""Spans: what belongs to phases and events: time, way, angle turned, impulse, work, and the change or loss of a quantity."""
 
 from __future__ import annotations
 
-from rotsolve.algebra.formula import PI, ZERO, Formula, total
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol, add, negate, sqrt, total
+from rotsolve.core.facts import BodyFacts, signed
+from rotsolve.core.passage import Meeting, Passage
 from rotsolve.core.quantity import BY_WORD, DIMENSIONS
-from rotsolve.core.vectors.heading import RIGHT, UP
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.varying import running
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
+from rotsolve.core.writing import is_negative
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
+from rotsolve.laws.energy import potential
+from rotsolve.laws.momentum import over_time
+from rotsolve.motion.encounters import participants
+from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
-from rotsolve.paths import Meaning, NotYet, Unclear, label_of, size_of, spoken_point
-from rotsolve.questions.transfers import blow, impulse, ways_of_blow, work
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size
+from rotsolve.questions.find import whole_vector
+
+
+def impulse(path: Path, interval: str, state: str, scene: SceneEquations) -> Formula:
+    """The impulse of a support or blow in an event, or of an action or connection over a phase."""
+    encounter = scene.encounters.get(interval)
+    if encounter is None and interval in scene.passages:
+        return impulse_over(path, scene.passages[interval])
+    if encounter is None:
+        raise NotYet("an impulse is asked of an event or a phase")
+    blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
+    wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
+    if path.quantity == "angular_impulse":
+        return twist_of(path.owner, interval, scene)
+    sizes = list({blow.size: None for blow in wanted})
+    if not sizes:
+        raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
+    if len(sizes) == 1:
+        return sizes[0]
+    squares: Formula = ZERO
+    for size in sizes:
+        squares = add(squares, size**2)
+    return sqrt(squares)
+
+
+def blow(path: Path, interval: str, scene: SceneEquations) -> Vector | None:
+    """The blow of an event or support on its last-named body, where it has two components; else none is needed."""
+    parts = blows_on_last(path, interval, scene)
+    return Vector(tuple(parts)) if len(parts) > 1 else None
+
+
+def ways_of_blow(path: Path, interval: str, scene: SceneEquations) -> tuple[str, str]:
+    """Words for a blow on its last-named body that has one component: along it, and against it."""
+    parts = blows_on_last(path, interval, scene)
+    if path.quantity != "impulse" or len(parts) != 1:
+        return "", ""
+    size, heading = parts[0]
+    negative = is_negative(size)
+    for direction, words in ((RIGHT, ("right", "left")), (UP, ("up", "down"))):
+        if (heading - direction).cos() in (ONE, negate(ONE)):
+            return words if ((heading - direction).cos() == ONE) != negative else (words[1], words[0])
+    return "", ""
+
+
+def blows_on_last(path: Path, interval: str, scene: SceneEquations) -> list[tuple[Formula, Heading]]:
+    """The components of the blow of an event or support on its last-named body."""
+    encounter = scene.encounters.get(interval)
+    if encounter is None or path.component is not None:
+        return []
+    chosen = meeting_of_last(path.owner, interval, scene)
+    blows = chosen.blows if chosen is not None else ()
+    return [part for item in blows if item.owner == path.owner for part in item.vector.parts]
+
+
+def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting | None:
+    """What a blow does to its last-named body."""
+    last = last_named(owner, interval, scene)
+    hit = [item for item in scene.encounters[interval].meetings if any(found.owner == owner for found in item.blows)]
+    return next((item for item in hit if item.body.name == last), hit[-1] if hit else None)
+
+
+def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
+    """The body that an event or connection names last."""
+    found = scene.configuration.timeline.interval(interval)
+    assert found is not None and found.event is not None
+    instant = scene.instant(found.start)
+    items = [item for item in scene.configuration.connections(found.start) if item.name == owner]
+    refs = (
+        participants(found, scene.configuration) if found.event.name == owner else items[0].touches() if items else ()
+    )
+    bodies = [ref.owner for ref in refs if ref.owner in scene.configuration.bodies]
+    return instant.host(bodies[-1]) if bodies else ""
+
+
+def impulse_over(path: Path, passage: Passage) -> Formula:
+    """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
+    result: Formula = ZERO
+    for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
+        for one, effort in zip(efforts(path, first), efforts(path, body), strict=True):
+            if running(effort.symbols()):
+                raise NotYet(
+                    f"the {path.quantity.replace('_', ' ')} of `{path.owner}`, which varies with the motion, is not solved yet"
+                )
+            result = add(result, over_time(one, effort, passage))
+    if result == ZERO:
+        raise NotYet(f"`{path.owner}` gives no impulse in this phase")
+    return result
+
+
+def efforts(path: Path, body: BodyFacts) -> list[Formula]:
+    """What an action or connection does to a body: its torques along the body's positive turn, or the sizes of its forces."""
+    if path.quantity == "angular_impulse":
+        return [signed(item.torque, body.motion.sense) for item in body.acting if item.owner == path.owner]
+    return [force.size for force in body.forces if force.owner == path.owner]
+
+
+def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
+    """Angular impulse of a blow on its last-named body, about that body's axis or centre of mass, along its positive turn."""
+    hit = meeting_of_last(owner, interval, scene)
+    if hit is None:
+        raise NotYet(f"`{owner}` gives no angular impulse there")
+    torques = [item.torque for item in hit.blows if item.owner == owner]
+    return total([signed(torque, hit.body.motion.sense) for torque in (*torques, *hit.twists)])
+
+
+def _axis(size: Formula) -> str:
+    return size.name.split(SEPARATOR)[2] if isinstance(size, Symbol) and SEPARATOR in size.name else ""
+
+
+def work_of_weight(name: str, passage: Passage) -> Formula:
+    """m g times the height lost."""
+    heights = passage.heights.get(name)
+    if heights is None:
+        raise NotYet(f"how far `{name}` sinks is not told by the scene")
+    result: Formula = ZERO
+    for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
+        body = facts.body(name)
+        for force in body.forces if body is not None else ():
+            if force.role == "weight":
+                level = force.size * (height + force.arm.along(UP))
+                result = add(result, level if sign > 0 else negate(level))
+    return result
+
+
+def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
+    """Work of an action or connection in a phase, or of all forces on a body."""
+    passage = scene.passages.get(interval)
+    if passage is None:
+        return ZERO
+    works = [work for work in passage.works if path.owner in (work.owner, *work.bodies)]
+    if path.component == "gravity":
+        return work_of_weight(path.owner, passage)
+    if not works:
+        raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
+    result: Formula = ZERO
+    for item in works:
+        result = add(result, item.amount)
+    return result
+
+
+def potential_change(owner: str, passage: Passage) -> Formula:
+    """U₂ − U₁ of a body's weight, of a spring, or of everything."""
+    groups = [group for group in passage.groups if not owner or owner in group] or list(passage.groups)
+    if any(passage.heights.get(name) is None for group in groups for name in group if not owner or name == owner):
+        raise NotYet("how high it is at both states is not told by the scene")
+    result: Formula = ZERO
+    if owner and owner in {body.name for body in passage.start.bodies}:
+        return negate(work_of_weight(owner, passage))
+    for group in groups:
+        for end, sign in ((1, 1), (0, -1)):
+            for term in potential(passage, group, end):
+                result = add(result, term if sign > 0 else negate(term))
+    return result
+
+
+STORED = ("potential_energy", "energy")
+
+
+def change_or_loss(term: Term, start: str, end: str, scene: SceneEquations) -> tuple[Meaning, str]:
+    """Change (later minus earlier) or loss (earlier minus later)."""
+    if term.path.quantity in STORED:
+        return stored_difference(term, start, end, scene)
+    first = scene.reader(start).meaning(term.path, term)
+    last = scene.reader(end).meaning(term.path, term)
+    section = scene.configuration.timeline.between(start, end)[-1].name
+    label = f"{term.modifier.replace('lost', 'loss of')} {first.label}"
+    earlier, later = (last, first) if term.modifier == "lost" else (first, last)
+    if earlier.vector is not None and later.vector is not None and whole_vector(term.path):
+        gap = tidy(later.vector - earlier.vector)
+        return Meaning(vector_size(gap), first.dimension, gap, label=label, law=first.law), section
+    return Meaning(later.formula - earlier.formula, first.dimension, label=label, law=first.law), section
+
+
+def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -> tuple[Meaning, str]:
+    """Change or loss of potential energy (of one body: its weight's alone), or of kinetic and potential energy together."""
+    result: Formula = ZERO
+    intervals = scene.configuration.timeline.between(start, end)
+    for interval in intervals:
+        passage = scene.passages.get(interval.name)
+        if passage is not None:
+            result = add(result, potential_change(term.path.owner, passage))
+    if term.path.quantity == "energy":
+        kinetic = replace(term.path, quantity="kinetic_energy")
+        gained = [scene.reader(state).meaning(kinetic, term).formula for state in (start, end)]
+        result = add(result, gained[1] - gained[0])
+    word = term.path.quantity.replace("_", " ")
+    label = f"{term.modifier.replace('lost', 'loss of')} {word}"
+    return Meaning(negate(result) if term.modifier == "lost" else result, DIMENSIONS["energy"], label=label), intervals[
+        -1
+    ].name
 
 
 def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[Meaning, str]:
@@ -25,7 +225,7 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
         if len(intervals) == 1 and intervals[0].name in scene.passages:
             duration = scene.passages[intervals[0].name].duration
         return Meaning(duration, kind.dimension), intervals[-1].name
-    result = total([within(path, interval, scene) for interval in intervals])
+    result = total([over_interval(path, interval, scene) for interval in intervals])
     if path.quantity == "turns":
         result = result / (2 * PI)
     single = path.quantity == "impulse" and len(intervals) == 1
@@ -34,17 +234,17 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
     return Meaning(result, kind.dimension, vector, label=label_of(path, term), words=words), intervals[-1].name
 
 
-def within(path: Path, interval: Interval, scene: SceneEquations) -> Formula:
+def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Formula:
     """What one phase or event adds to a quantity."""
     if path.quantity in ("impulse", "angular_impulse"):
         return impulse(path, interval.name, interval.start, scene)
     if path.quantity not in ("displacement", "rotation", "turns"):
-        return work(path, interval.name, scene)
+        return work_done(path, interval.name, scene)
     if interval.event is not None:
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.questions.courses import way
+    from rotsolve.questions.functions_of_time import way
 
     instant = scene.instant(interval.start)
     name = instant.host(path.owner) if path.owner in scene.configuration.bodies else path.owner
@@ -69,7 +269,7 @@ def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning
         return Meaning(way.along(RIGHT if path.component == "x" else UP), dimension, label=label)
     if path.component is not None:
         raise NotYet(f"the {path.component} part of a displacement has no meaning", help="ask for `x` or `y`")
-    return Meaning(size_of(way), dimension, way, label=label)
+    return Meaning(vector_size(way), dimension, way, label=label)
 
 
 def span(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[str, str]:

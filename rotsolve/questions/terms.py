@@ -11,10 +11,10 @@ from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import ANY_TIME, Path, Term
-from rotsolve.paths import Meaning, NotYet, Unclear, path_text
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text
 
 if TYPE_CHECKING:
-    from rotsolve.questions.courses import Beside
+    from rotsolve.questions.functions_of_time import Beside
 
 DIFFERENCE = ("change of", "lost")
 SUMMED = {  # what the mean of a quantity is the mean of, over time
@@ -31,13 +31,13 @@ SUMMED = {  # what the mean of a quantity is the mean of, over time
 
 def meaning_of(term: Term, scene: SceneEquations, beside: Beside | None = None) -> tuple[Meaning, str]:
     """A term's meaning, and the state, phase or event where it belongs."""
-    meaning, section = signed(term, scene, beside)
+    meaning, section = signed_meaning(term, scene, beside)
     if term.modifier == "size of":
-        meaning = replace(meaning, formula=size(meaning.formula))
+        meaning = replace(meaning, formula=magnitude(meaning.formula))
     return meaning, section
 
 
-def size(formula: Formula) -> Formula:
+def magnitude(formula: Formula) -> Formula:
     """|x|; of what is a root or a size already the same, of a number without its minus."""
     if isinstance(formula, Number):
         return Number(abs(formula.value))
@@ -45,7 +45,7 @@ def size(formula: Formula) -> Formula:
     return formula if bare or not formula.symbols() else Call("abs", (formula,))
 
 
-def signed(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
+def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
     """The meaning of a term with its sign, whether or not its size is asked."""
     timeline = scene.configuration.timeline
     if term.path.quantity in OSCILLATING:
@@ -53,9 +53,9 @@ def signed(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Me
         return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.at == ANY_TIME:
-        from rotsolve.questions.courses import at_any_time
+        from rotsolve.questions.functions_of_time import meaning_at_any_time
 
-        return at_any_time(term, scene)
+        return meaning_at_any_time(term, scene)
     if term.during is not None:
         interval = timeline.interval(term.during)
         if interval is None:
@@ -73,19 +73,19 @@ def from_to(
     from rotsolve.questions.spans import span, spanned
 
     if term.modifier == "total" or term.path.quantity == "distance":
-        from rotsolve.questions.courses import whole_way
+        from rotsolve.questions.functions_of_time import whole_way
 
         return whole_way(term, *span(term, start, end, scene), scene, beside)
     if term.modifier in ("largest", "smallest"):
-        from rotsolve.questions.courses import extreme
+        from rotsolve.questions.functions_of_time import extreme
 
         return extreme(term, *span(term, start, end, scene), scene, beside)
     if term.path.quantity in SPANNED and term.modifier not in DIFFERENCE:
         return spanned(term, start, end, scene)
     if term.modifier in DIFFERENCE and start and end:
-        from rotsolve.questions.differences import difference
+        from rotsolve.questions.spans import change_or_loss
 
-        return difference(term, start, end, scene)
+        return change_or_loss(term, start, end, scene)
     if term.modifier == "mean" and start and end:
         return mean(term, start, end, scene, beside)
     return at_state(term, scene)
@@ -102,7 +102,7 @@ def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:
         except NotYet as error:
             failed = error
             continue
-        found.setdefault(meaning.formula, (meaning, section_of(term.path, meaning, state, scene)))
+        found.setdefault(meaning.formula, (meaning, section_of_definition(term.path, meaning, state, scene)))
     if not found:
         raise failed or Unclear("nothing is asked")
     if len(found) > 1:
@@ -112,7 +112,7 @@ def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:
     return next(iter(found.values()))
 
 
-def section_of(path: Path, meaning: Meaning, state: str, scene: SceneEquations) -> str:
+def section_of_definition(path: Path, meaning: Meaning, state: str, scene: SceneEquations) -> str:
     """Where a definition is written: with the accelerations of a phase, or at its state."""
     moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
     if (

@@ -14,11 +14,10 @@ from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.language.problem import Find
-from rotsolve.paths import NotYet, Unclear, resting
-from rotsolve.questions.entries import entries
-from rotsolve.questions.find import asked
-from rotsolve.search.answers import Answered, NoAnswer
-from rotsolve.search.explain.unsolvable import unsolvable
+from rotsolve.paths.meaning import NotYet, Unclear
+from rotsolve.paths.points import resting
+from rotsolve.questions.find import entries, question_for
+from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
@@ -52,24 +51,25 @@ def answer_one(search: Search, find: Find) -> None:
         if find.choice is not None:
             from rotsolve.search.choices import choose
 
-            search.chosen.append(choose(find, find.choice, search, lambda side: by_law(search, side, find.name)))
-        elif not by_condition(search, find):
-            by_law(search, find)
+            search.chosen.append(choose(find, find.choice, search, lambda side: answer_by_law(search, side, find.name)))
+        elif not answer_with_condition(search, find):
+            answer_by_law(search, find)
     except (NotYet, Unclear) as error:
         raise unsolvable(problem, str(error), error.span or find.span, error.help) from None
     except NoAnswer as error:
-        from rotsolve.search.explain.missing import no_answer, refuse_unsolved
+        from rotsolve.search.explain import no_answer, refuse_unsolved
 
         if error.shortage is not None:
             refuse_unsolved(search, error.shortage, find)
         raise no_answer(error, search, find) from None
 
 
-def by_condition(search: Search, find: Find) -> bool:
+def answer_with_condition(search: Search, find: Find) -> bool:
     """Answer a question with a condition, or for an extremum over a letter; False where it is neither."""
     if find.where is None and not find.extreme:
         return False
-    from rotsolve.search.where import answer_where, over_a_letter
+    from rotsolve.search.conditions import answer_where
+    from rotsolve.search.extrema import over_a_letter
 
     if find.where is None and not over_a_letter(find, search):
         return False
@@ -77,14 +77,14 @@ def by_condition(search: Search, find: Find) -> bool:
     return True
 
 
-def by_law(search: Search, find: Find, whole: str = "") -> Answered:
+def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
     """Answer by the search's laws; where a law asked for does not reach (no energy tells a tension), Newton's laws help out.
 
     `whole` names the choice to which the question belongs.
     """
-    question = asked(find, search.scene, search.letters(), search.beside())
+    question = question_for(find, search.scene, search.letters(), search.beside())
     question = replace(question, whole=whole)
-    if question.moving.parts and stands(question.moving, search):
+    if question.moving.parts and stands_still(question.moving, search):
         raise NotYet(resting(find.terms[0].path))
     try:
         return search.answer(question)
@@ -104,7 +104,7 @@ def by_law(search: Search, find: Find, whole: str = "") -> Answered:
         return answered
 
 
-def stands(velocity: Vector, search: Search) -> bool:
+def stands_still(velocity: Vector, search: Search) -> bool:
     """Whether a velocity turns out to be nothing."""
     aside = Search(search.scene, families_for(None))
     parts = [aside.settled(velocity.along(axis)) for axis in (RIGHT, UP)]

@@ -1,12 +1,13 @@
-"""Answers: an asked quantity with its solution, a choice with what decides it, and why there may be none."""
+"""Answers: an asked quantity with its solution, a choice with what decides it, and why there may be none, with its place in the file."""
 
 from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.language.problem import Find
+from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.language.problem import Find, Problem
 from rotsolve.plan import Shortage
-from rotsolve.questions.question import Asked
+from rotsolve.questions.find import Asked
 from rotsolve.solver import Found
 
 
@@ -33,7 +34,7 @@ class Compared(Struct, frozen=True):
     right: Answered
 
 
-class Verdict(Struct, frozen=True):
+class OptionResult(Struct, frozen=True):
     """One option of a choice: whether it is chosen, its quantity where one alone is asked, and the comparisons that tell."""
 
     label: str
@@ -52,7 +53,7 @@ class Chosen(Struct, frozen=True):
     """The answer to a choice."""
 
     find: Find
-    verdicts: tuple[Verdict, ...]
+    verdicts: tuple[OptionResult, ...]
 
     @property
     def word(self) -> str:
@@ -74,3 +75,11 @@ class NoAnswer(ValueError):
         self.shortage = shortage
         self.equation = equation
         self.open_form = open_form  # whether only a closed form is missing
+
+
+CHECK_DATA = "check the givens and what the states say"
+
+
+def unsolvable(problem: Problem, message: str, span: Span | None = None, help: str = "") -> Unsolvable:
+    """A message with its place in the file."""
+    return Unsolvable(message, span=span, help=help, lines=problem.lines, file=problem.file)

@@ -12,9 +12,9 @@ from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Call, Formula
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.language.problem import Choice, Find
-from rotsolve.paths import NotYet
-from rotsolve.questions.find import asked
-from rotsolve.search.answers import Answered, Chosen, Compared, Verdict
+from rotsolve.paths.meaning import NotYet
+from rotsolve.questions.find import question_for
+from rotsolve.search.answers import Answered, Chosen, Compared, OptionResult
 from rotsolve.search.search import Search
 from rotsolve.solver import Found
 
@@ -27,9 +27,10 @@ BOUND = {"above": ">", "below": "<"}
 
 def choose(find: Find, choice: Choice, search: Search, answer: Callable[[Find], Answered]) -> Chosen:
     """Decide a choice; `answer` settles one of the quantities that it compares."""
-    bound = [] if choice.bound is None else [settled(choice.bound, find.name, search, answer)]
+    bound = [] if choice.bound is None else [side_answer(choice.bound, find.name, search, answer)]
     options = [
-        (option.label, [settled(side, find.name, search, answer) for side in option.sides]) for option in choice.options
+        (option.label, [side_answer(side, find.name, search, answer) for side in option.sides])
+        for option in choice.options
     ]
     if choice.test in ("largest", "smallest"):
         return Chosen(find, extremes(choice.test, [(label, sides[0]) for label, sides in options], search))
@@ -42,9 +43,9 @@ def choose(find: Find, choice: Choice, search: Search, answer: Callable[[Find], 
     )
 
 
-def settled(side: Find, whole: str, search: Search, answer: Callable[[Find], Answered]) -> Answered:
+def side_answer(side: Find, whole: str, search: Search, answer: Callable[[Find], Answered]) -> Answered:
     """One quantity of a choice; what is made of givens alone needs no law."""
-    question = replace(asked(side, search.scene, search.letters()), whole=whole)
+    question = replace(question_for(side, search.scene, search.letters()), whole=whole)
     unknown = any(name in search.givens and search.givens[name].asked for name in question.formula.symbols())
     if question.of_givens and not unknown:
         return Answered(question, Found(question.letter, question.formula), ())
@@ -64,33 +65,33 @@ def alike(sides: Sequence[Answered]) -> list[Answered]:
     ]
 
 
-def verdict(label: str, sides: Sequence[Answered], signs: Sequence[str], search: Search) -> Verdict:
+def verdict(label: str, sides: Sequence[Answered], signs: Sequence[str], search: Search) -> OptionResult:
     """Whether all comparisons of an option hold; of one that does not, those that fail."""
     holding, failing = [], []
     sides = alike(sides)
     for left, sign, right in zip(sides[:-1], signs, sides[1:], strict=True):
-        if compared(left, right, search) in HOLDING[sign]:
+        if comparison_sign(left, right, search) in HOLDING[sign]:
             holding.append(Compared(left, sign, right))
         else:
             failing.append(Compared(left, OPPOSITE[sign], right))
-    return Verdict(label, not failing, None, tuple(failing or holding))
+    return OptionResult(label, not failing, None, tuple(failing or holding))
 
 
-def extremes(test: str, options: Sequence[tuple[str, Answered]], search: Search) -> tuple[Verdict, ...]:
+def extremes(test: str, options: Sequence[tuple[str, Answered]], search: Search) -> tuple[OptionResult, ...]:
     """Which quantities none of the others exceeds, or undercuts."""
     beaten = -1 if test == "largest" else 1
     verdicts = []
     for label, own in options:
-        others = [(other, compared(own, other, search)) for _, other in options if other is not own]
+        others = [(other, comparison_sign(own, other, search)) for _, other in options if other is not own]
         best = all(sign != beaten for _, sign in others)
         told = tuple(Compared(own, RELATION[sign], other) for other, sign in others) if best else ()
-        verdicts.append(Verdict(label, best, own, told))
+        verdicts.append(OptionResult(label, best, own, told))
     return tuple(verdicts)
 
 
-def compared(left: Answered, right: Answered, search: Search) -> int:
+def comparison_sign(left: Answered, right: Answered, search: Search) -> int:
     """The sign of left − right, exactly or by balls; refused where it can not be told."""
-    sign = difference(left.found, right.found, search)
+    sign = difference_sign(left.found, right.found, search)
     if sign is None:
         lacking = sorted(
             name
@@ -104,10 +105,12 @@ def compared(left: Answered, right: Answered, search: Search) -> int:
     return sign
 
 
-def difference(left: Found, right: Found, search: Search) -> int | None:
+def difference_sign(left: Found, right: Found, search: Search) -> int | None:
     """−1, 0 or 1 as left is smaller, equal or larger; None where nothing tells."""
     if left.formula is None or right.formula is None:
-        balls = [number.refine(DIGITS) for found in (left, right) if (number := value(found, search)) is not None]
+        balls = [
+            number.refine(DIGITS) for found in (left, right) if (number := certified_answer(found, search)) is not None
+        ]
         gap = balls[0] - balls[1] if len(balls) == 2 else None
         return None if gap is None or gap.contains(0) else 1 if gap > 0 else -1
     return sign_of(left.formula - right.formula, search)
@@ -127,7 +130,7 @@ def sign_of(gap: Formula, search: Search) -> int | None:
     return 1 if is_zero(size - gap, positive) else -1 if is_zero(size + gap, positive) else None
 
 
-def value(found: Found, search: Search) -> Certified | None:
+def certified_answer(found: Found, search: Search) -> Certified | None:
     """A quantity as a certified number."""
     if found.formula is None:
         return found.number

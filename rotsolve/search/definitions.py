@@ -1,16 +1,17 @@
-"""Definitions: what is asked and is no letter of the laws gets a letter of its own, and an equation that says what it stands for."""
+"""Definitions: what is asked and is no letter of the laws gets one of its own; steps that lead to a question serve that question alone."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import degree
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.equation import Equation
 from rotsolve.language.problem import Given
-from rotsolve.plan import Planner
-from rotsolve.questions.question import Asked
+from rotsolve.plan import Plan, Planner
+from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered
 from rotsolve.solver import Step
 
@@ -26,7 +27,7 @@ class Definitions(Struct):
         """Define the letter of a question, once."""
         if asked.direct or asked.letter in self.places:
             return
-        section = asked.section or section_of(asked.formula, earlier)
+        section = asked.section or section_of_answers(asked.formula, earlier)
         label, remark = asked.label or "definition", asked.said or ((asked.remark,) if asked.remark else ())
         definition = asked.law.equation(Symbol(asked.letter), asked.formula, section, (), remark, cost=1, words=label)
         self.places[asked.letter] = self.planner.extend(definition)
@@ -58,7 +59,7 @@ class Definitions(Struct):
         return len(names) == 1 and degree(meaning, names.pop()) == 1
 
 
-def section_of(formula: Formula, earlier: Sequence[Answered]) -> str:
+def section_of_answers(formula: Formula, earlier: Sequence[Answered]) -> str:
     """Where what is made of earlier answers is written: with the last of them."""
     sections = [item.asked.section for item in earlier if item.asked.letter in formula.symbols()]
     return sections[-1] if sections else ""
@@ -67,3 +68,39 @@ def section_of(formula: Formula, earlier: Sequence[Answered]) -> str:
 def turned_round(place: int, steps: Sequence[Step]) -> bool:
     """Whether a step solved a definition for what it is made of, so that it need not be done again."""
     return any(step.target == ("law", place) and step.sources == () for step in steps)
+
+
+class Stepwise(Struct):
+    """The steps of all questions so far, by their places in the planner's pool."""
+
+    planner: Planner
+    steps: dict[str, set[int]] = field(default_factory=dict)  # by the letter of the question
+    places: dict[Equation, int] = field(default_factory=dict)
+
+    def take(self, asked: Asked) -> None:
+        """Enter the definitions of a question."""
+        for step in asked.definitions:
+            if step not in self.places:
+                self.places[step] = self.planner.extend(step)
+        if asked.definitions:
+            self.steps[asked.letter] = {self.places[step] for step in asked.definitions}
+
+    def foreign(self, letter: str) -> set[int]:
+        """The steps of other questions."""
+        return set(self.places.values()) - self.steps.get(letter, set())
+
+    def plan(self, letter: str, known: Collection[str], definition: int | None, banned: set[int]) -> Plan | None:
+        """The plan that the steps of a question make, with what was found before and what the laws define."""
+        own = self.steps.get(letter)
+        if not own:
+            return None
+        pool = self.planner.pool
+        open_ = {index for index in own if not pool[index].left.symbols() <= set(known)}
+        told = {name for index in open_ for name in pool[index].left.symbols()}
+        allowed = open_ | {
+            index for index, equation in enumerate(pool) if equation.defines and equation.defines not in told
+        }
+        if definition is not None:
+            allowed.add(definition)
+        plan = self.planner.plan(letter, known, sorted(allowed - banned))
+        return plan if isinstance(plan, Plan) else None

@@ -21,16 +21,15 @@ from rotsolve.language.problem import Find
 from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.profile import staged
-from rotsolve.questions.question import Asked
+from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, Chosen, NoAnswer
-from rotsolve.search.definitions import Definitions
+from rotsolve.search.definitions import Definitions, Stepwise
+from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
-from rotsolve.search.roots.numbers import Numbers
-from rotsolve.search.stepwise import Stepwise
 from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
 
 if TYPE_CHECKING:
-    from rotsolve.questions.courses import Beside
+    from rotsolve.questions.functions_of_time import Beside
 
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 
@@ -76,7 +75,7 @@ class Search(Struct, dict=True):
 
     def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
         """Which of several roots of an equation is meant, and why."""
-        from rotsolve.search.roots.choosing import RootChoice
+        from rotsolve.search.roots import RootChoice
 
         return RootChoice(self.scene, self.givens, self.numbers, self.definitions.formula).choose(name, roots, period)
 
@@ -88,7 +87,7 @@ class Search(Struct, dict=True):
         """What can be worked out without a trace in this search, for what takes functions of time; None where nothing does."""
         if not self.scene.configuration.mentions.runs:
             return None
-        from rotsolve.questions.courses import Beside
+        from rotsolve.questions.functions_of_time import Beside
 
         return Beside(Search(self.scene, families_for(None)).settled, self.values)
 
@@ -120,13 +119,13 @@ class Search(Struct, dict=True):
 
     def _answer_swinging(self, asked: Asked, passing: list[int], aside: bool) -> Answered:
         """Settle one question after all that is to be told of swings; what holds for it alone is `passing`."""
-        from rotsolve.search.swings.settling import release, settled
+        from rotsolve.search.swings import forget_displacements, settle_swings
 
         try:
-            passing += settled(asked, self)
+            passing += settle_swings(asked, self)
             return self._answer(asked, aside)
         finally:
-            release(asked, self)
+            forget_displacements(asked, self)
 
     def _answer(self, asked: Asked, aside: bool = False) -> Answered:
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""

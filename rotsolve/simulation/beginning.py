@@ -23,7 +23,7 @@ from rotsolve.laws.rules import rule_equation
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 
 STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # what a state may say of a moment
 SINCE = ("rotation", "displacement")  # what counts from the first state

@@ -20,14 +20,13 @@ from rotsolve.algebra.formula import ZERO as NOTHING
 from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
 from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
-from rotsolve.equations.states import Fixed
-from rotsolve.equations.states.drives import prescribe
-from rotsolve.equations.swings.swing import rates
+from rotsolve.equations.states import Fixed, prescribe
+from rotsolve.equations.swing import rates_of_body
 from rotsolve.laws import newton, rules
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.beginning import Beginning, beginning
 from rotsolve.simulation.course import (
     Course,
@@ -253,7 +252,7 @@ class Compiler(Struct, dict=True):
         if moment.motion(name).kind == "line":
             letter = key("displacement", name, since)
             self._enter(letter, NOTHING)
-            yield f"{name}.position", letter, next(rates("velocity", moment, name))
+            yield f"{name}.position", letter, next(rates_of_body("velocity", moment, name))
             return
         for axis in "xy":
             letter = key("displacement", name, since, axis)
@@ -262,7 +261,9 @@ class Compiler(Struct, dict=True):
 
     def _pairs(self, moment: Instant, name: str) -> list[tuple[Formula, Formula]]:
         """The speeds of a body with their accelerations."""
-        return list(zip(rates("velocity", moment, name), rates("acceleration", moment, name), strict=True))
+        return list(
+            zip(rates_of_body("velocity", moment, name), rates_of_body("acceleration", moment, name), strict=True)
+        )
 
     def _speeds(self, bodies: list[str], moment: Instant, facts: Facts) -> list[str]:
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
@@ -290,7 +291,9 @@ class Compiler(Struct, dict=True):
         start = self.start.instant
         letters: dict[str, Formula] = {}
         for name in bodies:
-            for now, then in zip(rates("velocity", moment, name), rates("velocity", start, name), strict=True):
+            for now, then in zip(
+                rates_of_body("velocity", moment, name), rates_of_body("velocity", start, name), strict=True
+            ):
                 letters.update({now.name: then} if isinstance(now, Symbol) else {})
         unknown = {name for then in letters.values() for name in then.symbols() if SEPARATOR in name}
         rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)

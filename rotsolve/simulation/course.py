@@ -10,7 +10,7 @@ from rotsolve.algebra.tape import ONE, Exact, Tape, Unwritable, vanishes
 from rotsolve.core.facts import Facts
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.motion.instant import Instant
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.series import FLOATS, Expansion, nearest, needed
 
 

@@ -13,7 +13,7 @@ from rotsolve.core.registry import TIME
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.beginning import opening, standing
 from rotsolve.simulation.bounded import (
     FLOAT_BITS,

@@ -12,7 +12,7 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Problem
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
-from rotsolve.paths import NotYet
+from rotsolve.paths.meaning import NotYet
 from rotsolve.scene.read import read_source
 from rotsolve.scene.values import read_seconds
 from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled

@@ -16,12 +16,13 @@ from rotsolve.algebra.tape import ONE, Exact, Scalar, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
 from rotsolve.core.registry import COURSE
 from rotsolve.core.writing import spoken
-from rotsolve.equations.states.statements import EXTREMES, RATE_OF
+from rotsolve.equations.states import EXTREMES, RATE_OF
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
-from rotsolve.paths import NotYet, Reader
+from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.reader import PathReader
 from rotsolve.simulation.course import Course, refusal
 from rotsolve.simulation.series import needed
 from rotsolve.simulation.taylor import Piece, value
@@ -171,7 +172,7 @@ def gap(condition: Condition, course: Course) -> Formula | None:
 def meaning(path: Path, course: Course) -> Formula | None:
     """What a path stands for at any moment of a course; None where that is not told there."""
     try:
-        return Reader(course.moment, lambda: course.facts).meaning(path).formula
+        return PathReader(course.moment, lambda: course.facts).meaning(path).formula
     except NotYet:
         return None
 

@@ -26,9 +26,13 @@ RUNS = {  # by what is typical of it
 NEVER = {"sympy", "mpmath", "numpy", "scipy", "rich", "matplotlib", "pebble", "multiprocessing", "unittest", "asyncio"}
 PACKAGES = {"flint", "msgspec", "yaml"}
 WITHOUT = {  # what a block on a disc has no use for
-    "rotsolve.equations.swings",
-    "rotsolve.questions.courses",
-    "rotsolve.search.where",
+    "rotsolve.equations.swing",
+    "rotsolve.equations.equilibrium",
+    "rotsolve.questions.functions_of_time",
+    "rotsolve.search.conclusions",
+    "rotsolve.search.conditions",
+    "rotsolve.search.extrema",
+    "rotsolve.search.swings",
     "rotsolve.search.choices",
     "rotsolve.motion.cuts",
     "rotsolve.laws.integration",

@@ -119,7 +119,7 @@ def test_what_was_skipped_is_said(tmp_path: Path) -> None:
     skipped = err.partition("Skipped\n")[2]
     assert "  bodies: wheel\n" in skipped
     assert re.search(r"^  equations: \d+ of \d+ serve as checks alone$", skipped, re.M)
-    assert "rotsolve.equations.swings" in skipped
+    assert "rotsolve.arrays" in skipped
     assert "  packages: sympy, numpy, rich, matplotlib, pebble\n" in skipped
 
 

@@ -10,7 +10,7 @@ import pytest
 from msgspec.structs import replace
 
 from rotsolve import SceneError, Unsolvable, pipeline, solve
-from rotsolve.derivation.compose.draft import drafts_of
+from rotsolve.derivation.drafts import drafts_of
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.scene.read import read_file, read_text
@@ -170,11 +170,11 @@ def test_no_step_is_derived_that_is_not_printed(folder: str, monkeypatch: pytest
 
 
 def test_friction_is_decided_only_where_it_is_needed(monkeypatch: pytest.MonkeyPatch) -> None:
-    from rotsolve.search.friction import sticking
+    from rotsolve.search import friction
 
     tried: list[str] = []
-    real = sticking.tried
-    monkeypatch.setattr(sticking, "tried", lambda *given: tried.append(given[1].name) or real(*given))
+    real = friction.tried
+    monkeypatch.setattr(friction, "tried", lambda *given: tried.append(given[1].name) or real(*given))
     solve(pair("actions: {pull: {force: 1 N, on: one, direction: right}}\nfind: {a: one.acceleration}"))
     assert tried == ["left"]
 

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.registry import SEPARATOR, SPOKEN, TIME
-from rotsolve.derivation.compose.letters import in_letters
+from rotsolve.derivation.letters import in_letters
 from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar

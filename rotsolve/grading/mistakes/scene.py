@@ -19,8 +19,8 @@ from rotsolve.algebra.formula import ONE, Call, Formula, Integral, Number
 from rotsolve.core.derivation import Answer
 from rotsolve.core.facts import BodyFacts, Facts
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.derivation.checks import disagreement
-from rotsolve.derivation.compose import Composer
+from rotsolve.derivation.compose import DerivationComposer
+from rotsolve.derivation.consistency import disagreement
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.language.problem import Find, Problem
@@ -134,7 +134,7 @@ def answers_of(search: Search) -> dict[str, Answer]:
             else:
                 later = later or bool(waiting)
         pending = waiting if later else []
-    return {one.name: one for one in Composer(search).results.answers()}
+    return {one.name: one for one in DerivationComposer(search).results.answers()}
 
 
 def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:

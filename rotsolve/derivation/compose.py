@@ -1,0 +1,248 @@
+"""Compose: a solved search as a derivation: its head, sections in the order of time, numbered laws, steps, comparisons, answers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Words
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY
+from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.vectors.heading import heading
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.diagrams import Diagrams
+from rotsolve.derivation.drafts import Draft, drafts_of, title
+from rotsolve.derivation.letters import Letters
+from rotsolve.derivation.results import LONG, Results, readable
+from rotsolve.language.problem import Problem, State, TimeValue
+from rotsolve.search.answers import Answered, Chosen
+from rotsolve.search.search import Search
+from rotsolve.solver import Ref, Step
+
+
+def state_words(state: State, bare: str) -> Words:
+    """What the scene says of a state, on one line; `bare` where it says nothing."""
+    parts = []
+    for line in state.conditions:
+        if line.rest:
+            parts.append("at rest" if line.owner in ("", "all") else f"{spoken(line.owner)} at rest")
+        elif line.path is not None:
+            value = stated(line.value) if line.value is not None else line.word or ""
+            owner = spoken(".".join(part for part in (line.path.owner, line.path.point) if part))
+            quantity, component = spoken(line.path.quantity), line.path.component or ""
+            said = OSCILLATING.get(line.path.quantity)
+            what = f"{said} of small swings" if said else quantity
+            kind, axis = ("", component) if component in ("x", "y") else (component, "")
+            parts.append(" ".join(word for word in (owner, kind, what, axis, value) if word))
+    parts += [word for word, so in (("in balance", state.balance), ("steady", state.steady)) if so]
+    return (f"{spoken(state.name)}: " + (", ".join(parts) if parts else bare),)
+
+
+def stated(value: Formula) -> str:
+    """A value as a state says it: angles that are multiples of π in degrees."""
+    turned = heading(value)
+    if not turned.degrees:
+        return to_text(value)
+    if not turned.terms:
+        return f"{turned.degrees}°".replace("-", "−")
+    rest = to_text(simplify(value - Number(Fraction(turned.degrees, 180)) * PI))
+    if rest.startswith("−") and turned.degrees > 0:
+        return f"{turned.degrees}° − {rest[1:]}"
+    return f"{rest} {'−' if turned.degrees < 0 else '+'} {abs(turned.degrees)}°"
+
+
+LETTERS = ("phi", "delta", "psi")
+
+
+def slope_move(vector: Answer, results: Results) -> Move | None:
+    """The line that tells the angle to the horizontal; None where a component is nothing or has no number."""
+    if vector.angle is None or vector.brief:
+        return None
+    x, y = vector.components
+    assert x.formula is not None and y.formula is not None
+    ratio = y.formula / x.formula
+    letter = Symbol(free_letter(vector.name, results))
+    tangent = Call("tan", (letter,))
+    sides = Equality(tangent, Call("abs", (y.symbol,)) / Call("abs", (x.symbol,)))
+    chain = (sides,) if length(ratio) > LONG else (sides, Equality(tangent, positive_ratio(ratio, results)))
+    return Move(f"direction of {name_to_text(vector.name)}", chain, None, (letter, " to the horizontal"))
+
+
+def positive_ratio(ratio: Formula, results: Results) -> Formula:
+    """The size of a quotient whose sign the numbers tell."""
+    value = results.value(ratio)
+    return results.search.solver.simplify(-ratio if value is not None and (value.sign or 0) < 0 else ratio)
+
+
+def free_letter(name: str, results: Results) -> str:
+    """A letter for the angle that the scene does not use; each of several vectors has its own."""
+    search = results.search
+    taken = {*search.givens, *(item.asked.find.name for item in search.answered)}
+    free = next((letter for letter in LETTERS if letter not in taken), f"angle_{LETTERS[0]}")
+    alone = sum(bool(item.parts) for item in search.wholes()) == 1
+    return free if alone else f"{free}_{name}"
+
+
+def comparisons(chosen: Chosen, results: Results) -> Iterator[Move]:
+    """δ_c > π (4 rad > 3.142 rad), with the label in front."""
+    alone = len(results.search.chosen) == 1
+    for verdict in chosen.verdicts:
+        name = verdict.label if alone else f"{verdict.label} ({name_to_text(chosen.find.name)})"
+        for item in verdict.compared:
+            numbers = (*results.amount(item.left), f" {item.relation} ", *results.amount(item.right))
+            chain = (
+                Equality(compared_formula(item.left, results), compared_formula(item.right, results), item.relation),
+            )
+            yield Move(name, chain, None, numbers if all_text(numbers) else ())
+
+
+def compared_formula(answered: Answered, results: Results) -> Formula:
+    """A compared quantity as the derivation writes it: by its letter, or the givens that it is made of."""
+    asked = answered.asked
+    return results.letters.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
+
+
+def all_text(numbers: Words) -> bool:
+    return all(isinstance(word, str) for word in numbers)
+
+
+SENTENCES = (ENERGY, ANGULAR_MOMENTUM)  # the remarks of these laws are sentences of their own
+
+
+class DerivationComposer:
+    """Turns what a search found into a derivation."""
+
+    def __init__(self, search: Search, first: int = 1, at: TimeValue | None = None) -> None:
+        self.search = search
+        self.first = first  # number of the first equation
+        self.scene = search.scene
+        self.problem: Problem = self.scene.configuration.problem
+        self.pool = search.planner.pool
+        self.drafts = drafts_of(search)
+        self.diagrams = Diagrams(self.scene, self.pool)
+        self.letters = Letters(search, self.drafts, self.diagrams)
+        self.numbers = self._numbers()
+        self.results = Results(search, self.letters, at)
+
+    def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
+        """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
+        sections = [*before, *(self._section(draft) for draft in self.drafts)]
+        if len(sections) == 1:
+            sections = [Section("", sections[0].forces, sections[0].remarks, sections[0].laws, sections[0].moves)]
+        return Derivation(
+            title=self.problem.title,
+            source=self.problem.source,
+            givens=tuple(
+                given for given in self.problem.givens if given.value is not None and self.letters.tells(given.name)
+            ),
+            finds=tuple(dict.fromkeys((Symbol(item.find.group),) for item in self.search.in_order())),
+            states=tuple(state_words(state, self._reached(state.name)) for state in self.problem.states),
+            conventions=self._conventions(),
+            sections=tuple(sections),
+            answers=self.results.answers(),
+            checks=checks,
+            equations_written=len(self.scene.equations),
+            equations_used=sum(len(draft.laws) for draft in self.drafts),
+        )
+
+    def _reached(self, state: str) -> str:
+        """What is said of a state that has no lines of its own."""
+        before = self.scene.configuration.timeline.before(state)
+        return "the clock starts" if before is None else "as the event leaves it" if before.event else "later"
+
+    # sections
+
+    def _section(self, draft: Draft) -> Section:
+        laws = tuple(self._law(index) for index in draft.laws)
+        moves = [move for step in draft.steps for move in (self._move(step), *self._slope(step))]
+        moves += [move for chosen in draft.choices for move in comparisons(chosen, self.results)]
+        forces = self.diagrams.lines(draft, self.letters.in_use, self.letters.words)
+        return Section(title(draft.key, self.scene), forces, self._remarks(draft), laws, tuple(moves))
+
+    def _law(self, index: int) -> LawLine:
+        equation = self.pool[index]
+        remark = () if equation.family in SENTENCES else equation.remark
+        return LawLine(
+            self.numbers[("law", index)],
+            equation.label,
+            Equality(self.letters.printed(equation.left), self.letters.printed(equation.right), equation.relation),
+            self.letters.words(remark),
+        )
+
+    def _move(self, step: Step) -> Move:
+        chain = tuple(
+            Equality(self.letters.printed(one.left), self.letters.printed(one.right)) for one in readable(step.chain)
+        )
+        number = self.numbers.get(("step", step.number))
+        return Move(self._sources(step), chain, number, self.letters.words(step.reason))
+
+    def _slope(self, step: Step) -> Iterator[Move]:
+        """Behind the step that gives the size of a vector its direction."""
+        for answered in self.search.wholes():
+            if answered.parts and answered.steps[0] < answered.steps[1] == step.number:
+                move = slope_move(self.results.answer(answered), self.results)
+                if move is not None:
+                    yield move
+
+    def _sources(self, step: Step) -> str:
+        """(3) and (4) in (2)."""
+        target = self._mark(step.target)
+        sources = [self._mark(ref) for ref in step.sources if ref != step.target]
+        marks = list(dict.fromkeys(mark for mark in sources if mark and mark != target))
+        marks.sort(key=lambda mark: (mark.startswith("("), int(mark[1:-1]) if mark.startswith("(") else 0))
+        if not marks:
+            return f"from {target}" if target else ""
+        listed = marks[0] if len(marks) == 1 else ", ".join(marks[:-1]) + " and " + marks[-1]
+        return f"{target} with {listed}" if step.target[0] == "words" else f"{listed} in {target}"
+
+    def _mark(self, ref: Ref) -> str:
+        if ref[0] == "words":
+            return str(ref[1])
+        if ref[0] == "known":
+            return name_to_text(self.letters.names.get(str(ref[1]), str(ref[1])))
+        number = self.numbers.get(ref)
+        return f"({number})" if number is not None else ""
+
+    def _numbers(self) -> dict[Ref, int]:
+        """Running numbers of laws, and of the steps that a later one uses, in the order of printing."""
+        used = {ref for step in self.search.solver.steps for ref in (step.target, *step.sources) if ref[0] == "step"}
+        numbers: dict[Ref, int] = {}
+        for draft in self.drafts:
+            for index in draft.laws:
+                numbers[("law", index)] = len(numbers) + self.first
+            for step in draft.steps:
+                if ("step", step.number) in used:
+                    numbers[("step", step.number)] = len(numbers) + self.first
+        return numbers
+
+    def _remarks(self, draft: Draft) -> tuple[Words, ...]:
+        """Why what is conserved is conserved, as sentences."""
+        remarks = {
+            self.pool[index].remark: None
+            for index in draft.laws
+            if self.pool[index].family in SENTENCES and self.pool[index].remark
+        }
+        return tuple(self.letters.words(remark) for remark in remarks)
+
+    # head
+
+    def _conventions(self) -> tuple[Words, ...]:
+        angles = any(name.startswith("angle" + SEPARATOR) for name in self.scene.registry.quantities)
+        said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
+        configuration = self.scene.configuration
+        if configuration.mentions.functions:
+            first = configuration.timeline.states[0].name
+            said.append(
+                (self.letters.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time")
+            )
+        for swing in self.scene.swings.values():
+            what = "angle turned" if swing.turns else "displacement"
+            said.append((self.letters.printed(swing.coordinate), f": {what} from the equilibrium"))
+            said += [(f"{spoken(name)} is so long that it keeps its direction",) for name in swing.long]
+        return tuple(dict.fromkeys(said))

@@ -1,0 +1,201 @@
+"""Consistency: whether everything that the laws write holds at the answers, also what no plan used.
+
+A scene that says too much (a state that is never reached, a block that sticks yet is said to fall) shows here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Precision, evaluate
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.witness import decided_by_size, note, watched
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
+from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.varying import POSITION, RATE, at_any_time
+from rotsolve.motion.timeline import Interval
+from rotsolve.search.search import Search
+
+TOLERANCE = 1e-6  # data of a few figures may disagree in the last ones
+BITS = 256  # working precision: what is lost where large numbers nearly cancel leaves enough of it
+NOTHING = 2.0 ** (-BITS // 2)  # share of its terms below which a sum counts as 0
+ROUNDS = 8
+FORWARDS = Law("time runs forwards", "time runs forwards")
+
+
+def contradiction(search: Search) -> Equation | None:
+    """The first equation that can not hold with what is known and found, or that time would have to run backwards; or None."""
+    with Precision(BITS):
+        numbers = KnownBalls.known(search)
+        broken = first_broken(search, numbers)
+        return backwards(search, numbers) if broken is None else broken
+
+
+def disagreement(search: Search) -> Equation | None:
+    """The first equation that can not hold, whichever way time runs; or None."""
+    with Precision(BITS):
+        return first_broken(search, KnownBalls.known(search))
+
+
+def first_broken(search: Search, numbers: KnownBalls) -> Equation | None:
+    """The first equation that can not hold; what an equation tells of its one unknown serves the next ones."""
+    pending = [equation for equation in search.scene.equations if not runs(equation, search)]
+    pending += integrated_equations(search)
+    pending.sort(key=lambda equation: bool(equation.family))  # a rule that is broken says more than a law
+    for _ in range(ROUNDS):
+        rest = []
+        for equation in pending:
+            if numbers.open_letters(equation):
+                rest.append(equation)
+            elif numbers.clash(equation):
+                return equation
+        pending, settled = [], len(numbers.found)
+        for equation in rest:
+            unknown = numbers.open_letters(equation)
+            if len(unknown) == 1 and numbers.settle(equation, unknown[0]):
+                return equation
+            pending.append(equation)
+        if len(numbers.found) == settled:
+            break
+    return None
+
+
+def integrated_equations(search: Search) -> list[Equation]:
+    """The separated equations carried out with the acceleration that Newton's laws give at any speed, where they have a closed form."""
+    found = []
+    for name, passage in search.scene.passages.items():
+        for travel in passage.travels:
+            rate = travel.acceleration
+            if not (travel.leads and travel.pace == RATE and isinstance(rate, Symbol)):
+                continue
+            value = search.aside(rate.name)
+            for equation in search.scene.equations if value is not None else ():
+                if equation.section == name and rate.name in equation.summed():
+                    found += without_integrals(equation.renamed({rate.name: value}), search)  # type: ignore[dict-item]
+    return found
+
+
+def without_integrals(equation: Equation, search: Search) -> list[Equation]:
+    """An equation with its integrals carried out; nothing where that can not be done, or never comes to an end."""
+    try:
+        left, right = (search.solver.carried_out(side) for side in (equation.left, equation.right))
+    except (Undefined, ZeroDivisionError):
+        return []
+    done = replace(equation, left=left, right=right)
+    return [] if done.summed() else [done]
+
+
+def backwards(search: Search, numbers: KnownBalls) -> Equation | None:
+    """A phase that would take a negative time: its end lies before its start."""
+    for name, passage in search.scene.passages.items():
+        duration = numbers.size(passage.duration)
+        if duration is not None and duration < 0:
+            return FORWARDS.equation(passage.duration, ZERO, name)
+        if duration is not None and watched():
+            note_duration(passage.duration, search)
+    return None
+
+
+def note_duration(duration: Formula, search: Search) -> None:
+    """Tell those who watch that the sign of a duration has decided something: as a formula of the givens, if it has one."""
+    value: Formula | None = search.solver.with_found(duration)
+    if value is not None and any(SEPARATOR in letter for letter in value.symbols()):
+        value = search.apart().settled(value)
+    if value is None or not value.symbols() <= search.values.keys():
+        decided_by_size()
+    else:
+        note(value)
+
+
+def turned_back(search: Search) -> Interval | None:
+    """A phase whose time is summed along the way although the motion turns back in it."""
+    used = {index for answered in search.answered for index in answered.used}
+    timed = {law.section for law in (search.planner.pool[index] for index in used) if law.law == SEPARATED_BY_PLACE}
+    for name, passage in search.scene.passages.items():
+        for travel in passage.travels if name in timed else ():
+            if travel.leads and travel.pace == POSITION:
+                aside = search.apart()
+                speeds = [aside.settled(value) for value in (travel.before, travel.after)]
+                sizes = [aside.number(speed) if speed is not None else None for speed in speeds]
+                if sizes[0] is not None and sizes[1] is not None and sizes[0] * sizes[1] < 0:
+                    return search.scene.configuration.timeline.interval(name)
+    return None
+
+
+def runs(equation: Equation, search: Search) -> bool:
+    """Whether an equation is about any moment of a phase, or sums over one."""
+    sides = (equation.left, equation.right)
+    letters = equation.symbols()
+    return bool(search.running & letters) or at_any_time(letters) or any(side.holds(Integral) for side in sides)
+
+
+class KnownBalls(Struct, frozen=True):
+    """Balls of all letters that have a number: the givens, and the letters of the laws as they are found."""
+
+    found: dict[str, Ball]
+    values: Mapping[str, Formula]
+
+    @staticmethod
+    def known(search: Search) -> KnownBalls:
+        """What the search found, also on the way to the answers; givens without a number are taken as 1."""
+        solver = search.solver
+        letters = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
+        for name in solver.told.keys() - letters.keys():
+            value = solver.with_found(Symbol(name))
+            if not any(SEPARATOR in letter for letter in value.symbols()):
+                letters[name] = value
+        free = {name: ONE for name, given in search.givens.items() if given.value is None and not given.asked}
+        numbers = KnownBalls({}, {**free, **search.values})
+        sizes = {name: numbers.size(value) for name, value in letters.items()}
+        numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
+        return numbers
+
+    def open_letters(self, equation: Equation) -> list[str]:
+        """Letters of the laws in an equation that have no value yet."""
+        return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in self.found)
+
+    def size(self, value: Formula, **more: Ball) -> Ball | None:
+        """A ball that holds the number; None where a letter has none, or it is not real."""
+        try:
+            if value.holds(Integral):
+                ball = evaluate(value, self.values, digits=10).ball
+            else:
+                ball = RealBalls(self.values, bound={**self.found, **more})(value)
+        except (Undefined, ZeroDivisionError):
+            return None
+        return ball if ball.is_finite() else None
+
+    def clash(self, equation: Equation, **more: Ball) -> bool:
+        """Whether both sides are numbers that certainly differ."""
+        left, right = (self.size(side, **more) for side in (equation.left, equation.right))
+        if left is None or right is None:
+            return False
+        terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in addends(side))
+        scale = max((abs(term).upper() for term in (left, right, *terms) if term is not None), default=arb(0))
+        return bool(abs(left - right) > TOLERANCE * scale)
+
+    def settle(self, equation: Equation, name: str) -> bool:
+        """Find the one unknown of an equation that is linear in it; whether it drops out and leaves two numbers that differ: 2 = 0 t."""
+        gap = equation.left - equation.right
+        slope = differentiate(gap, name)
+        rate, rest = self.size(slope), self.size(gap, **{name: arb(0)})
+        if name in slope.symbols() or rate is None:
+            return False
+        if rate.contains(0):
+            terms = [abs(size) for term in addends(slope) if (size := self.size(term)) is not None]
+            vanishes = rate.is_zero() or abs(rate).upper() <= NOTHING * max(terms, default=arb(0)).upper()
+            return vanishes and self.clash(equation, **{name: arb(1)})
+        if rest is not None:
+            self.found[name] = -rest / rate
+        return False
+
+
+def addends(value: Formula) -> tuple[Formula, ...]:
+    """The terms of a sum, by whose size its roundings count; of a product nothing but itself: its factors have other units."""
+    return value.terms if isinstance(value, Sum) else (value,)

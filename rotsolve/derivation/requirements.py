@@ -1,0 +1,139 @@
+"""Requirements: whether strings stay taut, contacts touch and friction suffices at the answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.core.derivation import Check, Words
+from rotsolve.core.equation import NEWTON
+from rotsolve.core.facts import Requirement
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.letters import Letters
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import Search
+
+Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
+
+
+def requirements(search: Search, letters: Letters) -> Iterator[Check]:
+    """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
+    aside = Search(search.scene, families_for(NEWTON))
+    told: set[str] = set()
+    spoken_of: list[str | Formula] = []
+    for place, needs in requirements_by_state(search):
+        for need in needs:
+            key = f"{need.owner}{need.otherwise}{search.scene.section(place)}"
+            if key in told or not concerns(need, search):
+                continue
+            settled, gap = margin_of(need, search, aside)
+            sign = sign_of(gap, search) if gap is not None else None
+            if sign is None:
+                continue
+            told.add(key)
+            words = holding_words(need, search, letters, settled) if sign > 0 else ()
+            if words and words[-1] not in spoken_of and len(spoken_of) < 3:
+                spoken_of.append(words[-1])
+                yield Check(words)
+            elif sign < 0:
+                yield Check(objection(need, place, search, letters), False)
+            elif sign == 0 and not demanded(need, place, search):
+                yield Check(verge_words(need, place, search, letters), None)
+
+
+def margin_of(need: Requirement, search: Search, aside: Search) -> tuple[Settling, Formula | None]:
+    """What tells the letters of a requirement, and by how much it is met: what was found on the way, else Newton's laws, else all."""
+    gap = need.left - need.right
+    found = search.solver.with_found(gap)
+    if not any(SEPARATOR in name for name in found.symbols()):
+        return search.solver.with_found, found
+    settled = aside.settled(gap)
+    if settled is not None:
+        return aside.settled, settled
+    other = search.apart()
+    return other.settled, other.settled(gap)
+
+
+def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requirement, ...]]]:
+    """What strings and contacts have to obey, state by state, and in the equilibria that were worked out."""
+    scene = search.scene
+    for state in scene.configuration.timeline.states:
+        yield state.name, scene.facts(state.name).requirements
+    for swing in scene.swings.values():
+        if swing.found:
+            yield swing.near.state, free_bodies(swing.rest).requirements
+
+
+def concerns(need: Requirement, search: Search) -> bool:
+    """Whether the body that the requirement is about takes part in the derivation."""
+    used = {
+        name for answered in search.answered for index in answered.used for name in search.planner.pool[index].bodies
+    }
+    item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
+    return item is None or any(ref.owner in used for ref in item.touches())
+
+
+def sign_of(value: Formula, search: Search) -> int | None:
+    try:
+        return evaluate(value, search.values, digits=6).sign
+    except (Undefined, ValueError):
+        return None
+
+
+def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:
+    """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
+    names = symbols_in(need, search, letters)
+    left, right = (side.substitute(names) for side in (need.left, need.right))
+    relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
+    moment = f" at {spoken(state)}" if state else ""
+    return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
+
+
+def demanded(need: Requirement, state: str, search: Search) -> bool:
+    """Whether the scene itself asks for the verge: `touch: leaves` at that state, `x where touch.normal_force = 0`."""
+    configuration = search.scene.configuration
+    lines = [line for line in configuration.timeline.state(state).conditions if line.word]
+    lines += [find.where for find in configuration.problem.finds if find.where is not None]
+    paths = [line.path for line in lines]
+    paths += [term.path for line in lines if line.phrase is not None for term in line.phrase.terms]
+    return need.left - need.right == ZERO or any(path is not None and path.owner == need.owner for path in paths)
+
+
+def verge_words(need: Requirement, state: str, search: Search, letters: Letters) -> Words:
+    """A requirement that only just holds: "N = 0 for touch at top: the least change decides whether ball leaves the loop"."""
+    names = symbols_in(need, search, letters)
+    left, right = (side.substitute(names) for side in (need.left, need.right))
+    moment = f" at {spoken(state)}" if state else ""
+    happens = need.otherwise if " " in need.otherwise else f"{spoken(need.owner)} {need.otherwise}"
+    return (left, " = ", right, f" for {spoken(need.owner)}{moment}: the least change decides whether {happens}")
+
+
+def symbols_in(need: Requirement, search: Search, letters: Letters) -> dict[str, Formula]:
+    """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
+    names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
+    plain = {name: Symbol(search.scene.registry.quantities[name].letter) for name in names}
+    return {**plain, **letters.symbols}
+
+
+def holding_words(need: Requirement, search: Search, letters: Letters, settled: Settling) -> Words:
+    """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
+    if isinstance(need.right, Call):
+        size, limit_ = (decimal(settled(side), search) for side in (need.right, need.left))
+        return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
+    told = str(need.words[-1]).partition(": ")[2]
+    what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
+    names = {name for name in need.left.symbols() if SEPARATOR in name}
+    return (letters.printed(need.left), " > 0: ", what) if names <= set(letters.names) else (what,)
+
+
+def decimal(value: Formula | None, search: Search) -> str:
+    if value is None:
+        return "?"
+    try:
+        return evaluate(value, search.values).text(4)
+    except (Undefined, ValueError):
+        return "?"

@@ -1,0 +1,345 @@
+"""Results: answers as they are printed: the exact form, the certified value in a unit, the direction in words, why there is no number."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+
+from msgspec import Struct
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import unit_for
+from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.core.derivation import Answer, Derivation, Equality, Words
+from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
+from rotsolve.core.writing import spoken
+from rotsolve.derivation.letters import Letters
+from rotsolve.language.problem import ANY_TIME, Body, Find, Given, Problem, TimeValue
+from rotsolve.questions.find import Asked, component
+from rotsolve.search.answers import Answered, Chosen
+from rotsolve.search.search import Search
+from rotsolve.solver import Found
+
+
+def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
+    """The derivation with a remark at each answer that has no number since the scene leaves a mass or a size out."""
+    missing = {given.name: given for given in problem.givens if given.automatic and given.value is None}
+    return replace(derivation, answers=tuple(with_reason(answer, missing, problem) for answer in derivation.answers))
+
+
+def with_reason(answer: Answer, missing: Mapping[str, Given], problem: Problem) -> Answer:
+    numbered = {given.name for given in problem.givens if given.value is not None}
+    if (
+        answer.formula is not None
+        and answer.value is None
+        and answer.formula.symbols() <= numbered
+        and not answer.remark
+    ):
+        return replace(answer, remark=(f"no number: {undefined(answer.formula, problem)}",))
+    names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
+    if not names or answer.remark:
+        return answer
+    words: list[str | Formula] = ["no number: "]
+    for name in names:
+        words += [", " if name != names[0] else "", Symbol(name), f", the {meaning_of_given(missing[name], problem)},"]
+    return replace(answer, remark=(*words, " is not given" if len(names) == 1 else " are not given"))
+
+
+def undefined(formula: Formula, problem: Problem) -> str:
+    """Why a formula has no number with these givens."""
+    try:
+        evaluate(formula, {given.name: given.value for given in problem.givens if given.value is not None}, digits=4)
+    except (Undefined, ZeroDivisionError) as reason:
+        return str(reason)
+    return "with these givens it is not defined"
+
+
+def meaning_of_given(given: Given, problem: Problem) -> str:
+    """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
+    kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
+    owner = given.name.partition("_")[2]
+    body = next(
+        (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None
+    )
+    if body is None:
+        return f"{kind} of {spoken(owner.rstrip('_'))}"
+    line = f" in line {body.span.line}" if body.span is not None else ""
+    size = "radius" if kind == "length" and given.name.startswith("R") else kind
+    return f"{size} of {spoken(body.name)}{line}"
+
+
+def every_body(bodies: Iterable[Body]) -> Iterator[Body]:
+    """Bodies with the parts that they are made of."""
+    for body in bodies:
+        yield body
+        yield from every_body(part.body for part in body.parts)
+
+
+LONG = 220  # nodes of a formula beyond which it is left in letters found before
+
+
+NAMING = ("torque", "impulse", "frequency")  # quantities whose unit the dimension alone does not tell
+
+SIZED = "friction_force"  # the kind of quantity of which only the size is asked
+
+
+class Results(Struct, frozen=True):
+    """The answers of a search in the letters of its derivation."""
+
+    search: Search
+    letters: Letters
+    at: TimeValue | None = None  # when functions of time are evaluated
+
+    def answers(self) -> tuple[Answer, ...]:
+        """All answers in the order in which the scene asks; the entries of a matrix or vector as one."""
+        groups: dict[str, list[Answered | Chosen]] = {}
+        for item in self.search.in_order():
+            groups.setdefault(item.find.group, []).append(item)
+        return tuple(self._group(name, group) for name, group in groups.items())
+
+    def _group(self, name: str, group: list[Answered | Chosen]) -> Answer:
+        """A label, or what is answered under one name."""
+        labels = [item for item in group if isinstance(item, Chosen)]
+        return (
+            self.label(labels[0])
+            if labels
+            else self._whole(name, [item for item in group if isinstance(item, Answered)])
+        )
+
+    def _whole(self, name: str, group: list[Answered]) -> Answer:
+        """One answer, or a matrix or vector with its entries as components."""
+        parts = tuple(self.answer(answered) for answered in group)
+        if not group[0].asked.find.whole:
+            return parts[0]
+        entries = tuple(replace(part, name=part.name.removeprefix(f"{name}_")) for part in parts)
+        alike: dict[str, list[str]] = {}
+        for answered, part in zip(group, entries, strict=True):
+            if part.name in ONE_AXIS:
+                alike.setdefault(answered.asked.letter, []).append(f"I_{part.name}")
+        equal = [" = ".join(names) for names in alike.values() if len(names) > 1]
+        products = [part for part in entries if part.name in ENTRIES and part.name not in ONE_AXIS]
+        vanish = products and all(part.formula == ZERO for part in products)
+        said = [*equal, *(["the products of inertia vanish"] if vanish else [])]
+        remark: Words = (f"by symmetry {', and '.join(said)}",) if said else ()
+        first = entries[0]
+        return Answer(name, Symbol(name), None, None, first.unit, first.dimension, components=entries, remark=remark)
+
+    def answer(self, answered: Answered) -> Answer:
+        """The exact form, the certified value and the direction in words."""
+        asked, found = answered.asked, answered.found
+        formula = self.letters.printed(self._readable(answered)) if found.formula is not None else None
+        unit = asked.find.unit or usual_unit(
+            asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
+        )
+        value = self._value_in(found, unit) if self._lasts(asked.find) else None
+        parts = self.components(answered)
+        direction = self._direction(answered, value, parts)
+        return Answer(
+            asked.find.name,
+            self._symbol(asked),
+            formula,
+            value,
+            unit,
+            asked.dimension,
+            direction,
+            components=parts if asked.resolves else (),
+            angle=self._slope(parts) if asked.points else None,
+            remark=self._when(answered),
+            brief=not answered.parts or any(part.formula == ZERO for part in parts),
+            closed=found.formula,
+            positive=self._positive(answered),
+        )
+
+    def _when(self, answered: Answered) -> Words:
+        """The time at which a function of time has the value that is printed, or that it is not a time of its phase."""
+        found, find = answered.found, answered.asked.find
+        if self.at is None or found.formula is None or not find.runs:
+            return ()
+        moment: Words = (self.letters.printed(Symbol(TIME)), f" = {self.at.text}")
+        if not self._lasts(find):
+            return (*moment, " is not in this phase")
+        return ("at ", *moment) if TIME in found.formula.symbols() else ()
+
+    def _lasts(self, find: Find) -> bool:
+        """Whether the phases in which a function of time is asked hold the moment at which it is evaluated."""
+        scene, beside = self.search.scene, self.search.beside()
+        if self.at is None or beside is None:
+            return True
+        from rotsolve.questions.functions_of_time import phases_of
+
+        for term in find.terms:
+            if term.at != ANY_TIME:
+                continue
+            named = phases_of(term, scene)
+            ends = [(named[0].start, 1)]
+            if (
+                scene.configuration.timeline.after(named[-1].end) is not None
+            ):  # after the last state it goes on as before
+                ends.append((named[-1].end, -1))
+            for state, sign in ends:
+                end = beside.settle(scene.instant(state).time())
+                gap = self.value(sign * (self.at.value - end)) if end is not None else None
+                if gap is not None and gap.float < 0:
+                    return False
+        return True
+
+    def label(self, chosen: Chosen) -> Answer:
+        """The answer to a choice: the label, with the comparisons as its reason."""
+        name = chosen.find.name
+        return Answer(name, Symbol(name), None, None, None, None, word=chosen.word, remark=self.reason(chosen))
+
+    def reason(self, chosen: Chosen) -> Words:
+        """c: 4 rad > 3.142 rad; a: 3 rad ≤ 3.142 rad: what was chosen first."""
+        words: list[str | Formula] = []
+        for verdict in sorted(chosen.verdicts, key=lambda item: not item.holds):
+            words += ["; " if words else "", f"{verdict.label}: "]
+            if verdict.own is not None:
+                words += self.amount(verdict.own)
+                continue
+            for number, item in enumerate(verdict.compared):
+                words += [", " if number else "", *self.amount(item.left), f" {item.relation} "]
+                words += self.amount(item.right)
+        return tuple(words)
+
+    def amount(self, answered: Answered) -> Words:
+        """A quantity by its number with the unit, else by its letter."""
+        answer = self.answer(answered)
+        if answer.value is None:
+            return (answer.formula or answer.symbol,)
+        unit = "" if answer.unit is None else answer.unit.text
+        try:
+            return (f"{answer.value.text(4)} {unit}".strip(),)
+        except Undefined:
+            return (answer.symbol,)
+
+    def _symbol(self, asked: Asked) -> Formula:
+        """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
+        printed = (
+            self.letters.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.letters.of_find(asked.find))
+        )
+        return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
+
+    def components(self, answered: Answered) -> tuple[Answer, ...]:
+        """The x and y parts of a vector: as the derivation found them, else worked out aside."""
+        if answered.parts:
+            return tuple(self.answer(part) for part in answered.parts)
+        vector = answered.asked.vector
+        if vector is None:
+            return ()
+        found = []
+        for axis in "xy":
+            part = component(answered.asked, vector, axis)
+            value = self._settled(part.formula)
+            if any(SEPARATOR in name for name in value.symbols()):
+                return ()
+            found.append(self.answer(Answered(part, Found(part.letter, value), ())))
+        return tuple(found)
+
+    def _settled(self, value: Formula) -> Formula:
+        """A formula with all letters of the laws worked out, as far as they can be."""
+        value = self.search.solver.with_answers(self._solved(value))
+        if any(SEPARATOR in name for name in value.symbols()):
+            value = self.search.apart().settled(value) or value
+        return self.search.solver.simplify(value)
+
+    def _slope(self, parts: tuple[Answer, ...]) -> Certified | None:
+        """The angle of a slanted vector to the horizontal, in degrees."""
+        x, y = (part.formula for part in parts) if parts else (None, None)
+        if x is None or y is None or not all(part.value is not None and part.value.sign for part in parts):
+            return None
+        return self.value(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI)
+
+    def _readable(self, answered: Answered) -> Formula:
+        """The closed form; one that no page would hold stays in the letters found before."""
+        formula = answered.found.formula
+        assert formula is not None
+        steps = self.search.solver.steps[slice(*answered.steps)]
+        if length(formula) <= LONG or not steps:
+            return formula
+        return readable(steps[-1].chain)[-1].right
+
+    def _value_in(self, found: Found, unit: Unit | None) -> Certified | None:
+        """The certified value in a unit."""
+        factor = unit.factor if unit is not None else ONE
+        if found.formula is not None:
+            return self.value(found.formula / factor)
+        number = found.number
+        if number is None or factor == ONE:
+            return number
+        scale = evaluate(factor, {}, digits=30)
+        return Certified(
+            number.ball / scale.ball,
+            lambda digits: number.refine(digits + 3) / scale.refine(digits + 3),
+            lambda _: False,
+        )
+
+    def value(self, formula: Formula) -> Certified | None:
+        values = {**self.search.values, **({} if self.at is None else {TIME: self.at.value})}
+        letters = formula.symbols() - set(values)
+        solved = self.search.solver.solved
+        roots = {name: number for name in letters if name in solved and (number := solved[name].number) is not None}
+        if letters - set(roots):
+            return None
+        try:
+            return evaluate(formula, values, roots=roots)
+        except Undefined:
+            return None
+
+    def _direction(self, answered: Answered, value: Certified | None, parts: tuple[Answer, ...]) -> str:
+        """Direction in words."""
+        if answered.asked.vector is not None:
+            return heading_words(parts)
+        words = self._both_ways(answered)
+        if not any(words) or value is None or not value.sign:
+            return ""
+        return words[0 if value.sign > 0 else 1]
+
+    def _positive(self, answered: Answered) -> str:
+        """What a positive value means, in words, where a negative one means something else; friction is told by its size."""
+        quantity = self.search.scene.registry.quantities.get(answered.asked.letter)
+        sized = answered.asked.vector is not None or (quantity is not None and quantity.kind == SIZED)
+        ways = self._both_ways(answered)
+        return ways[0] if all(ways) and not sized else ""
+
+    def _both_ways(self, answered: Answered) -> tuple[str, str]:
+        """What a positive and a negative value mean, in words; empty where its sign is no direction."""
+        quantity = self.search.scene.registry.quantities.get(answered.asked.letter)
+        if quantity is not None and any((quantity.positive, quantity.negative)):
+            return (quantity.positive, quantity.negative) if quantity.kind != "angle" else ("", "")
+        return answered.asked.words
+
+    def _solved(self, value: Formula) -> Formula:
+        """All letters in a formula by what the steps found for them."""
+        for step in reversed(self.search.solver.steps):
+            if step.result in value.symbols():
+                value = value.substitute({step.result: step.chain[-1].right})
+        return value
+
+
+def heading_words(parts: tuple[Answer, ...]) -> str:
+    """Up and to the right: which way the components of a vector point, '' where nothing tells."""
+    signs = [0 if part.formula == ZERO else part.value.sign if part.value is not None else None for part in parts]
+    if not parts or None in signs:
+        return ""
+    side = {1: "to the right", -1: "to the left"}.get(signs[0] or 0, "")
+    rise = {1: "up", -1: "down"}.get(signs[1] or 0, "")
+    return " and ".join(part for part in (rise, side) if part)
+
+
+def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
+    """A chain of equalities without a last one that no page would hold, where the one before tells the same letter."""
+    if len(chain) < 2 or not length(chain[-1].right) > LONG >= length(chain[-2].right):
+        return chain
+    told = chain[-2].left == chain[-1].left and not chain[-2].left.symbols() & chain[-2].right.symbols()
+    return chain[:-1] if told else chain
+
+
+def usual_unit(dimension: Dimension | None, quantity: str) -> Unit | None:
+    """The unit that the field uses for a dimension; none for a pure number."""
+    return None if dimension is None else unit_for(dimension, quantity if quantity in NAMING else None)

@@ -1,0 +1,251 @@
+"""Equilibrium: where the forces on bodies balance and drive them back, and the bodies placed there and displaced from it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+
+from msgspec import Struct, field
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.solving.linear import solve_linear
+from rotsolve.algebra.exact.solving.roots import solve_trig
+from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
+from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.registry import NEAR, REST, SEPARATOR, Registry
+from rotsolve.core.writing import spoken
+from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving, rates_of_body
+from rotsolve.language.problem import Term
+from rotsolve.laws import groups
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.motion.instant import Instant, swings
+from rotsolve.motion.passages import groups_of
+from rotsolve.paths.meaning import NotYet
+
+PLACES = ("elongation", "angle")  # what balance decides
+SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
+STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
+EXTREMES = (Fraction(1), Fraction(1000), Fraction(1, 1000))  # values of letters without a number, each in turn
+
+
+def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formula]) -> tuple[str, Formula] | None:
+    """The letter of the one angle that balance decides by itself, and its stable value; None where springs have a say in it."""
+    supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
+    rates, allowed = groups.freedom(still, group, supplies)
+    if rates and allowed is None:
+        raise NotYet(f"{', '.join(f'`{name}`' for name in sorted(group))} {SEVERAL_WAYS}")
+    balance = groups.drive(still, group)
+    if balance is None or balance == (ZERO, ZERO):
+        raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
+    drive = balance[0] - balance[1]
+    letters = [name for name in sorted(drive.symbols()) if name.split(SEPARATOR)[0] in PLACES]
+    if not any(inside_function(drive, name) for name in letters):
+        root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
+        return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
+    if len(letters) > 1:
+        raise NotYet("where these bodies are in equilibrium is not told", help=STATE_IT)
+    slope = differentiate(drive, letters[0]) * turning_rate(letters[0], still, group)
+    roots = [candidate.formula for candidate in solve_trig(drive, letters[0])]
+    if not roots:
+        raise NotYet("the equilibrium has no closed form", help=STATE_IT)
+    stable = [root for root in roots if sign(slope.substitute({letters[0]: root}), values) == -1]
+    if len(stable) != 1:
+        raise NotYet("the stable equilibrium is not told", help=STATE_IT)
+    return letters[0], simplify(stable[0])
+
+
+def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
+    """How fast an angle grows, counterclockwise, when the group's one free rate is 1."""
+    grown = next(rate for body in still.bodies if body.name in group for rate in angle_rates(angle, body))
+    rates, allowed = groups.freedom(still, group, [grown])
+    assert allowed is not None
+    free = next(name for name in rates if allowed.get(name) is None)
+    return differentiate(grown.substitute(allowed), free)
+
+
+def angle_rates(angle: str, body: BodyFacts) -> Iterator[Formula]:
+    """How fast an angle grows: a body's own by its spin, that of its place on a circle by v/ρ."""
+    bend = body.motion.bend
+    if angle.split(SEPARATOR)[1] == body.name:
+        yield body.motion.spin
+    elif bend is not None and angle in bend.outward.formula().symbols():
+        yield body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
+
+
+def inside_function(value: Formula, name: str) -> bool:
+    """Whether a letter stands in a sine or cosine."""
+    return any(isinstance(node, Call) and name in node.symbols() for node in value.walk(Call))
+
+
+def sign(value: Formula, values: Mapping[str, Formula]) -> int | None:
+    """The sign of a formula; of one with letters without a number, that which it has for all kinds of positive values."""
+    if is_zero(value):
+        return 0
+    open_ = sorted(value.symbols() - set(values))
+    found = set()
+    for letter, size in [("", EXTREMES[0]), *((name, size) for name in open_ for size in EXTREMES[1:])]:
+        filled = {name: Number(size if name == letter else EXTREMES[0]) for name in open_}
+        try:
+            found.add(evaluate(value, {**values, **filled}, digits=5).sign)
+        except (Undefined, ValueError):
+            return None
+    return found.pop() if len(found) == 1 else None
+
+
+class Moments(Struct, frozen=True):
+    """The equilibrium of all bodies, the same with any small motion, a moment of their swings; why a group has none."""
+
+    rest: Instant
+    still: Facts
+    near: Instant
+    troubles: Mapping[frozenset[str], NotYet]
+
+
+class Placing(Struct, frozen=True):
+    """Makes the moments of a swing; `values` are the numbers of the givens, by which a stable equilibrium is told."""
+
+    configuration: Configuration
+    registry: Registry
+    modes: Mapping[str, str]
+    values: Mapping[str, Formula]
+    made: dict[tuple[str, bool], Moments] = field(default_factory=dict)
+
+    def swing(self, term: Term) -> Swing:
+        """The swing that a question speaks of."""
+        state, found = self.state_of(term)
+        if (state, found) not in self.made:
+            self.made[state, found] = self.found(state) if found else self.named(state)
+        moments = self.made[state, found]
+        group = self.group(moments, term.path.owner)
+        if group in moments.troubles:
+            raise moments.troubles[group]
+        body = self.leading(moments.near, group, term.path.owner)
+        bodies = free_bodies(moving(moments.near))
+        members = [body for body in bodies.bodies if body.name in group]
+        terms = [term for body in members for term in (*groups.gain(body), *groups.supply(body))]
+        if groups.freedom(bodies, group, terms)[1] is None:
+            raise NotYet(f"`{body}` and what it is tied to {SEVERAL_WAYS}")
+        return Swing(body, group, moments.rest, moments.still, moments.near, found, term.start or "")
+
+    def named(self, state: str) -> Moments:
+        """The moments about an equilibrium that is a state of the scene."""
+        rest = Instant(self.configuration, self.registry, state, False, self.modes)
+        still = free_bodies(moving(rest))
+        return Moments(rest, still, self.displaced(rest, still), {})
+
+    def found(self, state: str) -> Moments:
+        """The moments about an equilibrium that is worked out: the angles of hinged bodies here, the rest by the laws."""
+        self.hold(self.moment(state, REST), ("velocity", "acceleration"))
+        rest = self.moment(state, REST)
+        still = free_bodies(moving(rest))
+        for key, quantity in self.registry.quantities.items():
+            if quantity.kind in PLACES and quantity.when == rest.when:
+                self.registry.quantities[key] = replace(quantity, letter=f"{quantity.letter}0")
+        troubles = {}
+        for group in groups_of(self.configuration, still, state):
+            try:
+                root = stable_angle(still, group, self.values)
+            except NotYet as trouble:
+                troubles[group] = trouble
+                continue
+            if root is not None:
+                self.registry.known[root[0]] = root[1]
+        rest = self.moment(state, REST)
+        still = free_bodies(moving(rest))
+        return Moments(rest, still, self.displaced(rest, still), troubles)
+
+    def displaced(self, rest: Instant, still: Facts) -> Instant:
+        """A moment of the swings about an equilibrium, velocities left out: they are small of second order."""
+        self.hold(self.moment(rest.state, NEAR), ("velocity",))
+        self.displace(rest, still, self.moment(rest.state, NEAR))
+        return self.moment(rest.state, NEAR)
+
+    def moment(self, state: str, mark: str) -> Instant:
+        """A moment of swings or of their equilibrium: contacts stick, since nothing moves far."""
+        return Instant(self.configuration, self.registry, state, True, {}, mark=mark)
+
+    def state_of(self, term: Term) -> tuple[str, bool]:
+        """The state about which it swings, and whether its equilibrium has to be found: a state in balance is one."""
+        states = self.configuration.timeline.states
+        balanced = [state.name for state in states if state.balance or state.steady]
+        if term.at is not None:
+            if term.at not in balanced:
+                raise NotYet(f"`{term.at}` is not said to be an equilibrium", help="add `balance: true` to the state")
+            return term.at, False
+        if len(balanced) == 1 and term.start is None:
+            return balanced[0], False
+        return term.start or states[0].name, True
+
+    def group(self, moments: Moments, owner: str) -> frozenset[str]:
+        """The bodies that swing together: those tied to the body named, else the only ones that a weight or spring drives back."""
+        near = moments.near
+        groups = groups_of(self.configuration, moments.still, near.state)
+        if owner:
+            host = near.host(owner)
+            return next(group for group in groups if host in group)
+        sprung = {name for stored in moments.still.potentials for name in stored.bodies}
+        driven = [group for group in groups if group & sprung or any(driven_back(name, near) for name in group)]
+        if not driven:
+            raise NotYet("nothing is driven back to an equilibrium here: there are no swings")
+        if len(driven) > 1:
+            names = ", ".join(spoken(name) for group in driven for name in sorted(group))
+            raise NotYet(f"several bodies swing each for itself: {names}", help="say `of` which body")
+        return driven[0]
+
+    def leading(self, near: Instant, group: frozenset[str], owner: str) -> str:
+        """The body whose coordinate tells the swing: the one named, else a hinged one, else one that travels, else the first."""
+        if owner:
+            return near.host(owner)
+        names = [body.name for body in self.configuration.present(near.state) if body.name in group]
+        turning = [name for name in names if angle_key(near, name) in self.registry.known]
+        travelling = [name for name in names if near.motion(name).kind == "line"]
+        return (turning or travelling or names)[0]
+
+    def hold(self, instant: Instant, words: tuple[str, ...]) -> None:
+        """Put velocities, or velocities and accelerations, of all bodies to zero at a moment."""
+        for body in self.configuration.present(instant.state):
+            for word in words:
+                for rate in rates_of_body(word, instant, body.name):
+                    self.put(rate, ZERO)
+
+    def put(self, letter: Formula, value: Formula) -> None:
+        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
+            self.registry.known[letter.name] = value
+
+    def displace(self, rest: Instant, still: Facts, near: Instant) -> None:
+        """Place the bodies near their equilibrium: angles by the angles turned or the ways gone, springs by what their ends move apart."""
+        changes = displacements(rest, near)
+        for body in self.configuration.present(near.state):
+            angle = self.rest_angle(rest, body.name, near)
+            circle = near.orbit(body.name)
+            if circle is not None and circle.radius is not None:
+                gone = signed(next(displacements_of_body(near, body.name)) / circle.radius, circle.way)
+                self.put(near.place_on(circle), add(rest.place_on(circle), gone))
+            if angle is not None:
+                turned = signed(list(displacements_of_body(near, body.name))[-1], near.sense(body.name))
+                self.put(near.ask("angle", body.name), add(angle, turned))
+        for stored in still.potentials:
+            if f"elongation{SEPARATOR}{stored.owner}{SEPARATOR}{SEPARATOR}{rest.when}" in self.registry.quantities:
+                stretched = add(stored.elongation, stored.rate.substitute(changes))
+                self.put(near.ask("elongation", stored.owner), stretched)
+
+    def rest_angle(self, rest: Instant, name: str, near: Instant) -> Formula | None:
+        """The angle of a body at its equilibrium: what its facts speak of, else as it stands drawn; None where none matters."""
+        key = angle_key(rest, name)
+        if key in self.registry.quantities:
+            return self.registry.known.get(key, Symbol(key))
+        return rest.offset(name).formula() if swings(name, near) else None
+
+
+def driven_back(name: str, near: Instant) -> bool:
+    """Whether the weight of a body can drive it back: of one that hangs from a hinge, or lies on a curved surface."""
+    return swings(name, near) or (near.configuration.heavy and near.orbit(name) is not None)
+
+
+def angle_key(instant: Instant, name: str) -> str:
+    return SEPARATOR.join(("angle", name, "", instant.when))

@@ -1,0 +1,336 @@
+"""States: what the states of a scene fix, what stays as it was in an event, and the statements that come back as equations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from msgspec import Struct, field
+from msgspec.structs import replace
+
+from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
+from rotsolve.core.equation import STATED, Equation
+from rotsolve.core.quantity import OSCILLATING
+from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.varying import paths_in
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.events import Grips
+from rotsolve.elements.surfaces import Curved
+from rotsolve.language.problem import Condition, Path, State
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.freebody import free_bodies
+from rotsolve.motion.instant import Instant, marked
+from rotsolve.motion.owndata import is_own
+from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import angle_turned, displacement
+from rotsolve.paths.meaning import NotYet
+from rotsolve.paths.reader import PathReader
+
+
+class Fixed(Struct, frozen=True):
+    """Enters values into the registry; every instant is made anew, since it puts in what is fixed by then."""
+
+    configuration: Configuration
+    registry: Registry
+    modes: Mapping[str, str]
+
+    def instant(self, state: str, *, generic: bool = False) -> Instant:
+        return Instant(self.configuration, self.registry, state, generic, self.modes)
+
+    def fix(self, letter: Formula, value: Formula) -> None:
+        """Give a letter its value; what is no letter of the laws is known already."""
+        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
+            self.registry.known[letter.name] = value
+
+    def rates(self, instant: Instant, name: str) -> list[Formula]:
+        """The velocity letters of a body at an instant."""
+        motion, line = instant.motion(name), instant.line(name)
+        rates: list[Formula] = []
+        if motion.kind == "line":
+            rates.append(instant.travel("velocity", name, line[1] if line else ""))
+        elif motion.kind == "plane":
+            rates += [instant.component("velocity", name, axis) for axis in "xy"]
+        if motion.turns:
+            rates.append(instant.rate("angular_velocity", name))
+        return rates
+
+
+def check_shafts(state: State, fixed: Fixed) -> None:
+    """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
+    for item in fixed.configuration.connections(state.name):
+        if item.word == "shaft":
+            name = item.touches()[0].owner
+            if len(fixed.configuration.component(name, state.name)) > 1:
+                raise NotYet(f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span)
+
+
+def check_steady(state: State, fixed: Fixed) -> None:
+    """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
+    carried = any(item.word == "shaft" for item in fixed.configuration.connections(state.name))
+    if state.balance and carried:
+        raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
+    if state.steady and not carried:
+        raise NotYet("`steady: true` is solved on a turning `shaft` only", state.span, "write `balance: true`")
+
+
+def fix_balance(state: str, fixed: Fixed) -> None:
+    """In equilibrium nothing accelerates."""
+    instant = fixed.instant(state)
+    for body in fixed.configuration.present(state):
+        motion = instant.motion(body.name)
+        rates = [size for size, _ in motion.acceleration.parts]
+        if motion.turns:
+            rates.append(instant.rate("angular_acceleration", body.name))
+        for rate in rates:
+            fixed.fix(rate, ZERO)
+
+
+def prescribe(instant: Instant, fixed: Fixed, *, by_motion: bool = False) -> None:
+    """What a drive prescribes at a moment, and rates of it that vanish; what goes `by_motion` itself waits for what the states say."""
+    bodies = fixed.configuration.present(instant.state)
+    drives = [drive for body in bodies for drive in fixed.configuration.drives(body.name, instant.state)]
+    drives = [drive for drive in drives if any(paths_in(drive.function)) == by_motion]
+    for drive in drives:
+        if by_motion and drive.order < 2:
+            word = spoken(drive.word)
+            raise NotYet(f"a given {word} is a formula of `time` alone", help="give the acceleration instead")
+        fixed.fix(instant.driven(drive, drive.word), instant.now(drive.function))
+    for drive in drives:
+        for word, function in drive.rates().items():
+            if function == ZERO:
+                fixed.fix(instant.driven(drive, word), ZERO)
+
+
+RATES = ("velocity", "angular_velocity")
+
+
+def carry_over(state: State, fixed: Fixed) -> None:
+    """What an event before a state leaves as it was."""
+    before = fixed.configuration.timeline.before(state.name)
+    if before is None or before.event is None:
+        return
+    last, fresh = fixed.instant(before.start), fixed.instant(state.name)
+    said = {line.path.owner for line in state.conditions if line.path and line.path.quantity in RATES}
+    touched = touched_by(before, fixed) | said | ({"all"} if any(line.rest for line in state.conditions) else set())
+    for item in fixed.configuration.connections(state.name):
+        for word in item.kept:
+            fixed.fix(fresh.ask(word, item.name), last.ask(word, item.name))
+    keep_places(before, last, fresh, fixed)
+    for body in fixed.configuration.present(state.name):
+        keep_angle(body.name, last, fresh, fixed)
+        if body.name not in touched and "all" not in touched:
+            for one, other in zip(fixed.rates(last, body.name), fixed.rates(fresh, body.name), strict=False):
+                fixed.fix(other, one)
+
+
+def keep_angle(body: str, last: Instant, fresh: Instant, fixed: Fixed) -> None:
+    """A body does not turn in an event; a new hinge counts the angle from its own side."""
+    old, new = last.angle(body), fresh.angle(body)
+    if new is not None:
+        same = old is not None and fresh.offset(body) == last.offset(body)
+        turned = last.orientation(body) + fresh.offset(body)
+        fixed.fix(new, old if same and old is not None else turned.formula())
+
+
+def keep_places(event: Interval, last: Instant, fresh: Instant, fixed: Fixed) -> None:
+    """A body stays where it touches a curved surface, also one that it only meets in the event."""
+    met = {event.event.grips} if isinstance(event.event, Grips) else set()
+    acting = {item.name for item in fixed.configuration.connections(event.start)} | met
+    for item in fixed.configuration.connections(event.end):
+        if isinstance(item, Touch) and item.name in acting:
+            surface = item.surface(fixed.configuration, event.end)
+            if isinstance(surface, Curved):
+                fixed.fix(item.angle(fresh), item.angle(last))
+
+
+def touched_by(interval: Interval, fixed: Fixed) -> frozenset[str]:
+    """Bodies whose velocities an event changes."""
+    from rotsolve.motion.encounters import participants
+
+    found: frozenset[str] = frozenset()
+    for ref in participants(interval, fixed.configuration):
+        for state in (interval.start, interval.end):
+            found |= fixed.configuration.component(ref.owner, state)
+    return found
+
+
+RATE_OF = {  # what is zero where a quantity is largest or smallest
+    "angle": "angular_velocity",
+    "rotation": "angular_velocity",
+    "turns": "angular_velocity",
+    "angular_velocity": "angular_acceleration",
+    "displacement": "velocity",
+    "height": "velocity",
+    "velocity": "acceleration",
+}
+EXTREMES = ("largest", "smallest")
+
+
+class Statements(Struct):
+    """Takes the lines of all states into the registry."""
+
+    fixed: Fixed
+    stated: list[tuple[Equation, Condition]] = field(default_factory=list)
+
+    @property
+    def configuration(self) -> Configuration:
+        return self.fixed.configuration
+
+    def take(self) -> list[tuple[Equation, Condition]]:
+        """Fix what the states say, in the order of time; lines that fix no single quantity come back as equations."""
+        for state in self.configuration.timeline.states:
+            self._clock(state)
+            prescribe(self.fixed.instant(state.name), self.fixed)
+            prescribe(self.fixed.instant(state.name, generic=True), self.fixed)
+        for state in self.configuration.timeline.states:
+            check_shafts(state, self.fixed)
+            carry_over(state, self.fixed)
+            for condition in state.conditions:
+                self._fix(state, condition)
+            if state.balance or state.steady:
+                check_steady(state, self.fixed)
+                self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
+                fix_balance(state.name, self.fixed)
+        self._as_drawn(self.fixed.instant(self.configuration.timeline.states[0].name))
+        for state in self.configuration.timeline.states:
+            for generic in (False, True):
+                prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
+        return self.stated
+
+    def _as_drawn(self, first: Instant) -> None:
+        """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
+        for body in self.configuration.present(first.state):
+            angle = first.angle(body.name) if marked(body.name, first) else None
+            if angle is not None:
+                self.fixed.fix(angle, ZERO)
+
+    def _clock(self, state: State) -> None:
+        """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
+        fresh, before = self.fixed.instant(state.name), self.configuration.timeline.before(state.name)
+        if before is None:
+            self.fixed.fix(fresh.time(), ZERO)
+            return
+        last = self.fixed.instant(before.start).time()
+        if before.event is not None:
+            self.fixed.fix(fresh.time(), last)
+        for line in state.conditions:
+            if line.path is not None and line.path.quantity == "time" and line.value is not None:
+                self.fixed.fix(fresh.time(), simplify(last + line.value))
+                self.fixed.fix(fresh.ask("time", "", when=before.name), line.value)
+
+    def _fix(self, state: State, condition: Condition) -> None:
+        """Take a line of a state; one that can not be worked out is refused at its place."""
+        try:
+            self._take(state, condition)
+        except NotYet as error:
+            raise NotYet(str(error), error.span or condition.span, error.help) from None
+
+    def _take(self, state: State, condition: Condition) -> None:
+        """Take rest, a quantity with a value, or a word."""
+        if is_own(condition, self.configuration.bodies):
+            self._check_own(state, condition)  # the configuration has taken it
+            return
+        if condition.rest:
+            self._rest(state, condition)
+        elif condition.path is not None and condition.path.quantity in OSCILLATING:
+            return  # taken where the swings are placed
+        elif condition.path is not None and condition.word == "slack":
+            self.fixed.fix(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
+        elif condition.path is not None and condition.word == "leaves":
+            self._leaves(state, condition, condition.path.owner)
+        elif condition.path is not None and condition.word in EXTREMES:
+            rate = RATE_OF.get(condition.path.quantity)
+            if rate is None:
+                raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
+            self._claim(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO, state.name, condition)
+        elif condition.path is not None and condition.value is not None and condition.path.quantity != "time":
+            path, value = condition.path, condition.value
+            if path.quantity == "turns":
+                path, value = replace(path, quantity="rotation"), simplify(2 * PI * value)
+            self._claim(self._letter(state.name, path), value, state.name, condition)
+
+    def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
+        """Fix a letter that is free; what is known otherwise becomes an equation."""
+        if isinstance(letter, Symbol) and SEPARATOR in letter.name:
+            self.fixed.fix(letter, value)
+        elif letter != value:
+            path = condition.path
+            label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
+            section = state
+            before = self.configuration.timeline.before(state)
+            if condition.word in EXTREMES and condition.path is not None:
+                label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
+                section = before.name if before is not None else state  # it tells how long the phase takes
+            cost = 1 if isinstance(letter, Symbol) else 2
+            self.stated.append((STATED.equation(letter, value, section, cost=cost, words=label), condition))
+
+    def _leaves(self, state: State, condition: Condition, contact: str) -> None:
+        """A contact is lost where the surface no longer pushes: N = 0."""
+        after = self.configuration.timeline.after(state.name)
+        if after is not None:
+            raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
+        item = next((item for item in self.configuration.connections(state.name) if item.name == contact), None)
+        surface = item.surface(self.configuration, state.name) if isinstance(item, Touch) else None
+        if surface is None or not isinstance(item, Touch):
+            raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
+        normal = self._letter(state.name, Path(contact, "normal_force"))
+        label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
+        if not state.balance:
+            self.stated.append((STATED.equation(normal, ZERO, state.name, cost=1, words=label), condition))
+            return
+        self.fixed.fix(normal, ZERO)  # just about to leave: what no longer pushes is no force of the balance
+        if item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
+            friction = self._letter(state.name, Path(contact, "friction_force"))
+            label = f"no friction where the {spoken(surface.name)} does not push"
+            self.stated.append((STATED.equation(friction, ZERO, state.name, cost=1, words=label), condition))
+
+    def _label(self, path: Path) -> str:
+        """What a stated equation is called: of one body against another, which two."""
+        item = next((item for item in self.configuration.problem.connections if item.name == path.owner), None)
+        if item is None or not item.between():
+            return "stated"
+        first, last = (spoken(ref.owner) for ref in item.between())
+        return f"stated: {last} relative to {first}"
+
+    def _check_own(self, state: State, condition: Condition) -> None:
+        """A body's own data change in a phase, and no mass leaves: it would take angular momentum along."""
+        before = self.configuration.timeline.before(state.name)
+        if before is None or condition.path is None or condition.value is None:
+            return
+        name, word = condition.path.owner, condition.path.quantity
+        if before.event is not None:
+            raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
+        earlier = self.configuration.body(name, before.start).mass
+        if word == "mass" and earlier is not None:
+            values = {given.name: given.value for given in self.configuration.problem.givens if given.value is not None}
+            try:
+                lost = evaluate(earlier - condition.value, values, digits=6).sign
+            except (Undefined, ValueError):
+                return
+            if lost == 1:
+                raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
+
+    def _letter(self, state: str, path: Path) -> Formula:
+        """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""
+        instant = self.fixed.instant(state)
+        if path.quantity in ("displacement", "rotation"):
+            before = self.configuration.timeline.before(state)
+            if before is None:
+                return ZERO
+            if path.quantity == "displacement":
+                return displacement(instant.host(path.owner), before, instant)
+            return angle_turned(path.owner, before, instant)
+        return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
+
+    def _rest(self, state: State, condition: Condition) -> None:
+        instant = self.fixed.instant(state.name)
+        for body in self.configuration.present(state.name):
+            if condition.owner in ("all", "", body.name):
+                for rate in self.fixed.rates(instant, body.name):
+                    self._claim(rate, ZERO, state.name, condition)
+        for item in self.configuration.rides(state.name):
+            if condition.owner in ("all", "", item.rides[0].owner):
+                self.fixed.fix(instant.outward(item.rides[0].owner), ZERO)

@@ -1,0 +1,144 @@
+"""Conditions: `x where path = value`, `largest F where touch sticks`, `smallest k where upright is stable`: one equation more."""
+
+from __future__ import annotations
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.notation.letters import name_to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.core.derivation import Equality
+from rotsolve.core.equation import CONDITION
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.writing import spoken
+from rotsolve.equations.scene_equations import term_of
+from rotsolve.language.problem import Find
+from rotsolve.paths.meaning import NotYet, label_of
+from rotsolve.questions.find import Asked, question_for
+from rotsolve.search.answers import NoAnswer
+from rotsolve.search.conclusions import Conclusion, by_condition, forget
+from rotsolve.search.extrema import as_function_of, extreme_value, place_of_extremum
+from rotsolve.search.friction import limiting
+from rotsolve.search.search import Search
+from rotsolve.search.swings import verge_equation
+from rotsolve.solver import Choice
+
+
+def answer_where(search: Search, find: Find) -> None:
+    """Answer a question that has a condition, or asks for the largest value over a letter."""
+    condition = find.where
+    if condition is None:
+        extreme_value(search, find)
+    elif condition.word == "stable":
+        on_the_verge(search, find)
+    elif condition.phrase is None:
+        on_the_point_of_slipping(search, find)
+    elif condition.word is not None:
+        place_of_extremum(search, find)
+    else:
+        with_equation(search, find)
+
+
+def with_equation(search: Search, find: Find) -> None:
+    """One more equation, quantity = value, that holds for this question."""
+    condition = find.where
+    assert condition is not None and condition.phrase is not None and condition.value is not None
+    letter = find.formula.name if isinstance(find.formula, Symbol) else ""
+    free = letter in search.givens and letter not in search.values and letter not in search.solver.solved
+    if free and letter in search.known:
+        over_letter(search, find, letter, condition.phrase, condition.value)
+        return
+    question = question_for(replace(find, where=None), search.scene, search.letters())
+    said = question_for(condition.phrase, search.scene, search.letters())
+    limit = CONDITION.equation(said.formula, condition.value, said.section, words=condition_label(condition.phrase))
+    try:
+        answered = search.answer(question, limit)
+    except NoAnswer:
+        if not free:
+            raise
+        # all equations at once may hide the letter in a factor that two of them share; as a function of it the quantity shows
+        over_letter(search, find, letter, condition.phrase, condition.value)
+        return
+    if not any(search.planner.pool[index] is limit for index in answered.used):
+        raise NotYet(
+            f"`{find.name}` does not depend on `{condition.phrase.text.strip()}`: it is settled without the condition",
+            help="leave the condition out, or declare as `unknown` the letter that it is to settle",
+        )
+
+
+def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Formula) -> None:
+    """The value of a letter at which a quantity, found first as a function of it, has a given value."""
+    quantity = as_function_of(search, phrase, letter)
+    curve = quantity.found.formula
+    if curve is None or letter not in curve.symbols():
+        raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
+    given = search.givens[letter]
+    own = Symbol(letter if given.asked else f"asked{SEPARATOR}{find.name}")
+    said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
+    equation = Equality(curve.substitute({letter: own}), value)
+    order, positive = search.solver.order, search.solver.positive - {letter}
+    roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
+    roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
+    picked = search.choose_root(letter, roots) if len(roots) > 1 else Choice(0)
+    if not roots or picked is None:
+        raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
+    root = search.solver.simplify(picked.of(roots))
+    question = Asked(find, own, own.name, given.dimension, section=quantity.asked.section)
+    by_condition(search, question, root, Conclusion(said, equation, picked.words), quantity, aside=False)
+    if given.asked:
+        forget(quantity, search)
+
+
+def condition_label(phrase: Find) -> str:
+    """What a condition is about, in words: ", horizontal impulse of pin"."""
+    if len(phrase.terms) != 1:
+        return ""
+    term = phrase.terms[0]
+    side = {"x": "horizontal ", "y": "vertical "}.get(term.path.component or "", "")
+    return f", {side}{label_of(term.path, term)}"
+
+
+def on_the_verge(search: Search, find: Find) -> None:
+    """`smallest k where upright is stable`: the value at which the equilibrium is only just stable."""
+    assert find.where is not None
+    question = question_for(without_condition(find), search.scene, search.letters())
+    swing = search.scene.swing(term_of(find.where))
+    search.answer(question, verge_equation(swing, question.letter, modifier_of(find), search))
+
+
+def without_condition(find: Find) -> Find:
+    """The quantity of a question alone."""
+    terms = tuple(replace(term, modifier="") for term in find.terms)
+    return replace(find, where=None, modifier="", terms=terms)
+
+
+def modifier_of(find: Find) -> str:
+    """`largest` or `smallest` in front of a question, or of its quantity."""
+    return find.modifier or (find.terms[0].modifier if find.terms else "")
+
+
+def on_the_point_of_slipping(search: Search, find: Find) -> None:
+    """`largest F where touch sticks`: the value at which the contact is on the point of slipping."""
+    condition, scene = find.where, search.scene
+    assert condition is not None and condition.path is not None
+    if condition.word not in ("sticks", "rolls"):
+        raise NotYet(f"`where {condition.path.owner} is {condition.word}` is not solved yet")
+    question = question_for(without_condition(find), scene, search.letters())
+    state = find.terms[0].at if find.terms and find.terms[0].at else scene.configuration.timeline.states[-1].name
+    candidates = []
+    for equation, normal in limiting(scene, condition.path.owner, state):
+        trial = Search(scene, search.families, spare=search.spare)
+        try:
+            value = trial.answer(question, equation).found.formula
+            push = trial.value_of(next(iter(normal.symbols())))
+        except NoAnswer:
+            continue
+        number = trial.number(value) if value is not None else None
+        pressed = trial.number(push) if push is not None else None
+        if number is None or (number > 0 and (pressed is None or pressed >= 0)):
+            candidates.append((0.0 if number is None else number, equation))
+    if not candidates:
+        raise NotYet(f"`{spoken(condition.path.owner)}` does not come to the point of slipping")
+    pick = max if modifier_of(find) == "largest" else min
+    search.answer(question, pick(candidates, key=lambda item: item[0])[1])

@@ -1,0 +1,231 @@
+"""Explain: why there is no answer, in the scene's words: what is missing or contradictory, where, and what may help."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from rotsolve.algebra.formula import ZERO
+from rotsolve.core.equation import FAMILIES, NEWTON, Equation
+from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.quantity import INSIDE
+from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
+from rotsolve.core.varying import MIXED, POSITION
+from rotsolve.core.writing import spoken
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.problem import Find, Problem
+from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.timeline import Interval
+from rotsolve.paths.meaning import path_text
+from rotsolve.plan import Shortage
+from rotsolve.search.answers import CHECK_DATA, NoAnswer, unsolvable
+from rotsolve.search.search import Search
+from rotsolve.solver import ENTANGLED
+
+
+def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | None = None) -> Unsolvable:
+    """Which law or line the data break; over a phase, that its end is never reached."""
+    problem, timeline = scene.configuration.problem, scene.configuration.timeline
+    line = next((condition for stated, condition in scene.stated if stated is equation), None)
+    if line is not None:
+        path = path_text(line.path) if line.path is not None else line.owner
+        message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
+        if line.rest:
+            message = f"the data contradict each other: `at rest: {line.owner}` can not hold at `{equation.section}`"
+        return unsolvable(problem, message, line.span or fallback, CHECK_DATA)
+    broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
+    interval = timeline.interval(equation.section)
+    if interval is None:
+        state = next((state for state in timeline.states if state.name and state.name == equation.section), None)
+        where = f" at `{state.name}`" if state is not None else ""
+        span = state.span if state is not None and state.span is not None else fallback
+        return unsolvable(problem, f"the data contradict each other{where}", span, broken)
+    if interval.event is not None:
+        message = f"the data contradict each other: `{interval.end}` can not follow from `{interval.start}` by `{interval.name}`"
+    else:
+        message = f"`{interval.end}` is never reached from `{interval.start}`"
+    return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
+
+
+def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
+    """The time of a motion that comes back on its way, which is told for one way only."""
+    span = next((state.span for state in problem.states if state.name == interval.end), None)
+    message = f"the motion turns back from `{interval.start}` to `{interval.end}`: its time is not solved as a whole"
+    return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
+
+
+MANY = 6  # unknowns that a message names one by one
+FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
+STATED = {  # what a state can say, with an example
+    "angle": "30 deg",
+    "velocity": "2 m/s",
+    "angular_velocity": "3 rad/s",
+    "elongation": "10 cm",
+    "displacement": "1 m",
+    "rotation": "2 rev",
+}
+RATES = ("velocity", "angular_velocity")
+
+
+def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
+    """What is missing or contradictory for one question."""
+    problem = search.scene.configuration.problem
+    if error.equation is not None:
+        return contradicted(search.planner.pool[error.equation], search.scene, find.span)
+    alone = "" if NEWTON in search.families else f" by {FAMILIES[search.families[0]].words} alone"
+    missing = [] if error.shortage is None else open_quantities(error.shortage.unknowns, search.scene)
+    if error.open_form and str(error) != ENTANGLED:
+        return unsolvable(problem, f"`{find.name}` can not be found{alone}: {error}", find.span, CHECK_DATA)
+    if error.shortage is None or not missing:
+        help = suggestion((), search.scene)
+        return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
+    laws = [index for index in error.shortage.equations if is_scene_law(search.planner.pool[index])]
+    counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
+    counted = counted if len(laws) < len(missing) else "nothing settles"
+    message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
+    return unsolvable(problem, message, find.span, suggestion(missing, search.scene, error.shortage.asked))
+
+
+def is_scene_law(equation: Equation) -> bool:
+    """Whether an equation is of the scene, and not what a question means."""
+    return bool(equation.law.words) and not any(name.startswith("asked" + SEPARATOR) for name in equation.symbols())
+
+
+def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[Quantity | str]:
+    """The unknowns that the scene has words for: quantities of the laws, and letters that it asks for."""
+    quantities = scene.registry.quantities
+    asked = {given.name for given in scene.configuration.problem.givens if given.asked}
+    found: dict[Quantity | str, None] = {}
+    for name in names:
+        if name in quantities:
+            found[quantities[name]] = None
+        elif name in asked:
+            found[name] = None
+    return list(found)
+
+
+def unknowns_listed(missing: Sequence[Quantity | str], scene: SceneEquations) -> str:
+    """What the unknowns are; of many only the first few."""
+    told = [told_quantity(item, scene) if isinstance(item, Quantity) else f"`{item}`" for item in missing]
+    told = list(dict.fromkeys(told))
+    more = f" and {len(told) - MANY} more" if len(told) > MANY else ""
+    return ", ".join(told[:MANY]) + more
+
+
+def told_quantity(quantity: Quantity, scene: SceneEquations) -> str:
+    """A quantity of the laws in the scene's words: "tension of cord at held"."""
+    at_cut = quantity.kind in INSIDE  # the index is that of the cut, no direction
+    side = "" if at_cut else {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
+    owner = f" of {spoken(quantity.owner)}" if quantity.owner else ""
+    return f"{side}{spoken(quantity.kind)}{owner}{when_words(quantity.when, scene)}"
+
+
+def when_words(when: str, scene: SceneEquations) -> str:
+    """When a quantity is, in words; nothing where the scene has one nameless instant."""
+    name = when.replace(VIRTUAL, "")
+    timeline = scene.configuration.timeline
+    if name.startswith(GENERIC):
+        phase = timeline.phase_of(name.removeprefix(GENERIC))
+        return f" on the way from {spoken(phase.start)} to {spoken(phase.end)}" if phase is not None else ""
+    interval = timeline.interval(name)
+    if interval is None:
+        return f" at {spoken(name)}" if name else ""
+    return (
+        f" in {spoken(name)}"
+        if interval.event is not None
+        else f" from {spoken(interval.start)} to {spoken(interval.end)}"
+    )
+
+
+def suggestion(missing: Sequence[Quantity | str], scene: SceneEquations, asked: str = "") -> str:
+    """What to add to the scene; never what is asked."""
+    lonely = unreached(scene)
+    if lonely:
+        return f"nothing tells when `{lonely}` is reached: give it a line, or an event that leads to it"
+    unplaced = without_angle(scene)
+    if unplaced:
+        return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"
+    quantities = [item for item in missing if isinstance(item, Quantity)]
+    soft = {item.name for item in scene.configuration.problem.connections if getattr(item, "stiffness", ZERO) is None}
+    spring = next((item.owner for item in quantities if item.kind == "force" and item.owner in soft), None)
+    if spring is not None:
+        return f"give the `stiffness` of `{spring}`, or its force"
+    others = [item for item in quantities if item.key != asked and item.owner and not item.component]
+    ranked = sorted(others, key=lambda item: (item.kind not in STATED, not at_start(item, scene)))
+    if ranked and ranked[0].kind in STATED:
+        item = ranked[0]
+        if at_start(item, scene) and item.kind in RATES:
+            return f"say how it starts, as in `states: {{{state_of(item.when, scene)}: at rest}}`"
+        line = f"{state_of(item.when, scene)}: {{{item.owner}.{item.kind}: {STATED[item.kind]}}}"
+        return f"say more about the state, as in `states: {{{line}}}`"
+    if quantities and all(item.kind in FORCES for item in quantities):
+        return "the laws can not tell these forces apart: leave out a support, or give one of them"
+    return "say more: sizes and masses, where each body is at each state, how fast it moves"
+
+
+def at_start(quantity: Quantity, scene: SceneEquations) -> bool:
+    """Whether a quantity belongs to the first of several states."""
+    states = scene.configuration.timeline.states
+    return len(states) > 1 and quantity.when == states[0].name
+
+
+def state_of(when: str, scene: SceneEquations) -> str:
+    """The state at which a quantity can be said: its own, or the end of its phase; "now" where the scene has no states."""
+    timeline = scene.configuration.timeline
+    interval = timeline.interval(when)
+    return (
+        interval.end if interval is not None else when if when in timeline.order else timeline.states[0].name
+    ) or "now"
+
+
+def unreached(scene: SceneEquations) -> str:
+    """A state after the first of which nothing is said and to which no event leads."""
+    timeline = scene.configuration.timeline
+    for interval in timeline.intervals:
+        end = timeline.state(interval.end)
+        if interval.event is None and not end.conditions and not end.balance:
+            return end.name
+    return ""
+
+
+def without_angle(scene: SceneEquations) -> tuple[str, str] | None:
+    """A body whose angle some state gives, and the first state, where no other one says it."""
+    timeline = scene.configuration.timeline
+    said = {
+        (state.name, line.path.owner)
+        for state in timeline.states
+        for line in state.conditions
+        if line.path and line.path.quantity == "angle"
+    }
+    first, after = timeline.states[0], timeline.after(timeline.states[0].name)
+    said |= {(first.name, owner) for owner in on_unknown_profile(scene.configuration, first.name)}
+    for _, owner in sorted(said):
+        if (first.name, owner) not in said and first.name and (after is None or after.event is None):
+            return owner, first.name
+    return None
+
+
+def on_unknown_profile(configuration: Configuration, state: str) -> set[str]:
+    """Contacts whose body is on a track of which only heights are known, where no angle is to be told."""
+    orbits = (configuration.orbit(body.name, state) for body in configuration.present(state))
+    return {orbit.owner for orbit in orbits if orbit is not None and orbit.radius is None}
+
+
+def plural(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def refuse_unsolved(search: Search, shortage: Shortage, find: Find) -> None:
+    """Refuse by name what is no lack of data: motion that varies with several things, the time of one that varies with the place."""
+    problem = search.scene.configuration.problem
+    travels = [travel for passage in search.scene.passages.values() for travel in passage.travels]
+    several = next((travel.body for travel in travels if travel.pace == MIXED), "")
+    if several:
+        message = f"`{several}` is driven by what varies with more than one of time, place and speed: not solved yet"
+        raise unsolvable(problem, message, find.span)
+    quantities = search.scene.registry.quantities
+    open_ = {quantities[name].kind for name in shortage.unknowns if name in quantities}
+    driven = next((travel.body for travel in travels if travel.pace == POSITION and not travel.leads), "")
+    if driven and open_ == {"time"}:
+        message = f"how long `{driven}` takes is not solved yet, since what drives it varies with its place"
+        help = "say what drives it as a `couple` or `force` that speaks of the place, or ask for a `period`"
+        raise unsolvable(problem, message, find.span, help)

@@ -1,0 +1,89 @@
+"""Numbers: what the scene and the answers so far tell of the size and sign of a formula."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from fractions import Fraction
+from math import floor
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.ball import Certified, ends, evaluate
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.witness import decided_by_size
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.registry import SEPARATOR
+
+FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, one after the other, until it tells
+
+
+def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
+    """The number that a formula is; None where it is not real or a given has no number."""
+    try:
+        return evaluate(value, values, digits=8)
+    except (Undefined, ValueError, ZeroDivisionError):
+        return None
+
+
+def rough(value: Formula, values: Mapping[str, Formula]) -> float | None:
+    """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
+    number = certified_number(value, values)
+    return None if number is None else number.float if number.sign else 0.0
+
+
+def side_of(value: Formula, values: Mapping[str, Formula]) -> int | None:
+    """The sign of a value, 0 where it vanishes; None where it is not real or a given has no number."""
+    number = certified_number(value, values)
+    return None if number is None else number.sign or 0
+
+
+class Numbers(Struct, frozen=True):
+    """Numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
+
+    values: Mapping[str, Formula]
+    with_answers: Callable[[Formula], Formula]
+    aside: Callable[[str], Formula | None]
+
+    def certified(self, value: Formula) -> Certified | None:
+        """The number itself; None where it is not real or a given has no number."""
+        return certified_number(value, self.values)
+
+    def of(self, value: Formula) -> float | None:
+        """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
+        return rough(value, self.values)
+
+    def found(self, value: Formula) -> float | None:
+        """A rough value with the answers put in."""
+        return self.of(self.with_answers(value))
+
+    def side(self, value: Formula) -> int | None:
+        """The sign of a value, 0 where it vanishes; None where it is not real or a given has no number."""
+        return side_of(value, self.values)
+
+    def whole(self, value: Formula) -> int | None:
+        """The greatest whole number that is not greater than a value; None where the numbers do not tell."""
+        decided_by_size()
+        number = self.certified(value)
+        if number is None:
+            return None
+        for figures in FIGURES:
+            low, high = ends(number.refine(figures))
+            if floor(low) == floor(high):
+                return floor(low)
+            if high - low < Fraction(1, 2) and number.equals(Fraction(floor(high))):
+                return floor(high)
+        return None
+
+    def sign(self, values: Iterable[Formula | None]) -> int:
+        """The sign of the first value that has one, with the answers put in; 0 where none has."""
+        for value in values:
+            side = self.side(self.with_answers(value)) if value is not None else None
+            if side:
+                return side
+        return 0
+
+    def push(self, acceleration: Formula | None) -> Formula | None:
+        """The acceleration that starts the motion, found aside."""
+        if acceleration is None or not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
+            return acceleration
+        return self.aside(acceleration.name)

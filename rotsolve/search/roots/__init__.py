@@ -1,1 +1,0 @@
-"""Roots: which of several roots of an equation is meant, each choice with a stated reason."""

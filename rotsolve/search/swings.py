@@ -1,0 +1,227 @@
+"""Swings: from the laws of a displaced body to its harmonic motion: its acceleration, that to first order, the frequency."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
+from rotsolve.core.derivation import Words
+from rotsolve.core.equation import HARMONIC, STABILITY, Equation
+from rotsolve.core.facts import BodyFacts, Facts, signed
+from rotsolve.core.writing import spoken
+from rotsolve.equations.equilibrium import sign
+from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.equations.swing import Swing
+from rotsolve.laws import groups
+from rotsolve.laws.oscillation import (
+    approximations,
+    harmonic,
+    holds_at_any_size,
+    large,
+    linearised,
+    pendulum,
+    periods,
+    restoring,
+)
+from rotsolve.paths.meaning import NotYet
+from rotsolve.search.answers import NoAnswer
+
+if TYPE_CHECKING:
+    from rotsolve.questions.find import Asked
+    from rotsolve.search.search import Search
+
+
+def settle_swings(asked: Asked, search: Search) -> list[int]:
+    """All that is to be told of swings before a question; pool indices of the equations that hold for it alone."""
+    for swing in search.scene.observed:
+        observe(swing, search)
+    return [index for swing, word in asked.swings for index in settle_swing(swing, word, search, asked.letter)]
+
+
+def forget_displacements(asked: Asked, search: Search) -> None:
+    """Forget what depends on the displacement: it serves no other question."""
+    for swing, _ in asked.swings:
+        search.known -= {swing.coordinate.name, swing.acceleration.name}
+        search.solver.solved.pop(swing.acceleration.name, None)
+
+
+def settle_swing(swing: Swing, word: str, search: Search, asked: str) -> list[int]:
+    """Everything that comes before the `asked` letter: the equilibrium, the acceleration near it, ω₀, the period (`word`).
+
+    Returns the pool indices of the equations that hold for this question alone.
+    """
+    passing: list[int] = []
+    if swing.harmonic not in search.swung:
+        search.swung.add(swing.harmonic)
+        exact = acceleration_of(swing, search)
+        slope = search.solver.simplify(restoring(exact, swing.coordinate))
+        check_stable(swing, exact, slope, search)
+        motion = large_motion(swing, exact, slope, search) if swing.start else small_motion(swing, exact, slope, search)
+        passing = [search.planner.extend(equation) for equation in motion]
+    for letter in (swing.omega, swing.letters[word]):
+        if isinstance(letter, Symbol) and letter.name != asked and letter.name not in search.solver.solved:
+            search.step(letter.name)
+    return passing
+
+
+def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -> Iterator[Equation]:
+    """Simple harmonic motion: of any size where the acceleration is proportional to the displacement, else of small swings."""
+    words = "period"
+    if not holds_at_any_size(exact, swing.coordinate):
+        words = "period of small swings"
+        first_order = negate(search.solver.simplify(negate(slope) * swing.coordinate))  # it drives back
+        yield linearised(swing.acceleration, exact, first_order, swing.coordinate, swing.harmonic)
+        search.solver.solved.pop(swing.acceleration.name, None)
+        search.known.discard(swing.acceleration.name)
+    motion = harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+    undecided = sign(slope, search.values) is None
+    yield replace(motion, remark=("stable while ", swing.omega**2, " > 0")) if undecided else motion
+    same = same_at_any_size(swing, search) if words == "period" else None
+    for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
+        if same is not None and equation.left == swing.letters["swing_period"]:
+            equation = replace(equation, right=same, label="period, the same for swings of any size")
+        search.planner.extend(equation)
+
+
+def same_at_any_size(swing: Swing, search: Search) -> Formula | None:
+    """The period of a large swing of the same bodies, where it has been found."""
+    swings = [other for other in search.scene.swings.values() if other.start and other.group == swing.group]
+    found = [other.letters["swing_period"] for other in swings if other.omega == swing.omega]
+    return next((letter for letter in found if letter.symbols() & set(search.solver.solved)), None)
+
+
+def large_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -> Iterator[Equation]:
+    """Swings of any size: harmonic ones, and those of a pendulum under its weight."""
+    sine = call("sin", swing.coordinate)
+    if swing.exact and holds_at_any_size(exact, swing.coordinate):
+        yield harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+        equations = periods(swing.omega, swing.letters, swing.harmonic, "period, the same for swings of any size")
+    elif swing.exact and is_zero(exact - slope * sine, search.solver.positive):
+        yield pendulum(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
+        equations = large(swing.coordinate, swing.amplitude(), swing.omega, swing.letters, swing.harmonic)
+    else:
+        raise NotYet(
+            f"large swings of `{swing.body}` are not solved yet",
+            help="solved are those of a pendulum under its weight, and harmonic ones",
+        )
+    for equation in equations:
+        search.planner.extend(equation)
+
+
+def settle_equilibrium(swing: Swing, search: Search) -> None:
+    """How far springs and wires are stretched; what balance does not tell stays a letter, which has to drop out."""
+    for place in swing.unsettled:
+        try:
+            search.step(place)
+        except NoAnswer:
+            search.known.add(place)
+
+
+def acceleration_of(swing: Swing, search: Search) -> Formula:
+    """The acceleration as a function of the displacement; found once."""
+    if swing.acceleration.name not in search.displaced:
+        settle_equilibrium(swing, search)
+        search.known.add(swing.coordinate.name)
+        found = search.step(swing.acceleration.name).formula
+        if found is None:
+            raise NotYet(f"how `{swing.body}` swings has no closed form")
+        search.displaced[swing.acceleration.name] = search.solver.with_answers(found)
+    return search.displaced[swing.acceleration.name]
+
+
+def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Search) -> None:
+    """Small swings need an equilibrium, and one to which the bodies are driven back."""
+    name, state = spoken(swing.body), spoken(swing.rest.state) if not swing.found else "the equilibrium"
+    at_rest = exact.substitute({swing.coordinate.name: ZERO})
+    if not is_zero(at_rest, search.solver.positive):
+        raise NotYet(f"`{name}` is not in equilibrium at {state}: it speeds up there")
+    known = set(search.givens) | set(search.values)
+    if slope.symbols() - known:
+        raise NotYet(f"how `{name}` swings about {state} depends on how its springs are stretched there")
+    way = sign(slope, search.values)
+    if way == 0:
+        raise NotYet(f"nothing drives `{name}` back to {state}: there are no small swings")
+    if way == 1:
+        raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
+
+
+def slope_in(unknowns: frozenset[str], swing: Swing, search: Search) -> tuple[Formula, Words]:
+    """The slope of the acceleration at the equilibrium while some letters are still unknown, and how it is told."""
+    search.known |= unknowns
+    exact = acceleration_of(swing, search)
+    search.known -= {*unknowns, swing.coordinate.name, swing.acceleration.name}
+    search.solver.solved.pop(swing.acceleration.name, None)
+    slope = search.solver.simplify(restoring(exact, swing.coordinate))
+    first_order = search.solver.simplify(slope * swing.coordinate)
+    if holds_at_any_size(exact, swing.coordinate):
+        return slope, (swing.acceleration, " = ", first_order)
+    return slope, (swing.acceleration, " ≈ ", first_order, ", as ", *approximations(exact, swing.coordinate))
+
+
+def observe(swing: Swing, search: Search) -> None:
+    """Swings of which a state tells the period: what it says of the letters that are asked for."""
+    if swing.harmonic in search.swung:
+        return
+    search.swung.add(swing.harmonic)
+    unknowns = frozenset(given.name for given in search.givens.values() if given.asked)
+    slope, told = slope_in(unknowns, swing, search)
+    way: Words = (swing.acceleration, " = ", negate(swing.omega**2 * swing.coordinate), " and ", *told)
+    search.planner.extend(HARMONIC.equation(swing.omega**2, negate(slope), swing.harmonic, (), way))
+    for equation in periods(swing.omega, swing.letters, swing.harmonic, "period"):
+        search.planner.extend(equation)
+
+
+def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) -> Equation:
+    """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
+    slope, told = slope_in(frozenset((unknown,)), swing, search)
+    search.displaced.pop(swing.acceleration.name)
+    if unknown not in slope.symbols():
+        raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
+    growing = sign(differentiate(slope, unknown), search.values)
+    if growing is not None and growing != (1 if modifier == "largest" else -1):
+        side = "smallest" if modifier == "largest" else "largest"
+        raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
+    return STABILITY.equation(slope, ZERO, swing.harmonic, (), told)
+
+
+Standing = tuple[BodyFacts, Formula, Facts]  # a body, its angle, and the facts at its state
+
+
+def on_shaft(name: str, scene: SceneEquations) -> list[Standing]:
+    """Bodies that stand steadily on a turning shaft at an angle that depends on a letter."""
+    states = [state.name for state in scene.configuration.timeline.states if state.steady]
+    return [item for item in bodies_standing(name, states, scene) if item[0].sweep is not None]
+
+
+def balanced(name: str, scene: SceneEquations) -> list[Standing]:
+    """Bodies on an axis whose angle at a state in balance depends on a letter."""
+    states = [state.name for state in scene.configuration.timeline.states if state.balance]
+    return [item for item in bodies_standing(name, states, scene) if item[0].motion.kind == "axis"]
+
+
+def bodies_standing(name: str, states: Iterable[str], scene: SceneEquations) -> Iterator[Standing]:
+    """Bodies whose angle at one of some states depends on a letter."""
+    for state in states:
+        facts = scene.facts(state, virtual=True)
+        for body in facts.bodies:
+            angle = scene.instant(state).angle(body.name)
+            if angle is not None and name in angle.symbols():
+                yield body, angle, facts
+
+
+def stable_roots(
+    name: str, roots: Sequence[Formula], scene: SceneEquations, values: Mapping[str, Formula]
+) -> list[int]:
+    """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
+    for body, angle, facts in (*on_shaft(name, scene), *balanced(name, scene)):
+        balance = groups.drive(facts, frozenset((body.name,)))
+        if balance is not None:
+            slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)
+            back = signed(slope, body.motion.sense)
+            return [place for place, root in enumerate(roots) if sign(back.substitute({name: root}), values) == -1]
+    return []
