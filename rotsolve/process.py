@@ -38,7 +38,7 @@ def end_at_once(leaving: SystemExit) -> None:
     All that it owes others is done first. It returns, to be left in the ordinary way, where a debugger, a profiler or a thread
     counts on that, or where the output can't be written.
     """
-    if not isinstance(leaving.code, int) or watched():
+    if not isinstance(leaving.code, int) or is_watched():
         return
     try:
         atexit._run_exitfuncs()
@@ -49,7 +49,7 @@ def end_at_once(leaving: SystemExit) -> None:
     os._exit(leaving.code)
 
 
-def watched() -> bool:
+def is_watched() -> bool:
     """Whether somebody follows what this process does, or a thread may still be at work."""
     tools = getattr(sys, "monitoring", None)  # from Python 3.12 on
     followed = tools is not None and any(tools.get_tool(number) is not None for number in range(6))

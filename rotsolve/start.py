@@ -23,32 +23,32 @@ def process() -> NoReturn:
 def main() -> NoReturn:
     """Run the command of this process; SystemExit tells its exit code."""
     match sys.argv[1:]:
-        case ["solve", *files] if files and plain(*files):
-            leave_after(lambda: solve(files))
-        case ["check", problem, answers] if plain(problem, answers):
-            leave_after(lambda: check(problem, answers))
-        case ["check", problem, "--answer" | "-a", typed] if plain(problem):
-            leave_after(lambda: check(problem, "", typed))
+        case ["solve", *files] if files and no_options(*files):
+            leave_after(lambda: solve_at_once(files))
+        case ["check", problem, answers] if no_options(problem, answers):
+            leave_after(lambda: check_at_once(problem, answers))
+        case ["check", problem, "--answer" | "-a", typed] if no_options(problem):
+            leave_after(lambda: check_at_once(problem, "", typed))
     from rotsolve.cli import main
 
     main()
 
 
-def plain(*words: str) -> bool:
+def no_options(*words: str) -> bool:
     """Whether none of the words is an option."""
     return not any(word.startswith("-") for word in words)
 
 
-def solve(files: list[str]) -> NoReturn:
+def solve_at_once(files: list[str]) -> NoReturn:
     """`rotsolve solve FILES…`, all else by default."""
     with orderly():
-        from rotsolve.run import Request, run
+        from rotsolve.run import SolveRequest, solve_files
 
-        code = run(Request(tuple(files), width=page_width(None)))
+        code = solve_files(SolveRequest(tuple(files), width=page_width(None)))
     sys.exit(code)
 
 
-def check(problem: str, answers: str, *typed: str) -> NoReturn:
+def check_at_once(problem: str, answers: str, *typed: str) -> NoReturn:
     """`rotsolve check PROBLEM ANSWERS` or `--answer TEXT`, all else by default."""
     with orderly():
         from rotsolve.grading.course.command import CheckRequest, run_check

@@ -43,7 +43,7 @@ Number = Annotated[
 Count = Annotated[int | None, typer.Option("--variants", metavar="N", min=1, help="How many variants there are.")]
 
 
-def check(
+def check_command(
     problem: Problem,
     answers: Answers = None,
     typed: Typed = None,

@@ -35,7 +35,7 @@ Variants = Annotated[
 Solutions = Annotated[bool, typer.Option("--solutions", help="Write the derivations too.")]
 
 
-def key(
+def key_command(
     problems: Problems,
     output: Folder,
     variants: Variants = None,

@@ -39,7 +39,7 @@ Csv = Annotated[bool, typer.Option("--csv", help="Print all quantities with thei
 Plot = Annotated[str | None, typer.Option(metavar="FILE", help="Draw the motion into a file, .svg or .png.")]
 
 
-def simulate(
+def simulate_command(
     file: Scene,
     until: Until = "10s",
     step: Step = None,

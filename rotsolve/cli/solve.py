@@ -83,7 +83,7 @@ TimeLimit = Annotated[
 ]
 
 
-def solve(
+def solve_command(
     files: Files,
     law: Law = None,
     format: Layout = None,
@@ -111,7 +111,7 @@ def solve(
     A page is printed as soon as all before it are. A file that fails, takes too long or ends its process neither stops
     nor hides the others: its message goes to standard error, and the exit code is that of the worst file.
     """
-    from rotsolve.run import Request, run
+    from rotsolve.run import SolveRequest, solve_files
 
     if show and format not in (None, "text"):
         raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
@@ -121,7 +121,7 @@ def solve(
     chosen = format or (by_name.name if by_name else "text")
     if width is None:
         width = page_width(output)
-    request = Request(
+    request = SolveRequest(
         tuple(files),
         law=law,
         format=chosen,
@@ -136,5 +136,5 @@ def solve(
         profile=profile,
     )
     with orderly():
-        code = run(request)
+        code = solve_files(request)
     raise typer.Exit(code)

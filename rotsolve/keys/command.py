@@ -15,11 +15,9 @@ from rotsolve.keys.variants import worked_variants
 from rotsolve.keys.working import Worked
 from rotsolve.keys.writers import WRITERS, File
 from rotsolve.language.problem import Problem
-from rotsolve.run.advancing import advancing
-from rotsolve.run.attempt import failure
+from rotsolve.run import advancing
+from rotsolve.run.attempt import BAD, PIPED, SOLVED, failure_outcome, scenes
 from rotsolve.run.delivery import say, summary, write_file
-from rotsolve.run.request import BAD, SOLVED
-from rotsolve.run.scenes import PIPED, scenes
 from rotsolve.scene.read import read_file
 
 
@@ -76,7 +74,7 @@ class Problems:
 
     def fail(self, name: str, error: Exception) -> None:
         """Say why a problem has no place on the sheets."""
-        outcome = failure(self.files[name], error)
+        outcome = failure_outcome(self.files[name], error)
         say(outcome.message, follows=bool(self.failed))
         self.failed.append(outcome.file)
         self.code = max(self.code, outcome.code)

@@ -14,7 +14,7 @@ from rotsolve.keys.working import Worked
 from rotsolve.render.json import answer_data, given_data
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
-from rotsolve.run.spreadsheet import harmless
+from rotsolve.run.delivery import harmless
 
 PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")

@@ -4,22 +4,22 @@ from __future__ import annotations
 
 import os
 import sys
-from collections.abc import Generator, Iterator
+from collections.abc import Callable, Generator, Iterator
+from contextlib import contextmanager
 from time import monotonic
+from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.run.attempt import attempt, internal_error, piped
+from rotsolve.run.attempt import BAD, Outcome, SolveRequest, attempt, internal_error, piped, scenes
 from rotsolve.run.delivery import deliver
-from rotsolve.run.request import BAD, Outcome, Request
-from rotsolve.run.scenes import scenes
 
-__all__ = ["Request", "internal_error", "run"]
+__all__ = ["SolveRequest", "internal_error", "solve_files"]
 
 PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
 
-def run(request: Request) -> int:
+def solve_files(request: SolveRequest) -> int:
     """Solve every file, write what was solved and say what was not; the exit code is the worst one."""
     files = scenes(request.files)
     if request.output and any(same_file(request.output, file) for file in files):
@@ -29,11 +29,11 @@ def run(request: Request) -> int:
     if request.profile:
         from rotsolve.run.profiled import with_profile
 
-        return with_profile(work, request)
-    return work(request)
+        return with_profile(solve_and_deliver, request)
+    return solve_and_deliver(request)
 
 
-def work(request: Request) -> int:
+def solve_and_deliver(request: SolveRequest) -> int:
     """Solve the files and write what they gave, one after the other."""
     outcomes = with_progress(attempts(request), len(request.files))
     try:
@@ -42,7 +42,7 @@ def work(request: Request) -> int:
         outcomes.close()
 
 
-def attempts(request: Request) -> Iterator[Outcome]:
+def attempts(request: SolveRequest) -> Iterator[Outcome]:
     """What each file gave, in order: here, or by other processes where several are to work or none may take too long."""
     if request.jobs > 1 or request.time_limit is not None:
         from rotsolve.run.processes import attempts_in_processes
@@ -83,3 +83,27 @@ def same_file(left: str, right: str) -> bool:
         return os.path.samefile(left, right)
     except OSError:
         return False
+
+
+@contextmanager
+def advancing(name: str) -> Iterator[Callable[[float], None]]:
+    """What tells how much has been done: once it takes long, and on a terminal, by a bar."""
+    if not sys.stderr.isatty():
+        yield lambda part: None
+        return
+    start = monotonic()
+    bars: list[Any] = []
+
+    def tell(part: float) -> None:
+        if not bars and monotonic() - start > PATIENCE:
+            from rotsolve.render.terminal import Advance
+
+            bars.append(Advance(name, sys.stderr))
+        if bars:
+            bars[0].to(part)
+
+    try:
+        yield tell
+    finally:
+        for bar in bars:
+            bar.done()

@@ -1,4 +1,4 @@
-"""Attempt: solve one file and make its page; whatever goes wrong becomes a message."""
+"""Attempt: what a command asks of its files, which files its words mean, and what one gives; what goes wrong becomes a message."""
 
 from __future__ import annotations
 
@@ -6,33 +6,101 @@ import os
 import sys
 from typing import TYPE_CHECKING
 
+from msgspec import Struct, field
+
 from rotsolve.profile import stage
 from rotsolve.render.options import Options
-from rotsolve.run.request import BAD, SOLVED, UNSOLVED, Outcome, Request
-from rotsolve.run.scenes import PIPED
 
 if TYPE_CHECKING:
     from rotsolve.render.layout import Line
     from rotsolve.solution import Solution
 
+SOLVED, UNSOLVED, BAD = 0, 1, 2
+SUFFIXES = (".yaml", ".yml")
+PIPED = "-"
 
-def attempt(file: str, request: Request, text: bytes = b"") -> Outcome:
+
+class SolveRequest(Struct, frozen=True):
+    """What the command line asked for."""
+
+    files: tuple[str, ...]
+    law: str | None = None
+    format: str = "text"
+    output: str | None = None
+    digits: int = 4
+    settings: dict[str, str] = field(default_factory=dict)
+    show: str | None = None
+    width: int = 120
+    at: str | None = None
+    jobs: int = 1
+    time_limit: float | None = None  # seconds a file
+    profile: bool = False
+    coloured: bool = False  # whether pages are lines with their roles, for a terminal
+
+    @property
+    def streams(self) -> bool:
+        """Whether a page may be written before the next one is there; other formats, and files, are written as a whole."""
+        return self.output is None and self.format == "text"
+
+
+class Outcome(Struct, frozen=True):
+    """What one file gave: a page (text, or lines for a terminal that wants colours), or a message with its exit code."""
+
+    file: str
+    code: int
+    page: str | tuple[Line, ...] | None = None
+    message: str = ""
+    kind: str = ""
+
+
+def scenes(names: tuple[str, ...]) -> tuple[str, ...]:
+    """Every file once, in the order of the names; in the place of a folder or pattern the scenes in it, in the order of their paths."""
+    return tuple(dict.fromkeys(file for name in names for file in files_meant(name)))
+
+
+def files_meant(name: str) -> list[str]:
+    """What one name stands for; itself where it stands for nothing, so that the message can say so."""
+    if name == PIPED or os.path.isfile(name):
+        return [name]
+    if os.path.isdir(name):
+        return scenes_in(name) or [name]
+    return scenes_fitting(name) or [name]
+
+
+def scenes_fitting(pattern: str) -> list[str]:
+    """The scenes that fit a pattern, and those of the folders that do; none where it is an ordinary name."""
+    from glob import glob, has_magic
+    from pathlib import Path
+
+    found = sorted(map(Path, glob(pattern, recursive=True))) if has_magic(pattern) else []
+    return [file for path in found for file in (scenes_in(str(path)) if path.is_dir() else [str(path)])]
+
+
+def scenes_in(name: str) -> list[str]:
+    """The scenes of a folder and of the folders in it."""
+    from pathlib import Path
+
+    folder = Path(name)
+    return sorted(str(path) for path in folder.rglob("*") if path.suffix in SUFFIXES and path.is_file())
+
+
+def attempt(file: str, request: SolveRequest, text: bytes = b"") -> Outcome:
     """Solve one file, or the text that was piped in."""
     from rotsolve.pipeline import solve
 
     if os.path.isdir(file):
         return Outcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
-        scene = source(file, text)
+        scene = scene_source(file, text)
         solution = solve(scene, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
         objects = any(check.holds is False for check in solution.derivation.checks)
         with stage("render", whole=True):
-            return Outcome(file, UNSOLVED if objects else SOLVED, page(solution, request))
+            return Outcome(file, UNSOLVED if objects else SOLVED, page_of(solution, request))
     except Exception as error:
-        return failure(file, error)
+        return failure_outcome(file, error)
 
 
-def source(file: str, text: bytes) -> str | os.PathLike[str]:
+def scene_source(file: str, text: bytes) -> str | os.PathLike[str]:
     """The path of a scene, or the text that was piped in: a string with a line break is a text, one without is a path."""
     if file == PIPED:
         return text.decode("utf-8") + "\n"
@@ -43,7 +111,7 @@ def source(file: str, text: bytes) -> str | os.PathLike[str]:
     return Path(file)
 
 
-def failure(file: str, error: Exception) -> Outcome:
+def failure_outcome(file: str, error: Exception) -> Outcome:
     """What is said of a file that something kept from its answer, with the exit code and the kind of fault."""
     from rotsolve.core.faults import SceneError, Unsolvable
 
@@ -61,7 +129,7 @@ def failure(file: str, error: Exception) -> Outcome:
     return Outcome(file, UNSOLVED, None, internal_error(name, error), "internal")
 
 
-def page(solution: Solution, request: Request) -> str | tuple[Line, ...]:
+def page_of(solution: Solution, request: SolveRequest) -> str | tuple[Line, ...]:
     """The derivation, or the earlier stage that was asked for."""
     if request.show is not None:
         texts = {"facts": solution.facts_text, "equations": solution.equations_text, "plan": solution.plan_text}

@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 import os
+import re
 import sys
 from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from rotsolve.render import format_named
-from rotsolve.run.request import BAD, SOLVED, Outcome, Request
+from rotsolve.run.attempt import BAD, SOLVED, Outcome, SolveRequest
 
 if TYPE_CHECKING:
     from rotsolve.render.layout import Line
 
 NAMED = 10  # files that were not solved, at the end of a long run
+NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")  # with these a cell begins that is worked out
 
 
-def deliver(outcomes: Iterable[Outcome], request: Request) -> int:
+def deliver(outcomes: Iterable[Outcome], request: SolveRequest) -> int:
     """Write what the files gave; the worst exit code among them."""
     code, pages = SOLVED, 0
     kept, failed = list[Outcome](), list[str]()
@@ -65,18 +68,18 @@ def summary(failed: Sequence[str], total: int) -> str:
     return f"{len(failed)} of {total} files not solved: {', '.join(failed[:NAMED])}{more}"
 
 
-def write_document(outcomes: Sequence[Outcome], request: Request) -> int:
+def write_document(outcomes: Sequence[Outcome], request: SolveRequest) -> int:
     """All that was solved as one document, to the file or to standard output; nothing where nothing was solved."""
     if not any(outcome.page for outcome in outcomes) and (request.format != "json" or len(outcomes) == 1):
         return SOLVED
-    text = document(outcomes, request)
+    text = joined_document(outcomes, request)
     if request.output:
         return write_file(request.output, text)
     sys.stdout.write(text)
     return SOLVED
 
 
-def document(outcomes: Sequence[Outcome], request: Request) -> str:
+def joined_document(outcomes: Sequence[Outcome], request: SolveRequest) -> str:
     """All that was solved as one document; among several in JSON, also what was not."""
     bodies = []
     for outcome in outcomes:
@@ -113,3 +116,8 @@ def write_file(name: str, text: str) -> int:
         print(f"error: cannot write {name}: {error.strerror or error}", file=sys.stderr)
         return BAD
     return SOLVED
+
+
+def harmless(text: str) -> str:
+    """The text as a spreadsheet keeps it: an apostrophe in front of what it would take for a formula, and is no number."""
+    return f"'{text}" if text.startswith(FORMULA) and not re.fullmatch(NUMBER, text) else text

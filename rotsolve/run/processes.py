@@ -12,17 +12,16 @@ from typing import Any
 
 from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
-from rotsolve.run.attempt import attempt, name_of, piped
-from rotsolve.run.request import UNSOLVED, Outcome, Request
+from rotsolve.run.attempt import UNSOLVED, Outcome, SolveRequest, attempt, name_of, piped
 
 AHEAD = 32  # files a process that are worked on, or wait to be written, at a time: what bounds the memory
 FILES = 500  # that a process solves before a fresh one takes its place
 
 
-def attempts_in_processes(request: Request) -> Iterator[Outcome]:
+def attempts_in_processes(request: SolveRequest) -> Iterator[Outcome]:
     """What each file gave, in order; a file is handed out once there is room for its page among those that wait."""
     text = piped(request.files)
-    pool = ProcessPool(min(request.jobs, len(request.files)), FILES, prepare, context=processes())
+    pool = ProcessPool(min(request.jobs, len(request.files)), FILES, prepare_process, context=process_context())
     try:
         rest = iter(request.files)
         waiting: deque[tuple[str, ProcessFuture[Outcome]]] = deque()
@@ -31,13 +30,13 @@ def attempts_in_processes(request: Request) -> Iterator[Outcome]:
                 waiting.append((file, pool.schedule(attempt, (file, request, text), timeout=request.time_limit)))
             if not waiting:
                 break
-            yield outcome(*waiting.popleft(), request.time_limit)
+            yield outcome_of(*waiting.popleft(), request.time_limit)
     finally:  # at the end, and where the user or the reader of the pages has had enough
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
 
 
-def processes() -> Any:
+def process_context() -> Any:
     """Processes that are copies of one which has imported the engine, where the system has such; else fresh ones."""
     if "forkserver" not in multiprocessing.get_all_start_methods():
         return multiprocessing.get_context("spawn")
@@ -46,13 +45,13 @@ def processes() -> Any:
     return context
 
 
-def prepare() -> None:
+def prepare_process() -> None:
     """Leave an interrupt to the process that reads the outcomes, and import the engine before the time of a file runs."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     import rotsolve.pipeline  # noqa: F401
 
 
-def outcome(file: str, future: ProcessFuture[Outcome], limit: float | None) -> Outcome:
+def outcome_of(file: str, future: ProcessFuture[Outcome], limit: float | None) -> Outcome:
     """What a process has found out about a file; a message where it did not come to that."""
     try:
         return future.result()
@@ -60,11 +59,11 @@ def outcome(file: str, future: ProcessFuture[Outcome], limit: float | None) -> O
         message = f"error: {name_of(file)} takes longer than {limit:g} s, the time limit"
         return Outcome(file, UNSOLVED, None, message, "time limit")
     except ProcessExpired as error:
-        message = f"error: the process that solved {name_of(file)} {ending(error.exitcode)}"
+        message = f"error: the process that solved {name_of(file)} {how_it_ended(error.exitcode)}"
         return Outcome(file, UNSOLVED, None, message, "crash")
 
 
-def ending(code: int | None) -> str:
+def how_it_ended(code: int | None) -> str:
     """How a process ended, in words."""
     if code is None or code >= 0:
         return f"ended with code {code}"

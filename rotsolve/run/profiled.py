@@ -9,7 +9,7 @@ from time import process_time
 
 import rotsolve
 from rotsolve.profile import IMPORT, Profile, recording
-from rotsolve.run.request import Request
+from rotsolve.run.attempt import SolveRequest
 
 STAGES = (
     ("start", "the interpreter and the command line"),
@@ -30,16 +30,16 @@ NAMED = 10  # of the bodies that were left out
 PACKAGE = Path(rotsolve.__file__).parent
 
 
-def with_profile(work: Callable[[Request], int], request: Request) -> int:
+def with_profile(work: Callable[[SolveRequest], int], request: SolveRequest) -> int:
     """Do the work of a command, and say on standard error where its time went."""
     with recording() as profile:
         code = work(request)
     sys.stdout.flush()
-    print("\n".join(report(profile, len(request.files))), file=sys.stderr)
+    print("\n".join(profile_report(profile, len(request.files))), file=sys.stderr)
     return code
 
 
-def report(profile: Profile, files: int) -> Iterator[str]:
+def profile_report(profile: Profile, files: int) -> Iterator[str]:
     """The time of each stage, and what was skipped."""
     total, imported = process_time(), len(modules()[0])
     told = {"start": profile.began, **profile.spent}
@@ -52,10 +52,10 @@ def report(profile: Profile, files: int) -> Iterator[str]:
     for kind, spent in profile.within.items():
         yield f"  of which {1000 * spent:.1f} ms {kind}"
     yield "Skipped"
-    yield from skipped(profile)
+    yield from what_was_skipped(profile)
 
 
-def skipped(profile: Profile) -> Iterator[str]:
+def what_was_skipped(profile: Profile) -> Iterator[str]:
     """What was not done, since nothing that is asked needs it."""
     for what, names in profile.skipped.items():
         more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""

@@ -7,11 +7,9 @@ import sys
 from msgspec import Struct, field
 
 from rotsolve.render.layout import page
-from rotsolve.run import coloured
-from rotsolve.run.advancing import advancing
-from rotsolve.run.attempt import failure, name_of, piped, source
+from rotsolve.run import advancing, coloured
+from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, name_of, piped, scene_source
 from rotsolve.run.delivery import write_file
-from rotsolve.run.request import BAD, SOLVED
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.showing.report import csv, lines, times_of
 from rotsolve.simulation.simulating import simulate
@@ -36,10 +34,10 @@ def run(request: Request) -> int:
     """Follow a scene and write what was asked for."""
     try:
         with advancing(name_of(request.file)) as tell:
-            scene, certified = source(request.file, piped((request.file,))), request.certified
+            scene, certified = scene_source(request.file, piped((request.file,))), request.certified
             found = simulate(scene, request.until, request.accuracy, request.settings, tell, certified=certified)
     except Exception as error:
-        failed = failure(request.file, error)
+        failed = failure_outcome(request.file, error)
         return refuse(failed.message, failed.code)
     return write(found, request)
 

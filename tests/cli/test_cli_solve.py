@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from rotsolve import cli, run
-from rotsolve.run.request import Outcome
+from rotsolve.run.attempt import Outcome
 
 Run = Callable[..., Any]
 

@@ -19,7 +19,7 @@ import pytest
 
 from pages import FALL, ROOT
 from rotsolve.keys import command
-from rotsolve.run.spreadsheet import harmless
+from rotsolve.run.delivery import harmless
 
 EXPECTED = Path(__file__).parent / "expected"
 FORMATS = ("html", "markdown", "latex", "json", "csv")

@@ -18,8 +18,7 @@ from rotsolve.grading.verdict import RIGHT, WRONG, Marked, Paper
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
 from rotsolve.run import coloured
-from rotsolve.run.attempt import failure, name_of, piped, source
-from rotsolve.run.scenes import PIPED
+from rotsolve.run.attempt import PIPED, failure_outcome, name_of, piped, scene_source
 
 ALL_RIGHT, NOT_ALL_RIGHT, BAD = 0, 1, 2
 TABLES = (".csv", ".tsv", ".tab")
@@ -58,10 +57,10 @@ def run_check(request: CheckRequest) -> int:
     if request.problem == request.answers == PIPED:
         return refuse_check("error: either the problem or the answers can come from standard input")
     try:
-        scene = source(request.problem, piped((request.problem,)))
+        scene = scene_source(request.problem, piped((request.problem,)))
         judges = Judges(scene, request.seed, request.variants)
     except Exception as error:
-        return refuse_check(failure(request.problem, error).message)
+        return refuse_check(failure_outcome(request.problem, error).message)
     for found in judges.solution.checks:
         if found.holds is False:
             said = release(TEXT.words(found.words))
@@ -122,7 +121,7 @@ def all_right(marked: Marked) -> bool:
 
 
 def show_paper(request: CheckRequest, task: Task, marked: Marked, variant: str) -> int:
-    """Write the page to the file or to standard output; the exit code of a failure, else 0."""
+    """Write the page to the file or to standard output; the exit code of a failure_outcome, else 0."""
     if request.shown_as == "json":
         from rotsolve.grading.course.showing.json import paper
 

@@ -19,8 +19,7 @@ from rotsolve.grading.course.table import Entry, read_table
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.render import layout
 from rotsolve.render.voice import TEXT
-from rotsolve.run import coloured, same_file
-from rotsolve.run.advancing import advancing
+from rotsolve.run import advancing, coloured, same_file
 
 PAGES = "html"  # of a report, where nothing else is asked for
 

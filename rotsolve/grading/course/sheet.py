@@ -13,7 +13,7 @@ from rotsolve.core.faults import Fault, SceneError, Span
 from rotsolve.grading.reading.records import spelled_alike
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
-from rotsolve.run.scenes import PIPED
+from rotsolve.run.attempt import PIPED
 from rotsolve.scene.tree import List, Map, Node, Text, compose
 
 BYTES = 50_000_000  # a class of a hundred thousand, with its working

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -16,7 +17,7 @@ import pytest
 
 from rotsolve.grading.course.report import folder as writing
 from rotsolve.run import delivery
-from rotsolve.run.spreadsheet import FORMULA, NUMBER, harmless
+from rotsolve.run.delivery import FORMULA, NUMBER, harmless
 
 Command = Callable[..., Any]
 ROWS = "name,a,alpha,T\n" + "".join(f"Student {number},{number} bad,{number},own\n" for number in range(40))
@@ -164,7 +165,7 @@ def test_no_cell_of_the_marks_is_a_formula(made_up: Command, separator: str) -> 
     rows = list(csv.reader(Path("report/marks.csv").read_text(encoding="utf-8").splitlines(), delimiter=separator))
     assert len(rows) == 2 * len(HOSTILE) + 1 and {len(row) for row in rows} == {12}
     active = [cell for row in rows for cell in row if cell.lstrip().startswith(FORMULA)]
-    assert {cell for cell in active if not NUMBER.fullmatch(cell)} == set()
+    assert {cell for cell in active if not re.fullmatch(NUMBER, cell)} == set()
 
 
 def test_harmless_texts_stay_as_they_are() -> None:

@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from rotsolve.run import advancing
+from rotsolve import run
 
 Command = Callable[..., Any]
 PAPER = "a = g\nalpha = bad\nT = ?\nmg - T = ma\n"
@@ -49,7 +49,7 @@ def test_a_progress_bar_comes_only_where_it_takes_long(
     made_up: Command, monkeypatch: pytest.MonkeyPatch, patience: float
 ) -> None:
     Path("class.csv").write_text(CLASS, encoding="utf-8")
-    monkeypatch.setattr(advancing, "PATIENCE", patience)
+    monkeypatch.setattr(run, "PATIENCE", patience)
     screen = Terminal()
     monkeypatch.setattr("sys.stderr", screen)
     expected = made_up("class.csv", "-o", "report").out

@@ -11,7 +11,7 @@ from rotsolve.grading.course.sheet import MARK
 from rotsolve.grading.verdict import Marked
 from rotsolve.render.layout import release
 from rotsolve.render.voice import TEXT
-from rotsolve.run.spreadsheet import harmless
+from rotsolve.run.delivery import harmless
 
 POINT = {";": ","}  # the decimal point where semicolons separate
 
