@@ -153,8 +153,7 @@ class Solution(Struct, frozen=True, dict=True):
         open. `certified` gives pairs of arrays, values and bounds on their errors. Where the numbers of the scene have decided more
         (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
         """
-        from rotsolve.arrays.many import evaluate_many
-        from rotsolve.arrays.program import NotForMany
+        from rotsolve.arrays import NotForMany, evaluate_many
 
         valid = None if self.trace.validity is None else self.trace.validity()
         if valid is None or (valid.decided and not as_decided):

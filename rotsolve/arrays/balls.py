@@ -10,14 +10,15 @@ from typing import Any
 import numpy as np
 
 from rotsolve.algebra.certified.ball import Precision
-from rotsolve.algebra.certified.balls import Ball, RealBalls
+from rotsolve.algebra.certified.balls import Ball
 from rotsolve.algebra.flints import acb, arb
+from rotsolve.algebra.tape import BITS
 from rotsolve.arrays.program import Program
 
-BITS = 80  # a double has 53: what is lost on the way to a result seldom shows in it
+FIRST = 80  # bits; a double has 53: what is lost on the way to a result seldom shows in it
 ACCURATE = 50  # bits to which a result is known well enough
-MORE = (200, 800)  # bits where too much is lost
-METHODS: dict[str, Callable[..., Any]] = {
+MORE = (200, BITS)  # bits where too much is lost
+METHODS: Mapping[str, Callable[..., Any]] = {
     "add": add,
     "subtract": sub,
     "multiply": mul,
@@ -27,48 +28,57 @@ METHODS: dict[str, Callable[..., Any]] = {
     "abs": abs,
     "atan2": arb.atan2,
     "ellipk": lambda x: acb(x).elliptic_k().real if x < 1 else arb(nan),
-    **{word: getattr(arb, word) for word in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")},
+    **{name: getattr(arb, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log")},
 }
 
 
 class Evaluator:
     """A program at one precision: its constants as balls, its operations as functions."""
 
-    def __init__(self, program: Program, bits: int) -> None:
+    def __init__(self, program: Program, names: Sequence[str], bits: int) -> None:
         self.bits = bits
         self.results = program.results
-        with Precision(bits):
-            self.constants = [RealBalls({})(constant) for constant in program.constants]
-        self.steps = [(METHODS[operation.word], operation.operands) for operation in program.operations]
-
-    def balls(self, row: Iterable[float]) -> list[Ball]:
-        """The results for one set of inputs; not a number where an operation is not defined."""
-        places = [arb(value) for value in row]
-        places += self.constants
-        for function, operands in self.steps:
-            if len(operands) == 2:
-                places.append(function(places[operands[0]], places[operands[1]]))
+        self.places: list[Ball] = [None] * len(program.operations)
+        self.letters: list[tuple[int, int]] = []
+        self.steps: list[tuple[int, Callable[..., Any], tuple[int, ...]]] = []
+        for place, item in enumerate(program.operations):
+            if item.kind == "letter":
+                self.letters.append((place, names.index(item.name)))
+            elif item.kind == "number":
+                with Precision(bits):
+                    self.places[place] = +arb(item.numbers[0])
             else:
-                places.append(function(places[operands[0]]))
-        return [places[index] for index in self.results]
+                self.steps.append((place, METHODS[item.kind], item.values))
+
+    def balls(self, row: Sequence[float]) -> list[Ball]:
+        """The results for one set of inputs; not a number where an operation is not defined."""
+        places = self.places
+        for place, column in self.letters:
+            places[place] = arb(row[column])
+        for place, function, operands in self.steps:
+            if len(operands) == 2:
+                places[place] = function(places[operands[0]], places[operands[1]])
+            else:
+                places[place] = function(places[operands[0]])
+        return [places[place] for place in self.results]
 
 
-def run(program: Program, values: Mapping[str, Any], bounds: int) -> list[tuple[Any, Any]]:
+def ball_results(program: Program, values: Mapping[str, Any], bounds: int) -> list[tuple[Any, Any]]:
     """The results with their errors for all sets of values, which are taken as exact; NaN where a bound may be negative."""
-    inputs = [np.asarray(values[name], dtype=np.float64) for name in program.inputs]
+    inputs = [np.asarray(column, dtype=np.float64) for column in values.values()]
     shape = np.broadcast_shapes(*(item.shape for item in inputs))
     rows = zip(*(np.broadcast_to(item, shape).reshape(-1).tolist() for item in inputs), strict=True)
     wanted = len(program.results) - bounds
-    first, *others = (Evaluator(program, bits) for bits in (BITS, *MORE))
+    first, *others = (Evaluator(program, tuple(values), bits) for bits in (FIRST, *MORE))
     found: list[float] = []
-    with Precision(BITS):
+    with Precision(FIRST):
         for row in rows if inputs else [()]:
             balls = first.balls(row)
-            if not all(map(settled, balls)):
+            if not all(map(close_enough, balls)):
                 balls = more_closely(row, balls, others)
             holds = all(ball >= 0 for ball in balls[wanted:])
             for ball in balls[:wanted]:
-                found += told(ball) if holds else (nan, inf)
+                found += nearest_double(ball) if holds else (nan, inf)
     table = np.array(found).reshape(-1, wanted, 2)
     return [(table[:, index, 0].reshape(shape), table[:, index, 1].reshape(shape)) for index in range(wanted)]
 
@@ -78,16 +88,16 @@ def more_closely(row: Sequence[float], balls: list[Ball], evaluators: Iterable[E
     for evaluator in evaluators:
         with Precision(evaluator.bits):
             balls = evaluator.balls(row)
-        if all(map(settled, balls)):
+        if all(map(close_enough, balls)):
             break
     return balls
 
 
-def settled(ball: Ball) -> bool:
+def close_enough(ball: Ball) -> bool:
     return bool(ball.rel_accuracy_bits() >= ACCURATE or ball.is_zero())
 
 
-def told(ball: Ball) -> tuple[float, float]:
+def nearest_double(ball: Ball) -> tuple[float, float]:
     """The nearest double, and how far at most the value is from it."""
     if not ball.is_finite():
         return nan, inf

@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
-from rotsolve.algebra.tape import BITS, ONE, Scalar
+from rotsolve.algebra.tape import BITS, ONE
 from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
@@ -21,6 +21,7 @@ from rotsolve.laws import energy
 from rotsolve.simulation.bounded import FLOAT_BITS, Stretch
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, FLOATS, Expansion
+from rotsolve.simulation.tape import Scalar
 
 LOOKS = 400  # moments of a stretch at which the balance is drawn; where it takes integrals, its first steps
 BALANCE_BITS = 128

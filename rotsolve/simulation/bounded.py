@@ -17,10 +17,10 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Scalar
 from rotsolve.core.registry import TIME
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for, value
 from rotsolve.simulation.watches import Hit, Lookout, Watch
 

@@ -17,7 +17,7 @@ from rotsolve.algebra.certified.ball import Precision, resolve
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
 from rotsolve.algebra.formula import ZERO as NOTHING
-from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Tape, Unwritable, vanishes
+from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Unwritable
 from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
 from rotsolve.equations.states import Fixed, prescribe
@@ -34,7 +34,6 @@ from rotsolve.simulation.course import (
     check_rules,
     component_of,
     key,
-    letters_in,
     path,
     refusal,
     said,
@@ -42,6 +41,7 @@ from rotsolve.simulation.course import (
 )
 from rotsolve.simulation.linear import Contradictory, Linear, Row
 from rotsolve.simulation.series import rough_value
+from rotsolve.simulation.tape import SeriesTape, vanishes
 
 RIGHT_ANGLE = PI / 2
 PLACES = (
@@ -72,7 +72,7 @@ class Compiler(Struct, dict=True):
             given.name: given.value for given in self.configuration.problem.givens if given.value is not None
         }
         self.start: Beginning = beginning(self.configuration, self.modes)
-        self.registry, self.tape = Registry(), Tape()
+        self.registry, self.tape = Registry(), SeriesTape()
         self.letters: dict[str, int] = {TIME: self.tape.letter(TIME)}
         self.first: dict[str, Exact] = {TIME: ZERO}  # letters of the state -> their first values
         self.origins: dict[str, int] = {}
@@ -134,7 +134,7 @@ class Compiler(Struct, dict=True):
             Variable(name, letter, self.first[letter], self._value(rate), self.origins.get(letter, 0))
             for name, letter, rate in told
         ]
-        ever = letters_in(self.tape, *(item.rate for item in moving))
+        ever = self.tape.letters_under(*(item.rate for item in moving))
         for letter, rate in idle.items():
             if letter in ever or not moving:
                 if self.unnumbered:
@@ -153,7 +153,7 @@ class Compiler(Struct, dict=True):
             return variables
         own = {item.letter for item in variables}
         resting = [place for name, place in (*self.letters.items(), *self.inertias.items()) if name not in own]
-        used = letters_in(self.tape, *resting, *(item.rate for item in variables))
+        used = self.tape.letters_under(*resting, *(item.rate for item in variables))
         told = told_by_others(self.tape, variables, self.letters, used)
         self.letters.update(told)
         return tuple(item for item in variables if item.letter not in told)
@@ -163,7 +163,7 @@ class Compiler(Struct, dict=True):
         names = rate.symbols()
         if any(name not in self.letters for name in names):
             return True
-        return bool(letters_in(self.tape, *(self.letters[name] for name in names)) & set(idle))
+        return bool(self.tape.letters_under(*(self.letters[name] for name in names)) & set(idle))
 
     def _moment(self) -> Instant:
         """The moment at which all places and speeds are letters."""
@@ -336,7 +336,7 @@ class Compiler(Struct, dict=True):
             formula = (law.left - law.right).substitute(inertias)
             open_ = formula.symbols() - set(self.letters)
             self._check_places(open_)
-            missing = [name for name in open_ if SEPARATOR not in name]
+            missing = sorted(name for name in open_ if SEPARATOR not in name)
             self.unnumbered = self.unnumbered or next(iter(missing), "")
             if not missing and open_:
                 laws.append((law, formula, open_))
@@ -367,7 +367,7 @@ class Compiler(Struct, dict=True):
             if letter in self.registry.quantities:
                 found.setdefault(path(letter), place)
         followed = {item.letter for item in variables} | {TIME}
-        return {name: place for name, place in found.items() if letters_in(self.tape, place) <= followed}
+        return {name: place for name, place in found.items() if self.tape.letters_under(place) <= followed}
 
 
 def refuse_changing(facts: Facts) -> None:

@@ -6,12 +6,13 @@ from collections.abc import Collection, Mapping, Sequence
 
 from msgspec import Struct
 
-from rotsolve.algebra.tape import ONE, Exact, Tape, Unwritable, vanishes
+from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Facts
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
-from rotsolve.simulation.series import FLOATS, Expansion, nearest, needed
+from rotsolve.simulation.series import FLOATS, Expansion, nearest
+from rotsolve.simulation.tape import SeriesTape, vanishes
 
 
 class Variable(Struct, frozen=True):
@@ -33,7 +34,7 @@ class Course(Struct, frozen=True):
     `outputs` are places on the tape by names; `letters` those of all letters of the laws.
     """
 
-    tape: Tape
+    tape: SeriesTape
     variables: tuple[Variable, ...]
     outputs: Mapping[str, int]
     letters: Mapping[str, int]
@@ -43,12 +44,6 @@ class Course(Struct, frozen=True):
 
 def key(word: str, owner: str, when: str, component: str = "") -> str:
     return SEPARATOR.join((word, owner, component, when))
-
-
-def letters_in(tape: Tape, *places: int) -> set[str]:
-    """The letters on which values rest."""
-    found = (tape.operations[place] for place in needed(tape, places))
-    return {operation.name for operation in found if operation.kind == "letter"}
 
 
 def component_of(letter: str) -> str:
@@ -82,7 +77,7 @@ ANTIDERIVATIVES: Mapping[str, tuple[str, Exact]] = {"cos": ("sin", ONE), "sin": 
 
 
 def told_by_others(
-    tape: Tape, variables: Sequence[Variable], letters: Mapping[str, int], used: Collection[str]
+    tape: SeriesTape, variables: Sequence[Variable], letters: Mapping[str, int], used: Collection[str]
 ) -> dict[str, int]:
     """The places on the tape of those numbers of a state that others tell at any moment; what is `used` stays."""
     found: dict[str, int] = {}
@@ -95,11 +90,13 @@ def told_by_others(
         if place is not None:
             start = at_first(tape, place, variables, letters)
             found[item.letter] = tape.sum([(place, ONE), (tape.number(item.start - start), ONE)])
-            holding |= letters_in(tape, place)
+            holding |= tape.letters_under(place)
     return found
 
 
-def antiderivative(tape: Tape, rate: int, others: Mapping[int, Variable], letters: Mapping[str, int]) -> int | None:
+def antiderivative(
+    tape: SeriesTape, rate: int, others: Mapping[int, Variable], letters: Mapping[str, int]
+) -> int | None:
     """What has a rate Σ c f(φ) φ̇, f constant, a sine or a cosine; None where it is not of this form."""
     constant, terms = tape.combination(rate)
     if not terms or not vanishes(constant):
@@ -117,7 +114,7 @@ def antiderivative(tape: Tape, rate: int, others: Mapping[int, Variable], letter
 
 
 def of_product(
-    tape: Tape, place: int, others: Mapping[int, Variable], letters: Mapping[str, int]
+    tape: SeriesTape, place: int, others: Mapping[int, Variable], letters: Mapping[str, int]
 ) -> tuple[int, Exact] | None:
     """The antiderivative of cos φ φ̇ or sin φ φ̇ with its sign."""
     operation = tape.operations[place]
@@ -129,7 +126,7 @@ def of_product(
     return None
 
 
-def at_first(tape: Tape, place: int, variables: Sequence[Variable], letters: Mapping[str, int]) -> Exact:
+def at_first(tape: SeriesTape, place: int, variables: Sequence[Variable], letters: Mapping[str, int]) -> Exact:
     """What a sum of numbers of the state, of their sines and cosines is worth at first."""
     starts = {letters[item.letter]: item.start for item in variables}
     total, terms = tape.combination(place)

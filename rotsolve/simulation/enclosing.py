@@ -10,10 +10,10 @@ from collections.abc import Callable, Sequence
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Scalar
 from rotsolve.simulation.bounded import Stretch, Tolerances, Unsettled
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import Motion, Piece, Stepper, Unbounded, value
 from rotsolve.simulation.watches import REACHED, Watch
 

@@ -8,7 +8,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Exact, Scalar
+from rotsolve.algebra.tape import Exact
 from rotsolve.core.registry import TIME
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
@@ -32,6 +32,7 @@ from rotsolve.simulation.bounded import (
 from rotsolve.simulation.compiling import compiled
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, place_of, told, watches
 
 READING_BITS = 192

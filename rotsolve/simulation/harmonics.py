@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotsolve.algebra.flints import fmpq
-from rotsolve.algebra.tape import HALF, ONE, ZERO, Exact, Tape, vanishes
-from rotsolve.simulation.series import needed
+from rotsolve.algebra.tape import HALF, ONE, ZERO, Exact
+from rotsolve.simulation.tape import SeriesTape, vanishes
 
 MOST_TERMS = 60  # a longer sum is left as it was
 DEAR = ("times", "over", "power", "sin", "exp", "log", "atan", "asin", "acos")  # each costs a sum of products an order
@@ -24,7 +24,7 @@ class TooLong(Exception):
     """The sum has too many terms to be worth it."""
 
 
-def reduced(tape: Tape, places: Sequence[int]) -> list[int]:
+def reduced(tape: SeriesTape, places: Sequence[int]) -> list[int]:
     """The same values written as sums of single sines and cosines, where that takes fewer products."""
     try:
         shorter = [written(tape, terms_of(tape, place, {})) for place in places]
@@ -33,12 +33,12 @@ def reduced(tape: Tape, places: Sequence[int]) -> list[int]:
     return shorter if price(tape, shorter) < price(tape, places) else list(places)
 
 
-def price(tape: Tape, places: Sequence[int]) -> int:
+def price(tape: SeriesTape, places: Sequence[int]) -> int:
     """How many sums of products the values cost at each order."""
-    return sum(tape.operations[place].kind in DEAR for place in needed(tape, places))
+    return sum(tape.operations[place].kind in DEAR for place in tape.needed(places))
 
 
-def terms_of(tape: Tape, place: int, known: dict[int, Terms]) -> Terms:
+def terms_of(tape: SeriesTape, place: int, known: dict[int, Terms]) -> Terms:
     """A value as a sum of terms."""
     if place not in known:
         operation = tape.operations[place]
@@ -60,7 +60,7 @@ def terms_of(tape: Tape, place: int, known: dict[int, Terms]) -> Terms:
     return known[place]
 
 
-def angle_of(tape: Tape, place: int) -> Angle:
+def angle_of(tape: SeriesTape, place: int) -> Angle:
     """An argument as a whole combination of angles, or as one angle of its own."""
     constant, terms = tape.combination(place)
     whole = vanishes(constant) and all(isinstance(factor, fmpq) and factor.q == 1 for factor in terms.values())
@@ -120,7 +120,7 @@ def merge(first: Powers, second: Powers) -> Powers:
     return tuple((value, times) for value, times in sorted(counts.items()) if times)
 
 
-def written(tape: Tape, terms: Terms) -> int:
+def written(tape: SeriesTape, terms: Terms) -> int:
     """A sum of terms on the tape, those with the same sine or cosine drawn together."""
     groups: dict[tuple[str, Angle], list[tuple[int, Exact]]] = {}
     for (powers, kind, angle), factor in sorted(terms.items(), key=lambda item: item[0]):

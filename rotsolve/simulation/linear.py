@@ -7,8 +7,9 @@ from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Negative, Product, Quotient, Sum, Symbol
-from rotsolve.algebra.tape import ONE, ZERO, Block, Tape, Unwritable, vanishes
+from rotsolve.algebra.tape import ONE, ZERO, Unwritable
 from rotsolve.simulation.harmonics import reduced
+from rotsolve.simulation.tape import Block, SeriesTape, vanishes
 
 REST = ""  # stands for the part without unknowns
 Row = dict[str, int]  # unknown -> place of its coefficient; REST -> place of the rest; they add up to zero
@@ -25,7 +26,7 @@ class Contradictory(ValueError):
 class Linear(Struct):
     """Equations on a tape; `letters` are the places of all that is known, `rough` tells about how large a value is at first."""
 
-    tape: Tape
+    tape: SeriesTape
     letters: Mapping[str, int]
     rough: Callable[[int], float]
 

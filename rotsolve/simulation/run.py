@@ -10,12 +10,12 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Scalar
 from rotsolve.language.problem import Problem
 from rotsolve.render.layout import page
 from rotsolve.simulation.balance import Drift, drift
 from rotsolve.simulation.bounded import Reading, Stretch
 from rotsolve.simulation.following import READING_BITS, Event
+from rotsolve.simulation.tape import Scalar
 
 WIDTH = 120  # columns of a printed run
 

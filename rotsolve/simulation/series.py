@@ -13,8 +13,14 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Exact, Operation, Scalar, Tape
+from rotsolve.algebra.tape import Exact, Operation
+from rotsolve.simulation.tape import Scalar, SeriesTape
 
+Series = list[Scalar]
+Lists = Mapping[int, Series]  # by the places of their values on the tape
+Made = tuple[
+    Callable[[], None], Callable[[int], None] | None
+]  # what begins a series, and appends to it; None for a constant's
 Functions = Mapping[str, Callable[[Scalar], Scalar]]
 OF_FLOAT: Functions = {
     "sin": math.sin,
@@ -74,9 +80,9 @@ class Expansion:
 
     __slots__ = ("lists", "order", "places", "starts", "steps", "tape", "varying")
 
-    def __init__(self, tape: Tape, wanted: Sequence[int], arithmetic: Arithmetic) -> None:
+    def __init__(self, tape: SeriesTape, wanted: Sequence[int], arithmetic: Arithmetic) -> None:
         self.tape = tape
-        self.places = needed(tape, wanted)
+        self.places = tape.needed(wanted)
         self.lists: dict[int, Series] = {place: [] for place in self.places}
         self.starts: list[Callable[[], None]] = []
         self.steps: list[Callable[[int], None]] = []
@@ -110,33 +116,6 @@ class Expansion:
         """The coefficients of one more order; those of the letters have been appended."""
         for step in self.steps:
             step(order)
-
-
-def needed(tape: Tape, wanted: Sequence[int]) -> list[int]:
-    """All places on which the wanted values rest, in order."""
-    found: set[int] = set()
-    pending = list(wanted)
-    while pending:
-        place = pending.pop()
-        if place not in found:
-            found.add(place)
-            operation = tape.operations[place]
-            pending += operation.values
-            if operation.kind in ("sin", "cos"):
-                pending.append(partner(tape, place))
-            if operation.kind == "unknown":
-                held = [
-                    other
-                    for other, item in enumerate(tape.operations)
-                    if (item.kind, item.name) == ("unknown", operation.name)
-                ]
-                pending += held
-    return sorted(found)
-
-
-def partner(tape: Tape, place: int) -> int:
-    """The cosine of a sine, and the other way round; they are written one after the other."""
-    return place + 1 if tape.operations[place].kind == "sin" else place - 1
 
 
 def number_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
@@ -275,7 +254,7 @@ OPERATIONS: Mapping[str, Callable[..., Made]] = {
 }
 
 
-def rough_value(tape: Tape, place: int, letters: Mapping[str, Exact]) -> float:
+def rough_value(tape: SeriesTape, place: int, letters: Mapping[str, Exact]) -> float:
     """About how large a value is where the letters have these values."""
     expansion = Expansion(tape, [place], FLOATS)
     given = {
@@ -290,17 +269,10 @@ def rough_value(tape: Tape, place: int, letters: Mapping[str, Exact]) -> float:
     return float(expansion.lists[place][0])
 
 
-Series = list[Scalar]
-Lists = Mapping[int, Series]  # by the places of their values on the tape
-Made = tuple[
-    Callable[[], None], Callable[[int], None] | None
-]  # what begins a series, and what appends to it; nothing to a constant's
-
-
-def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
+def solver_of(tape: SeriesTape, name: str, lists: Lists) -> Made:
     """Linear equations A x = b: A₀ xₖ = bₖ − Σ Aⱼ xₖ₋ⱼ, j from 1, with A₀ factored once; what is constant in A drops out of the sum."""
     block = tape.blocks[int(name)]
-    owns = [lists[place] for place in unknowns_of(tape, name)]
+    owns = [lists[place] for place in tape.unknowns_of(name)]
     rows = [[lists[value] for value in row] for row in block.rows]
     right = [lists[value] for value in block.right]
     moving = [tape.constant(value) is None for value in block.right]
@@ -327,16 +299,6 @@ def solver_of(tape: Tape, name: str, lists: Lists) -> Made:
             own.append(value)
 
     return start, step
-
-
-def unknowns_of(tape: Tape, name: str) -> list[int]:
-    """The places of the unknowns of a block, in their order."""
-    found = [
-        (int(item.numbers[0].p), place)
-        for place, item in enumerate(tape.operations)
-        if (item.kind, item.name) == ("unknown", name)
-    ]
-    return [place for _, place in sorted(found)]
 
 
 def factored(table: list[list[Scalar]]) -> Callable[[list[Scalar]], list[Scalar]]:

@@ -14,10 +14,11 @@ from operator import mul
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.tape import ONE, ZERO, Scalar
+from rotsolve.algebra.tape import ONE, ZERO
 from rotsolve.core.registry import TIME
 from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import Arithmetic, Expansion
+from rotsolve.simulation.tape import Scalar
 
 LEAST_ORDER, MOST_ORDER = 10, 150
 WINDOW = 6  # last coefficients that tell how fast all of them fall; of a symmetric motion most vanish

@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.flints import fmpq
 from rotsolve.algebra.formula import PI, Formula, call
-from rotsolve.algebra.tape import ONE, Exact, Scalar, Unwritable
+from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
 from rotsolve.core.registry import COURSE
 from rotsolve.core.writing import spoken
@@ -24,7 +24,7 @@ from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_a
 from rotsolve.paths.meaning import NotYet
 from rotsolve.paths.reader import PathReader
 from rotsolve.simulation.course import Course, refusal
-from rotsolve.simulation.series import needed
+from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import Piece, value
 
 PASSED = {"displacement": "position", "rotation": "angle", "turns": "angle"}  # what counts from the state before
@@ -56,7 +56,7 @@ def watches(course: Course, modes: Mapping[str, str], ahead: State | None, since
             value = item.left - item.right
             if told(course, value):
                 found.append(Watch(BREAKS, place_of(course, value), item.otherwise))
-    rates = needed(course.tape, [item.rate for item in course.variables])
+    rates = course.tape.needed(item.rate for item in course.variables)
     sizes = [course.tape.operations[place] for place in rates if course.tape.operations[place].kind == "abs"]
     found += [Watch(TURNS, operation.values[0], "") for operation in sizes]
     if ahead is not None:

@@ -12,10 +12,11 @@ from rotsolve.algebra.certified.ball import Precision, evaluate
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.algebra.tape import BITS, Tape, Unwritable
+from rotsolve.algebra.tape import BITS, Unwritable
 from rotsolve.simulation.harmonics import reduced
 from rotsolve.simulation.linear import Contradictory, Linear
 from rotsolve.simulation.series import FLOATS, Expansion, rough_value
+from rotsolve.simulation.tape import SeriesTape
 
 m = mpmath
 SAME = {  # formulas, and what they mean
@@ -40,7 +41,7 @@ X, Y = Fraction(7, 10), Fraction(6, 5)
 def test_a_formula_is_worth_the_same_on_the_tape(text: str) -> None:
     formula = parse(text)
     with Precision(BITS):
-        tape = Tape()
+        tape = SeriesTape()
         letters = {name: tape.letter(name) for name in ("x", "y")}
         place = tape.formula(formula, letters)
         places = [place, *reduced(tape, [place, place])]
@@ -53,7 +54,7 @@ def test_a_formula_is_worth_the_same_on_the_tape(text: str) -> None:
 def test_a_series_has_the_coefficients_of_taylor(text: str) -> None:
     """Along x = X + t, y = Y − t/2."""
     with Precision(BITS):
-        tape = Tape()
+        tape = SeriesTape()
         letters = {name: tape.letter(name) for name in ("x", "y")}
         place = tape.formula(parse(text), letters)
     expansion = Expansion(tape, [place], FLOATS)
@@ -78,7 +79,7 @@ def test_a_series_has_the_coefficients_of_taylor(text: str) -> None:
 def test_linear_equations_with_changing_coefficients() -> None:
     """cos x · p + q = 1, p − q = x, r = p + q, and one that says nothing new."""
     with Precision(BITS):
-        tape = Tape()
+        tape = SeriesTape()
         letters = {"x": tape.letter("x")}
         linear = Linear(tape, letters, lambda place: rough_value(tape, place, {"x": fmpq(1, 2)}))
         rows = [
@@ -91,7 +92,7 @@ def test_linear_equations_with_changing_coefficients() -> None:
 
 def test_equations_that_contradict_each_other_are_named() -> None:
     with Precision(BITS):
-        tape = Tape()
+        tape = SeriesTape()
         linear = Linear(tape, {}, lambda place: rough_value(tape, place, {}))
         rows = [linear.row(parse(text), "pq") for text in ("p - q", "p - q - 1")]
         with pytest.raises(Contradictory):
@@ -99,7 +100,7 @@ def test_equations_that_contradict_each_other_are_named() -> None:
 
 
 def test_what_has_no_series_is_refused() -> None:
-    tape = Tape()
+    tape = SeriesTape()
     letters = {"x": tape.letter("x")}
     for text in ("ellipk(x)", "1/(2 - 2)", "y", "sqrt(0 - 2)"):
         with pytest.raises(Unwritable):

@@ -7,11 +7,11 @@ from math import ceil, floor, isfinite, log10
 
 from rotsolve.algebra.certified.ball import decimal_text, ends
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Scalar
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.render.layout import Line, paragraph
 from rotsolve.simulation.run import Run
+from rotsolve.simulation.tape import Scalar
 
 SHOWN = (
     "angle",
