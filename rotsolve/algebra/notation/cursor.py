@@ -1,32 +1,79 @@
-"""Cursor: a place in a formula's tokens, the brackets open there, and the faults that can be told without grammar."""
+"""Cursor: a place in a formula's tokens, the brackets open there, and the faults that can be told without grammar.
+
+What the letters of a text mean, and which marks it may hold, is said by its vocabulary.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.notation.tokens import FormulaError, Token, resolve
 
 MAX_NESTING = 60
+ELLIPTIC = "K"  # an integral before a bracket, where no letter is called so
 
 CLOSERS = {"(": ")", "[": "]", "|": "|"}
 DIFFERENTIAL = re.compile(r"d[^\W\d_]\w*")  # dx, dθ, dt_1
 STARTS = frozenset(("number", "fraction", "name", "symbol", "constant", "function", "(", "[", "√", "∫"))
 
 
-class Cursor:
-    """Reads tokens one by one."""
+class Vocabulary(Struct, frozen=True):
+    """What a text may hold: its letters (None: any), dotted paths such as `rod.end.speed`, and how functions are called.
 
-    def __init__(
-        self, text: str, tokens: list[Token], names: Collection[str] | None, paths: bool, strict: bool
-    ) -> None:
+    `strict` refuses `a/b c`; `euler` is the letter whose powers are those of e, '' for none; `reciprocals` are functions such as
+    cot x = 1/tan x, `inverses` those whose power of −1 may be the inverse, and `powered` those whose argument without brackets takes a
+    power: √x².
+    """
+
+    names: Collection[str] | None = None
+    paths: bool = False
+    strict: bool = False
+    euler: str = ""
+    reciprocals: Mapping[str, str] = {}
+    inverses: Mapping[str, str] = {}
+    powered: Collection[str] = ()
+
+    def meanings(self, cursor: Cursor) -> list[Token]:
+        """What the name ahead means: one token, or several if a run of letters splits."""
+        token = cursor.token
+        if self.is_elliptic(cursor):
+            return [replace(token, kind="function", text="ellipk")]
+        return resolve(token, self.names, cursor.bound, split=not self.paths)
+
+    def is_elliptic(self, cursor: Cursor) -> bool:
+        """Whether `K(` stands ahead where no letter is called K: the complete elliptic integral."""
+        ahead = cursor.tokens[cursor.index : cursor.index + 2]
+        called = [token.text for token in ahead] == [ELLIPTIC, "("] and ahead[0].end == ahead[1].start
+        return called and self.names is not None and ELLIPTIC not in self.names and ELLIPTIC not in cursor.bound
+
+
+class Forks:
+    """One way through the places at which a text can be read in two ways: at which of them it takes the unlikely branch."""
+
+    def __init__(self, departures: tuple[bool, ...] = ()) -> None:
+        self.departures = departures
+        self.taken: list[bool] = []
+
+    def choose(self, likely: bool) -> bool:
+        """The answer to a question that the text leaves open: the likely one, or on some ways the other."""
+        index = len(self.taken)
+        departs = index < len(self.departures) and self.departures[index]
+        self.taken.append(departs)
+        return likely != departs
+
+
+class Cursor:
+    """Reads tokens one by one; without forks, what can be read in two ways is refused."""
+
+    def __init__(self, text: str, tokens: list[Token], vocabulary: Vocabulary, forks: Forks | None = None) -> None:
         self.text = text
         self.tokens = tokens
-        self.names = names
-        self.paths = paths
-        self.strict = strict
+        self.vocabulary = vocabulary
+        self.forks = forks
         self.index = 0
         self.depth = 0
         self.open: list[Token] = []  # the brackets that are open, innermost last
@@ -65,6 +112,15 @@ class Cursor:
     def two_ways(self, start: int, end: int, cure: str) -> FormulaError:
         return FormulaError(f"`{self.text[start:end]}` can be read in two ways: write {cure}", start, end)
 
+    def refuse(self, start: int, end: int, cure: str) -> None:
+        """Refuse what can be read in two ways, where there are no forks."""
+        if self.forks is None:
+            raise self.two_ways(start, end, cure)
+
+    def tight(self) -> bool:
+        """Whether the next token stands close to the one before it."""
+        return self.tokens[self.index - 1].end == self.token.start
+
     def open_bracket(self, opening: Token) -> None:
         self.enter()
         self.open.append(opening)
@@ -84,7 +140,7 @@ class Cursor:
 
     def at_path(self) -> bool:
         """Whether a dotted path begins here: names joined by dots, without spaces."""
-        if not self.paths:
+        if not self.vocabulary.paths:
             return False
         first, dot, second = (*self.tokens[self.index : self.index + 3], self.token, self.token)[:3]
         adjacent = first.end == dot.start and dot.end == second.start
@@ -95,18 +151,9 @@ class Cursor:
         token = self.token
         if token.kind != "name" or self.at_path():
             return 1
-        if self.at_elliptic():
-            meanings = [replace(token, kind="function", text="ellipk")]
-        else:
-            meanings = resolve(token, self.names, self.bound, split=not self.paths)
+        meanings = self.vocabulary.meanings(self)
         self.tokens[self.index : self.index + 1] = meanings
         return len(meanings)
-
-    def at_elliptic(self) -> bool:
-        """Whether `K(` stands ahead where no letter is called K: the complete elliptic integral."""
-        ahead = self.tokens[self.index : self.index + 2]
-        called = [token.text for token in ahead] == ["K", "("] and ahead[0].end == ahead[1].start
-        return called and self.names is not None and "K" not in self.names and "K" not in self.bound
 
     def starts_factor(self) -> bool:
         """Whether the next token multiplies what was read, without a mark between them."""

@@ -3,25 +3,29 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection
+from collections.abc import Callable, Collection, Mapping
 from fractions import Fraction
+from functools import lru_cache
+from typing import ClassVar
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import FUNCTIONS
+from rotsolve.algebra.formula import FUNCTIONS, Number
 from rotsolve.algebra.notation.letters import FRACTIONS, RUN, SEGMENT, spellings
 
 MAX_LENGTH = 2000
 MAX_RUN = 100
 MAX_DIGITS = 60
 MAX_LITERAL_EXPONENT = 400
+REMEMBERED = 4096  # numbers: the same few are met over and over
 
 ALIASES = {"ln": "log", "arcsin": "asin", "arccos": "acos", "arctan": "atan", "arctan2": "atan2"}
 FUNCTION_NAMES = {name: name for name in (*FUNCTIONS, "integral")} | ALIASES
 SAME_MARK = dict.fromkeys("−–", "-") | dict.fromkeys("·×⋅∙", "*") | dict.fromkeys("÷∕", "/") | {"**": "^"}
 NUMBER = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+\-−]?[0-9]+)?"
+RAISED = r"(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
 _TOKEN = re.compile(
-    rf"(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>{RUN})|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)"
+    rf"(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>{RUN})|{RAISED}"
     r"|(?P<mark>\*\*|[-+*/^()\[\]|,.√∫→−–·×⋅∙÷∕])|(?P<space>\s+)|(?P<other>.)"
 )
 
@@ -50,25 +54,53 @@ class Token(Struct, frozen=True):
     end: int
 
 
-def tokenize(text: str) -> list[Token]:
-    """The tokens of `text`, an `end` token last."""
-    if len(text) > MAX_LENGTH:
-        message = f"the formula is too long: {len(text)} characters, at most {MAX_LENGTH}"
-        raise FormulaError(message, MAX_LENGTH, len(text))
-    tokens: list[Token] = []
-    for match in _TOKEN.finditer(text):
-        kind, found = str(match.lastgroup), match[0]
-        if kind == "space":
-            continue
-        if kind == "other":
-            hint = ": a formula has no equals sign" if found == "=" else ""
-            shown = found if found.isprintable() else f"U+{ord(found):04X}"
-            raise FormulaError(f"unexpected character `{shown}`{hint}", match.start(), match.end())
+class Lexer:
+    """Cuts a text into tokens from left to right; `special` kinds have a method, which gives the place after what it has read."""
+
+    pattern = _TOKEN
+    marks = SAME_MARK
+    longest, noun = MAX_LENGTH, "formula"
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.tokens: list[Token] = []
+
+    def tokenize(self, start: int = 0, end: int | None = None) -> list[Token]:
+        """The tokens of a part of the text, an `end` token last."""
+        if len(self.text) > self.longest:
+            message = f"the {self.noun} is too long: {len(self.text)} characters, at most {self.longest}"
+            raise FormulaError(message, self.longest, len(self.text))
+        if end is not None:
+            self.text = self.text[:end]
+        at, last = start, len(self.text)
+        while at < last:
+            at = self.step(at)
+        self.emit("end", "", last, last)
+        return self.tokens
+
+    def emit(self, kind: str, found: str, start: int, end: int) -> None:
+        self.tokens.append(Token(kind, found, start, end))
+
+    def step(self, at: int) -> int:
+        match = self.pattern.match(self.text, at)
+        assert match is not None
+        kind, found, end = str(match.lastgroup), match[0], match.end()
+        special = self.special.get(kind)
+        if special is not None:
+            return special(self, found, at, end)
         if kind == "mark":
-            found = kind = SAME_MARK.get(found, found)
-        tokens.append(Token(kind, found, match.start(), match.end()))
-    tokens.append(Token("end", "", len(text), len(text)))
-    return tokens
+            kind = found = self.marks.get(found, found)
+        if kind != "space":
+            self.tokens.append(Token(kind, found, at, end))
+        return end
+
+    def other(self, found: str, start: int, end: int) -> int:
+        """A character that is no mark."""
+        hint = ": a formula has no equals sign" if found == "=" else ""
+        shown = found if found.isprintable() else f"U+{ord(found):04X}"
+        raise FormulaError(f"unexpected character `{shown}`{hint}", start, end)
+
+    special: ClassVar[Mapping[str, Callable[..., int]]] = {"other": other}
 
 
 def read_number(text: str, start: int = 0) -> Fraction:
@@ -80,6 +112,19 @@ def read_number(text: str, start: int = 0) -> Fraction:
         raise FormulaError(f"the exponent of ten is beyond ±{MAX_LITERAL_EXPONENT}", start, start + len(text))
     whole, _, decimals = mantissa.partition(".")
     return Fraction(int(whole + decimals)) * Fraction(10) ** (int(exponent or 0) - len(decimals))
+
+
+@lru_cache(REMEMBERED)
+def _known_number(text: str) -> Number:
+    return Number(read_number(text))
+
+
+def literal_number(text: str, start: int) -> Number:
+    """The exact number that a text at a place writes."""
+    try:
+        return _known_number(text)
+    except FormulaError:
+        return Number(read_number(text, start))  # fails again, at its place
 
 
 def resolve(token: Token, names: Collection[str] | None, bound: Collection[str], *, split: bool) -> list[Token]:

@@ -9,9 +9,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.tokens import FormulaError, Token
-from rotsolve.grading.reading.forks import Forks, all_ways
-from rotsolve.grading.reading.formulas import read_formula
 from rotsolve.grading.reading.lines import EQUALS, direction_behind, with_points
 from rotsolve.grading.reading.numbers import (
     NumberAndUnit,
@@ -36,6 +35,7 @@ from rotsolve.grading.reading.vectors import (
     read_list,
     with_remarks,
 )
+from rotsolve.grading.reading.vocabulary import all_ways, read_formula
 
 _WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
 

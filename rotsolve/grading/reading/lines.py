@@ -9,9 +9,9 @@ from __future__ import annotations
 
 import re
 
+from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.notation.tokens import FormulaError, Token
-from rotsolve.grading.reading.forks import Forks
 from rotsolve.grading.reading.numbers import are_letters, could_be_number, cut_at_unit, is_kind, likely_number
 from rotsolve.grading.reading.records import Names
 from rotsolve.grading.reading.tokens import MAX_LENGTH, tokens_of

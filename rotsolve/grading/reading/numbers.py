@@ -11,16 +11,15 @@ from functools import lru_cache
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Symbol
+from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, suggest
 from rotsolve.algebra.units.dimension import kind_of
 from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
-from rotsolve.grading.reading.forks import Forks
-from rotsolve.grading.reading.formulas import read_formula
 from rotsolve.grading.reading.records import NUMBER, LineReading, echo
-from rotsolve.grading.reading.runs import LONGEST_RUN, REMEMBERED, run_meaning
+from rotsolve.grading.reading.vocabulary import LONGEST_RUN, REMEMBERED, read_formula, run_meaning
 
 BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units run into each other: `Nms` is N m s
 UNIT_MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))

@@ -11,13 +11,13 @@ from collections.abc import Callable, Iterator, Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Product, Quotient
+from rotsolve.algebra.notation.cursor import Cursor, Forks
+from rotsolve.algebra.notation.parse import HALF_TURN, Parser
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import NONE, Dimension, DimensionError, dimension_of, kind_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import MEANT, UNITS, Unit
 from rotsolve.grading.reading.answers import AnswerParser, answer_line
-from rotsolve.grading.reading.forks import Forks, all_ways
-from rotsolve.grading.reading.formulas import HALF_TURN, Grammar, read_formula
 from rotsolve.grading.reading.lines import with_points
 from rotsolve.grading.reading.numbers import (
     BASIC,
@@ -29,8 +29,8 @@ from rotsolve.grading.reading.numbers import (
     units_in_run,
 )
 from rotsolve.grading.reading.records import FORMULA, NUMBER, LineReading, Names
-from rotsolve.grading.reading.runs import run_meaning
 from rotsolve.grading.reading.vectors import CLOSING, OPENING, end_at, with_remarks
+from rotsolve.grading.reading.vocabulary import StudentVocabulary, all_ways, read_formula, run_meaning
 from rotsolve.grading.verdict import Remark
 
 UNIT_MARK = "unit:"  # before the name of a unit where letters may be called the same
@@ -160,47 +160,45 @@ def _before_unit(
 # units within a formula
 
 
-class QuantityGrammar(Grammar):
-    """The grammar in which the name of a unit may stand behind a number; its symbol is the unit with a mark in front."""
+class QuantityVocabulary(StudentVocabulary, frozen=True):
+    """Letters, and names of units where they stand behind a number; the symbol of a unit has a mark in front."""
 
-    def expand(self) -> int:
-        token = self.token
-        if token.kind != "name" or not self.is_unit(token):
-            return super().expand()
-        pieces = [_unit_token(word, token) for word in units_in_run(token.text)]
-        self.tokens[self.index : self.index + 1] = pieces
-        return len(pieces)
+    def meanings(self, cursor: Cursor) -> list[Token]:
+        if not self.is_unit(cursor):
+            return super().meanings(cursor)
+        return [_unit_token(word, cursor.token) for word in units_in_run(cursor.token.text)]
 
-    def is_unit(self, token: Token) -> bool:
+    def is_unit(self, cursor: Cursor) -> bool:
         """Whether a name is a unit: it is one by its spelling and its place, and no letter of the scene, or may be either."""
-        closed = (
-            self.tokens[self.index + 1].kind in CLOSING
-            and self.index > 0
-            and self.tokens[self.index - 1].kind == "number"
-        )
-        if not (is_likely_unit(token.text) or (closed and is_unit_run(token.text))) or not self.behind_number():
+        token, index = cursor.token, cursor.index
+        closed = cursor.tokens[index + 1].kind in CLOSING and index > 0 and cursor.tokens[index - 1].kind == "number"
+        if not (is_likely_unit(token.text) or (closed and is_unit_run(token.text))) or not behind_number(cursor):
             return False  # (500 g) is a mass
-        if run_meaning(token.text, self.letters) is not None:
-            return self.forks.choose(self.tokens[self.index - 1].end < token.start or self.in_unit())
-        return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.letters)
+        assert isinstance(self.names, frozenset) and cursor.forks is not None
+        if run_meaning(token.text, self.names) is not None:
+            return cursor.forks.choose(cursor.tokens[index - 1].end < token.start or in_unit(cursor))
+        return token.text in UNITS or token.text in MEANT or not begins_with_letter(token.text, self.names)
 
-    def behind_number(self) -> bool:
-        """Whether a number, a bracket or a unit stands in front, perhaps with a mark between."""
-        before = self.tokens[self.index - 1] if self.index else None
-        if before is None or before.kind in BEFORE_UNIT:
-            return before is not None and (before.kind != "symbol" or before.text.startswith(UNIT_MARK))
-        if before.kind in OPENING:  # 9.8 (m/s²)
-            rest = self.tokens[self.index :]
-            last = next((place for place, token in enumerate(rest) if token.kind in CLOSING), 0)
-            return self.index > 1 and self.tokens[self.index - 2].kind == "number" and looks_like_unit(rest[: last + 1])
-        return before.kind in JOINS and self.in_unit()
 
-    def in_unit(self) -> bool:
-        """Whether the name of a unit stands before the mark in front, perhaps with its power."""
-        index = self.index - 1 - (self.tokens[self.index - 1].kind in JOINS)
-        while index > 0 and self.tokens[index].kind in ("raised", "number", "^"):
-            index -= 1
-        return self.tokens[index].text.startswith(UNIT_MARK)
+def behind_number(cursor: Cursor) -> bool:
+    """Whether a number, a bracket or a unit stands in front, perhaps with a mark between."""
+    before = cursor.tokens[cursor.index - 1] if cursor.index else None
+    if before is None or before.kind in BEFORE_UNIT:
+        return before is not None and (before.kind != "symbol" or before.text.startswith(UNIT_MARK))
+    if before.kind in OPENING:  # 9.8 (m/s²)
+        rest = cursor.tokens[cursor.index :]
+        last = next((place for place, token in enumerate(rest) if token.kind in CLOSING), 0)
+        number = cursor.index > 1 and cursor.tokens[cursor.index - 2].kind == "number"
+        return number and looks_like_unit(rest[: last + 1])
+    return before.kind in JOINS and in_unit(cursor)
+
+
+def in_unit(cursor: Cursor) -> bool:
+    """Whether the name of a unit stands before the mark in front, perhaps with its power."""
+    index = cursor.index - 1 - (cursor.tokens[cursor.index - 1].kind in JOINS)
+    while index > 0 and cursor.tokens[index].kind in ("raised", "number", "^"):
+        index -= 1
+    return cursor.tokens[index].text.startswith(UNIT_MARK)
 
 
 def _unit_token(word: str, token: Token) -> Token:
@@ -212,10 +210,7 @@ def _unit_token(word: str, token: Token) -> Token:
 def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions, forks: Forks) -> LineReading:
     """A formula with units in it."""
     tokens = [Token("*", "*", token.start, token.end) if token.kind == "." else token for token in tokens]
-    grammar = QuantityGrammar(text, tokens, names.letters, forks)
-    formula = grammar.sum()
-    if grammar.token.kind != "end":
-        raise grammar.unexpected()
+    formula = Parser(text, list(tokens), QuantityVocabulary.of(names.letters), forks).formula()
     units = {name: UNITS[name.removeprefix(UNIT_MARK)] for name in formula.symbols() if name.startswith(UNIT_MARK)}
     if any(word in unit.text for unit in units.values() for word in COUNTING):
         raise FormulaError("a number of turns stands by itself", tokens[0].start, tokens[-1].end)

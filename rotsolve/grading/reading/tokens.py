@@ -6,13 +6,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from typing import ClassVar
 from unicodedata import normalize
 
 from rotsolve.algebra.notation.cursor import MAX_NESTING
 from rotsolve.algebra.notation.letters import FRACTIONS, GREEK_LETTERS, RUN
-from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, SAME_MARK, FormulaError, Token
-from rotsolve.grading.reading.runs import RECIPROCAL
+from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, NUMBER, RAISED, SAME_MARK, FormulaError, Lexer, Token
+from rotsolve.grading.reading.vocabulary import RECIPROCAL
 
 NAMES = (  # commands that are letters or functions
     GREEK_LETTERS
@@ -65,7 +66,8 @@ MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒",
 MARKS |= dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "=") | {"⟨": "(", "⟩": ")", "∣": "|", "º": "°"}
 _TOKEN = re.compile(
     rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
-    r"|(?P<raised>[⁻⁺]?[⁰¹²³⁴⁵⁶⁷⁸⁹]+)|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
+    rf"|{RAISED}"
+    r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
     r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
     r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
 )
@@ -77,42 +79,16 @@ _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
 
-def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
-    """The tokens of a line, or of a part of it, an `end` token last."""
-    if len(text) > MAX_LENGTH:
-        message = f"the answer is too long: {len(text)} characters, at most {MAX_LENGTH}"
-        raise FormulaError(message, MAX_LENGTH, len(text))
-    reader = _Lexer(text if end is None else text[:end])
-    at, last = start, len(reader.text)
-    while at < last:
-        at = reader.step(at)
-    reader.emit("end", "", last, last)
-    return reader.tokens
+class LineLexer(Lexer):
+    """Reads a line with LaTeX in it; each method takes the place where something begins and gives the place after it."""
 
-
-class _Lexer:
-    """Reads a line from left to right; each method takes the place where something begins and gives the place after it."""
+    pattern = _TOKEN
+    marks = MARKS
+    longest, noun = MAX_LENGTH, "answer"
 
     def __init__(self, text: str) -> None:
-        self.text = text
-        self.tokens: list[Token] = []
+        super().__init__(text)
         self.depth = 0
-
-    def emit(self, kind: str, found: str, start: int, end: int) -> None:
-        self.tokens.append(Token(kind, found, start, end))
-
-    def step(self, at: int) -> int:
-        match = _TOKEN.match(self.text, at)
-        assert match is not None
-        kind, found, end = str(match.lastgroup), match[0], match.end()
-        special = _SPECIAL.get(kind)
-        if special is not None:
-            return special(self, found, at, end)
-        if kind == "mark":
-            kind = found = MARKS.get(found, found)
-        if kind != "space":
-            self.tokens.append(Token(kind, found, at, end))
-        return end
 
     def name(self, found: str, start: int, end: int) -> int:
         """A run of letters, with its index where that stands in braces: `v_{end}`."""
@@ -247,17 +223,20 @@ class _Lexer:
             mark = MARKS.get(plain, plain)
             self.emit(mark if kind == "mark" else kind, mark if kind == "mark" else plain, start, end)
             return end
-        shown = found if found.isprintable() else f"U+{ord(found):04X}"
-        raise FormulaError(f"unexpected character `{shown}`", start, end)
+        return super().other(found, start, end)
+
+    special: ClassVar[Mapping[str, Callable[..., int]]] = {
+        "name": name,
+        "command": command,
+        "brace": brace,
+        "degree": degree,
+        "other": other,
+    }
 
 
-_SPECIAL: dict[str, Callable[[_Lexer, str, int, int], int]] = {
-    "name": _Lexer.name,
-    "command": _Lexer.command,
-    "brace": _Lexer.brace,
-    "degree": _Lexer.degree,
-    "other": _Lexer.other,
-}
+def tokens_of(text: str, start: int = 0, end: int | None = None) -> list[Token]:
+    """The tokens of a line, or of a part of it, an `end` token last."""
+    return LineLexer(text).tokenize(start, end)
 
 
 def _index_text(content: str) -> str:

@@ -14,11 +14,11 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, add, divide, multiply, negate
+from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.algebra.units.unit_table import UNITS, Unit, times_pi
-from rotsolve.grading.reading.forks import Forks
 from rotsolve.grading.reading.lines import with_points
 from rotsolve.grading.reading.numbers import are_letters, looks_like_unit, read_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
