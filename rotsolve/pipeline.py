@@ -161,6 +161,10 @@ def check_consistent(search: Search) -> None:
         from rotsolve.search.explain import contradicted
 
         raise contradicted(broken, search.scene)
+    configuration = search.scene.configuration
+    for value, (sign, question, span) in configuration.supposed.items():
+        if configuration.signs.sign(search.solver.with_found(value)) != sign:
+            raise configuration.undecided(value, question, span)
 
 
 def check_law(search: Search, law: str) -> None:

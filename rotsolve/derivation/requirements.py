@@ -31,7 +31,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, aside)
-            sign = sign_of(gap, search) if gap is not None else None
+            sign = search.signs.by_numbers(gap) if gap is not None else None
             if sign is None:
                 continue
             told.add(key)
@@ -75,13 +75,6 @@ def concerns(need: Requirement, search: Search) -> bool:
     }
     item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
-
-
-def sign_of(value: Formula, search: Search) -> int | None:
-    try:
-        return evaluate(value, search.values, digits=6).sign
-    except (Undefined, ValueError):
-        return None
 
 
 def objection(need: Requirement, state: str, search: Search, letters: Letters) -> Words:

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import PI, Formula, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.exact.normal import simplify
+from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.requirements import concerns, margin_of, requirements_by_state
 from rotsolve.motion.rubs import rubs
@@ -28,6 +30,7 @@ def validity(search: Search) -> Validity:
     """What strings, contacts and friction have to obey, as formulas of the givens; what else the numbers of the scene decided."""
     positive = search.solver.positive
     aside = Search(search.scene, families_for(None))
+    by_letters = SignOracle({}, positive)
     bounds: dict[Formula, None] = {}
     decided: dict[str, None] = {}
     for _, needs in requirements_by_state(search):
@@ -36,24 +39,17 @@ def validity(search: Search) -> Validity:
                 gap = margin_of(need, search, aside)[1]
                 if gap is None:
                     decided[f"whether {spoken(need.owner)} holds"] = None
-                elif not (is_zero(gap, positive) or surely_positive(gap, positive)):
+                elif by_letters.by_letters(gap) not in (0, 1):
                     bounds[gap] = None
     if rubs(search.scene.configuration):
         decided[SLIPS] = None
     if any(step.reason for step in search.solver.steps):
         decided[ROOT] = None
+    for value, sign in (search.scene.configuration.signs.decided | search.signs.decided).items():
+        if by_letters.by_letters(value) is not None:
+            continue
+        if sign:
+            bounds[simplify(value * sign, positive=positive)] = None
+        else:
+            decided[f"that {to_text(value)} vanishes"] = None
     return Validity(positive, tuple(bounds), tuple(decided))
-
-
-def surely_positive(value: Formula, positive: frozenset[str]) -> bool:
-    """Whether a formula is made of positive letters and numbers by sums, products, quotients and powers alone."""
-    match value:
-        case Symbol(name):
-            return name in positive
-        case Number(number):
-            return number > 0
-        case Sum() | Product() | Quotient():
-            return all(surely_positive(part, positive) for part in value.children())
-        case Power(base, _):
-            return surely_positive(base, positive)
-    return value == PI

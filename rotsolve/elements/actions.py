@@ -12,7 +12,6 @@ from rotsolve.core.varying import POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.directions import along_text
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
 from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.sides import rough
 from rotsolve.language.keys import Element, key
 from rotsolve.language.problem import PointRef
 
@@ -127,11 +126,18 @@ class AppliedForce(Action, frozen=True):
             return unit(motion.heading or RIGHT), instant.point(on)
         direction = pointing(self.direction)
         if radius is not None and (self.over or self.under):
-            side = direction.turned(90)
-            up = _rough_sign(side, instant)
-            outward = side if up == self.over else direction.turned(-90)
+            outward = direction.turned(90 if self.rightward(direction, instant, on) == self.over else -90)
             return direction, instant.point(PointRef(name, "center")) + outward.times(radius)
         return direction, instant.point(on)
+
+    def rightward(self, direction: Vector, instant: Instant, on: PointRef) -> bool:
+        """Whether it pulls to the right, so that it turns a wheel clockwise from its top; straight down counts so too."""
+        question = f"whether `{self.name}` pulls to the right, and so on which side of `{on.owner}`,"
+        for part in (direction.along(RIGHT), direction.along(DOWN)):
+            sign = instant.configuration.certain_sign(part, question, on.span)
+            if sign:
+                return sign > 0
+        return True
 
     def across(self, arm: Vector, turn: int) -> Vector:
         """Unit vector square to an arm, in the sense in which it turns the body."""
@@ -245,12 +251,6 @@ def pointing(direction: Direction) -> Vector:
         length = sqrt(x**2 + y**2)
         return vector(x / length, RIGHT) + vector(y / length, UP)
     return unit(heading(direction))
-
-
-def _rough_sign(side: Vector, instant: Instant) -> bool:
-    """Whether a vector points up rather than down (a rightward one counts as up)."""
-    height = rough(side.along(UP))
-    return height > 1e-9 or (abs(height) <= 1e-9 and rough(side.along(RIGHT)) > 0)
 
 
 ACTIONS: tuple[type[Action], ...] = (AppliedForce, AppliedCouple, Press, AppliedPower)

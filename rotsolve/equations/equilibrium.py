@@ -3,15 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from fractions import Fraction
 
 from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.exact.solving.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
@@ -30,10 +28,9 @@ from rotsolve.paths.meaning import NotYet
 PLACES = ("elongation", "angle")  # what balance decides
 SEVERAL_WAYS = "can move in several ways: the swings of such bodies are not solved yet"
 STATE_IT = "give a state with its angle and `balance: true`, and say `about` it"
-EXTREMES = (Fraction(1), Fraction(1000), Fraction(1, 1000))  # values of letters without a number, each in turn
 
 
-def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formula]) -> tuple[str, Formula] | None:
+def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tuple[str, Formula] | None:
     """The letter of the one angle that balance decides by itself, and its stable value; None where springs have a say in it."""
     supplies = [term for body in still.bodies if body.name in group for term in groups.supply(body)]
     rates, allowed = groups.freedom(still, group, supplies)
@@ -53,7 +50,7 @@ def stable_angle(still: Facts, group: frozenset[str], values: Mapping[str, Formu
     roots = [candidate.formula for candidate in solve_trig(drive, letters[0])]
     if not roots:
         raise NotYet("the equilibrium has no closed form", help=STATE_IT)
-    stable = [root for root in roots if sign(slope.substitute({letters[0]: root}), values) == -1]
+    stable = [root for root in roots if signs.of_sizes(slope.substitute({letters[0]: root})) == -1]
     if len(stable) != 1:
         raise NotYet("the stable equilibrium is not told", help=STATE_IT)
     return letters[0], simplify(stable[0])
@@ -82,21 +79,6 @@ def inside_function(value: Formula, name: str) -> bool:
     return any(isinstance(node, Call) and name in node.symbols() for node in value.walk(Call))
 
 
-def sign(value: Formula, values: Mapping[str, Formula]) -> int | None:
-    """The sign of a formula; of one with letters without a number, that which it has for all kinds of positive values."""
-    if is_zero(value):
-        return 0
-    open_ = sorted(value.symbols() - set(values))
-    found = set()
-    for letter, size in [("", EXTREMES[0]), *((name, size) for name in open_ for size in EXTREMES[1:])]:
-        filled = {name: Number(size if name == letter else EXTREMES[0]) for name in open_}
-        try:
-            found.add(evaluate(value, {**values, **filled}, digits=5).sign)
-        except (Undefined, ValueError):
-            return None
-    return found.pop() if len(found) == 1 else None
-
-
 class Moments(Struct, frozen=True):
     """The equilibrium of all bodies, the same with any small motion, a moment of their swings; why a group has none."""
 
@@ -107,12 +89,11 @@ class Moments(Struct, frozen=True):
 
 
 class Placing(Struct, frozen=True):
-    """Makes the moments of a swing; `values` are the numbers of the givens, by which a stable equilibrium is told."""
+    """Makes the moments of a swing."""
 
     configuration: Configuration
     registry: Registry
     modes: Mapping[str, str]
-    values: Mapping[str, Formula]
     made: dict[tuple[str, bool], Moments] = field(default_factory=dict)
 
     def swing(self, term: Term) -> Swing:
@@ -149,7 +130,7 @@ class Placing(Struct, frozen=True):
         troubles = {}
         for group in groups_of(self.configuration, still, state):
             try:
-                root = stable_angle(still, group, self.values)
+                root = stable_angle(still, group, self.configuration.signs)
             except NotYet as trouble:
                 troubles[group] = trouble
                 continue

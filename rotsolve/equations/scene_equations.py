@@ -95,7 +95,7 @@ class SceneEquations(Struct, dict=True):
             return {}
         from rotsolve.equations.equilibrium import Placing
 
-        placing = Placing(self.configuration, self.registry, self.modes, self.configuration.problem.values)
+        placing = Placing(self.configuration, self.registry, self.modes)
         found: dict[str, Swing] = {}
         for term, span in spoken_of:
             if question_of(term) not in found:

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Container, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
 from msgspec import Struct
+from msgspec.structs import replace
 
-from rotsolve.algebra.formula import ZERO
+from rotsolve.algebra.certified.sign import ACUTE, SignOracle
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive, along_line
-from rotsolve.core.faults import Unsolvable
+from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.letters import letter_order
+from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.remembered import remembered
 from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.core.vectors.directions import WORDS
@@ -25,7 +28,7 @@ from rotsolve.elements.surfaces import Surface
 from rotsolve.language.problem import Body, PointRef, Problem
 from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.owndata import Version, versions
-from rotsolve.motion.positive import positive_letters
+from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
 from rotsolve.motion.rigid import frame
 from rotsolve.motion.timeline import Timeline, absent, gripped, timeline
 
@@ -81,6 +84,39 @@ class Configuration(Struct, frozen=True, dict=True):
     def positive(self) -> frozenset[str]:
         """Givens that are surely positive."""
         return positive_letters(self.problem.givens)
+
+    @cached_property
+    def signs(self) -> SignOracle:
+        """What tells the sign of a formula of givens."""
+        return SignOracle(self.problem.values, self.positive, partial(limited_letters, self.problem))
+
+    def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int:
+        """The sign on which it hangs what the scene is: answers the `question`, which is refused by name where nothing tells it.
+
+        With what is asked for it is that which it has for a positive number, or for an acute angle; `supposed` holds it against the answer.
+        """
+        sign = self.signs.decide(value)
+        if sign is None:
+            asked = {item.name: ACUTE if is_angle(item) else "positive" for item in self.problem.givens if item.asked}
+            if asked.keys() & value.symbols():
+                sign = replace(self.signs, limits=lambda: {**self.signs.limits(), **asked}).by_letters(value)
+            if sign is None:
+                raise self.undecided(value, question, span)
+            self.supposed[value] = sign, question, span
+        return sign
+
+    def undecided(self, value: Formula, question: str, span: Span | None) -> Unsolvable:
+        """A question that hangs on the sign of a formula in which letters lack a value."""
+        names = " and ".join(f"`{name}`" for name in self.signs.lacking(value) if SEPARATOR not in name)
+        help = f"give a number to {names}" if names else ""
+        return Unsolvable(
+            f"{question} can not be told", span=span, help=help, lines=self.problem.lines, file=self.problem.file
+        )
+
+    @cached_property
+    def supposed(self) -> dict[Formula, tuple[int, str, Span | None]]:
+        """The signs that only hold for some answers, with the questions that they answer."""
+        return {}
 
     @cached_property
     def bodies(self) -> dict[str, Body]:

@@ -12,12 +12,10 @@ from collections.abc import Iterator
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.sign import sign_of
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.facts import BodyFacts, Couple, Cut, Force, Inertia, Motion
-from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, unit, vector
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Body, Path, PointRef
@@ -42,7 +40,7 @@ class CrossSection(Struct, frozen=True):
         place = simplify(place)
         if place in (ZERO, self.length):
             return -1 if place == ZERO else 1
-        return compared(place, self.x, self.instant)
+        return self.instant.configuration.signs.sign(place - self.x)
 
     def point(self, place: Formula) -> Vector:
         """A place along the rod, from the reference of the body."""
@@ -68,14 +66,6 @@ def section_of(path: Path, index: str, instant: Instant) -> CrossSection | None:
     length = body.shape.extent()
     x = simplify(body.shape.locate(path.point or "", path.argument)[0] + length / 2)
     return CrossSection(body, length, x, index, instant)
-
-
-def compared(place: Formula, x: Formula, instant: Instant) -> int | None:
-    """The sign of place − x by the numbers of the givens, else by their letters alone."""
-    problem = instant.configuration.problem
-    values = {given.name: given.value for given in problem.givens if given.value is not None}
-    lengths = {given.name for given in problem.givens if given.dimension == BY_WORD["length"].dimension}
-    return sign_of(place - x, values, lengths)
 
 
 class Loads(Struct, frozen=True):

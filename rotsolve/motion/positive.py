@@ -1,34 +1,53 @@
-"""Positive: the letters of a scene that are surely positive."""
+"""Positive: the letters of a scene that are surely positive, and those that their keys keep within limits."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.language.problem import Given
+from rotsolve.language.keys import Element
+from rotsolve.language.problem import Body, Given, Problem
 
 POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
     """Givens that are positive: masses, lengths, times and the like, and every number that is."""
-    result = set()
-    values = {given.name: given.value for given in givens if given.value is not None}
-    for given in givens:
-        sized = given.dimension is not None and any(DIMENSIONS[word] == given.dimension for word in POSITIVE)
-        if sized and not given.asked:
-            result.add(given.name)
-        elif given.value is not None and not given.asked and not is_angle(given):
-            try:
-                if (evaluate(given.value, values, digits=3).sign or 0) > 0:
-                    result.add(given.name)
-            except (Undefined, ValueError):
-                continue
-    return frozenset(result)
+    sized = {DIMENSIONS[word] for word in POSITIVE}
+    signs = SignOracle({given.name: given.value for given in givens if given.value is not None})
+    return frozenset(
+        given.name
+        for given in givens
+        if not given.asked
+        and (given.dimension in sized or (not is_angle(given) and signs.by_numbers(Symbol(given.name)) == 1))
+    )
 
 
 def is_angle(given: Given) -> bool:
     """Whether a given is an angle, which may be negative."""
-    return given.dimension is not None and given.dimension == DIMENSIONS["angle"]
+    return given.dimension == DIMENSIONS["angle"]
+
+
+def limited_letters(problem: Problem) -> dict[str, str]:
+    """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
+    elements = (*problem.surfaces, *problem.connections, *problem.actions, *problem.events)
+    limited = [entry for body in problem.bodies for entry in sizes_of(body)]
+    limited += [entry for element in elements for entry in limits_of(element)]
+    return {value.name: limits for value, limits in limited if isinstance(value, Symbol)}
+
+
+def sizes_of(body: Body) -> Iterator[tuple[Formula | None, str]]:
+    """What is positive of a body: its mass, its radii, the sizes of its shape."""
+    yield from ((size, "positive") for size in (body.mass, body.density, body.gyration, body.radius))
+    yield from ((radius, "positive") for _, radius in body.radii)
+    if body.shape is not None:
+        yield from limits_of(body.shape)
+
+
+def limits_of(element: Element) -> Iterator[tuple[Formula | None, str]]:
+    """The values of an element under keys that limit them."""
+    for field, declared in element.declared.items():
+        if declared.limits:
+            yield getattr(element, field), declared.limits

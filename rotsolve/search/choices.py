@@ -6,10 +6,7 @@ from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
-from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import Call, Formula
+from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.language.problem import Choice, Find
 from rotsolve.paths.meaning import NotYet
@@ -113,28 +110,9 @@ def difference_sign(left: Found, right: Found, search: Search) -> int | None:
         ]
         gap = balls[0] - balls[1] if len(balls) == 2 else None
         return None if gap is None or gap.contains(0) else 1 if gap > 0 else -1
-    return sign_of(left.formula - right.formula, search)
-
-
-def sign_of(gap: Formula, search: Search) -> int | None:
-    """The sign of a closed form: exactly where it vanishes or its letters are positive, else by a ball."""
-    positive = search.solver.positive
-    if is_zero(gap, positive):
-        return 0
-    if gap.symbols() <= set(search.values):
-        try:
-            return evaluate(gap, search.values).sign
-        except Undefined:
-            return None
-    size = Call("abs", (search.solver.simplify(gap),))
-    return 1 if is_zero(size - gap, positive) else -1 if is_zero(size + gap, positive) else None
+    return search.signs.sign(left.formula - right.formula)
 
 
 def certified_answer(found: Found, search: Search) -> Certified | None:
     """A quantity as a certified number."""
-    if found.formula is None:
-        return found.number
-    try:
-        return evaluate(found.formula, search.values)
-    except Undefined:
-        return None
+    return found.number if found.formula is None else search.signs.number(found.formula)

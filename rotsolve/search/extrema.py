@@ -9,9 +9,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.separable import has_root
-from rotsolve.algebra.certified import sign
 from rotsolve.algebra.exact.normal import Problem, is_zero
-from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.signs import PolynomialSigns
 from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
@@ -45,11 +44,6 @@ def domain_of(letter: str, search: Search) -> Domain:
             return Domain(ZERO, body.shape.extent())
     given = search.givens[letter]
     return Domain(None if given.dimension is None or is_angle(given) else ZERO, None)
-
-
-def sign_of(value: Formula, search: Search) -> int | None:
-    """The certified sign of a formula at the givens; None where they do not tell."""
-    return sign.sign_of(value, search.values, search.solver.positive)
 
 
 TWO = Number(ONE.value * 2)
@@ -86,7 +80,7 @@ def best_place(course: Curve, word: str, search: Search) -> tuple[Formula, Words
         check_open_ends(course, domain, inside, [at for at, _ in valued], side, search)
     best = valued[0]
     for other in valued[1:]:
-        ahead = sign_of(other[1] - best[1], search)
+        ahead = search.signs.decide(other[1] - best[1])
         if ahead is None:
             raise NotYet(f"where `{course.letter}` makes it {word} depends on the givens: give them numbers")
         best = other if ahead * side > 0 else best
@@ -122,7 +116,7 @@ def angles(course: Curve, search: Search) -> list[Formula]:
     """Roots of a derivative in the sine and cosine of the letter, over a full turn; the positive ones first."""
     found = solve_trig(course.slope, course.letter, order=search.solver.order, positive=search.solver.positive)
     roots = [candidate.formula for candidate in found]
-    return sorted(roots, key=lambda root: (sign_of(root, search) or 0) < 0)
+    return sorted(roots, key=lambda root: (search.signs.decide(root) or 0) < 0)
 
 
 def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> bool:
@@ -131,7 +125,7 @@ def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> b
         return False
     gaps = [root - domain.low] if domain.low is not None else []
     gaps += [domain.high - root] if domain.high is not None else []
-    signs = [sign_of(gap, search) for gap in gaps]
+    signs = [search.signs.decide(gap) for gap in gaps]
     if None in signs and -1 not in signs:
         raise NotYet(f"whether a root for `{course.letter}` lies in its range depends on the givens: give them numbers")
     return -1 not in signs
@@ -142,7 +136,7 @@ def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
     positive = search.solver.positive | ({course.letter} if domain.low == ZERO else frozenset())
     problem = Problem([course.curve], positive=positive)
     _, bottom = problem.field.cancel(problem.ratio())
-    signs = Signs(problem.field, positive)
+    signs = PolynomialSigns(problem.field, positive)
     kinked = any(
         isinstance(node, Call) and node.function == "abs" and course.letter in node.symbols()
         for node in course.curve.walk("abs")
@@ -161,7 +155,7 @@ def check_open_ends(
         if not open_:
             continue
         beyond = [probe(root, towards, domain) for root in inside]
-        signs = [sign_of(course.slope.substitute({course.letter: at}), search) for at in beyond]
+        signs = [search.signs.decide(course.slope.substitute({course.letter: at})) for at in beyond]
         if len(inside) != 1 or signs[0] is None or signs[0] * towards * side >= 0:
             raise NotYet(f"no {'largest' if side > 0 else 'smallest'} value was found: `{course.letter}` has no bounds")
 

@@ -7,6 +7,7 @@ from itertools import product
 
 from msgspec import Struct
 
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
@@ -22,7 +23,6 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
-from rotsolve.search.numbers import rough, side_of
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
@@ -153,7 +153,7 @@ def sense_at_start(configuration: Configuration, rub: Rub, modes: dict[str, str]
     if speed is None:
         return 0
     if is_known(speed):
-        return sign_of(speed, configuration)
+        return sense_of(speed, configuration)
     first = rub.state == configuration.timeline.states[0].name
     return 0 if rub.contact is not None and first else sense_left(configuration, rub, modes)
 
@@ -164,7 +164,7 @@ def sense_left(configuration: Configuration, rub: Rub, modes: dict[str, str]) ->
         scene = SceneEquations(configuration, {**modes, rub.key: rub.mode(sense)})
         search = Search(scene, families_for(None))
         speed = search.settled(rub.rate(scene.instant(rub.state)) or ZERO)
-        if speed is not None and is_known(speed) and sign_of(speed, configuration) == sense:
+        if speed is not None and is_known(speed) and sense_of(speed, configuration) == sense:
             return sense
     return 0
 
@@ -174,11 +174,11 @@ def is_known(speed: Formula) -> bool:
     return not any(SEPARATOR in name for name in speed.symbols())
 
 
-def sign_of(speed: Formula, configuration: Configuration) -> int:
+def sense_of(speed: Formula, configuration: Configuration) -> int:
     """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-    side = side_of(speed, configuration.problem.values)
-    if side is not None:
-        return side
+    number = configuration.signs.number(speed)
+    if number is not None:
+        return number.sign or 0
     signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
     return signs.pop() if len(signs) == 1 else 0
 
@@ -230,7 +230,7 @@ def holds(configuration: Configuration, rub: Rub, modes: dict[str, str], sense: 
 def senses_of(configuration: Configuration, group: list[Rub], modes: dict[str, str], way: int) -> dict[str, int]:
     """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""
     scene = SceneEquations(configuration, {**modes, **{rub.key: rub.mode(1) for rub in group}})
-    facts, values = scene.facts(group[0].state, virtual=True), configuration.problem.values
+    facts = scene.facts(group[0].state, virtual=True)
     instant = scene.instant(group[0].state, virtual=True)
     speeds = {rub.key: moving_rate(rub, instant) for rub in group}
     sides = [side for rule in facts.rules for side in rule.velocity] + [
@@ -241,20 +241,20 @@ def senses_of(configuration: Configuration, group: list[Rub], modes: dict[str, s
     senses = {}
     for rub in group:
         slip, speed = rub.rate(instant), speeds[rub.key]
-        if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, values):
+        if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, configuration.signs):
             senses[rub.key] = 0  # the rules keep it at rest whichever way the rest moves: how much it grips stays open
             continue
         value = speed.substitute(allowed) if speed is not None else ONE
-        number = rough(value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)}), values)
-        senses[rub.key] = 1 if number is None or number >= 0 else -1
+        rate = value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)})
+        senses[rub.key] = -1 if configuration.signs.by_numbers(rate) == -1 else 1
     first = next((sense for sense in senses.values() if sense), 1)
     return {key: sense * first * way for key, sense in senses.items()}
 
 
-def smooth(rub: Rub, values: Mapping[str, Formula]) -> bool:
+def smooth(rub: Rub, signs: SignOracle) -> bool:
     """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
     static = rub.contact.grip().static if rub.contact is not None else None
-    return static is not None and rough(static, values) == 0
+    return static is not None and signs.by_numbers(static) == 0
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from fractions import Fraction
 from math import floor
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, ends, evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.ball import Certified, ends
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR
@@ -17,48 +17,30 @@ from rotsolve.core.registry import SEPARATOR
 FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, one after the other, until it tells
 
 
-def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified | None:
-    """The number that a formula is; None where it is not real or a given has no number."""
-    try:
-        return evaluate(value, values, digits=8)
-    except (Undefined, ValueError, ZeroDivisionError):
-        return None
-
-
-def rough(value: Formula, values: Mapping[str, Formula]) -> float | None:
-    """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
-    number = certified_number(value, values)
-    return None if number is None else number.float if number.sign else 0.0
-
-
-def side_of(value: Formula, values: Mapping[str, Formula]) -> int | None:
-    """The sign of a value, 0 where it vanishes; None where it is not real or a given has no number."""
-    number = certified_number(value, values)
-    return None if number is None else number.sign or 0
-
-
 class Numbers(Struct, frozen=True):
     """Numbers by the values of the givens; `with_answers` puts in what is found, `aside` finds a letter without a derivation."""
 
-    values: Mapping[str, Formula]
+    signs: SignOracle
     with_answers: Callable[[Formula], Formula]
     aside: Callable[[str], Formula | None]
 
     def certified(self, value: Formula) -> Certified | None:
         """The number itself; None where it is not real or a given has no number."""
-        return certified_number(value, self.values)
+        return self.signs.number(value)
 
     def of(self, value: Formula) -> float | None:
         """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
-        return rough(value, self.values)
+        number = self.signs.number(value)
+        return None if number is None else number.float if number.sign else 0.0
 
     def found(self, value: Formula) -> float | None:
         """A rough value with the answers put in."""
         return self.of(self.with_answers(value))
 
     def side(self, value: Formula) -> int | None:
-        """The sign of a value, 0 where it vanishes; None where it is not real or a given has no number."""
-        return side_of(value, self.values)
+        """The sign of a value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
+        number = self.signs.number(value)
+        return None if number is None else number.sign or 0
 
     def whole(self, value: Formula) -> int | None:
         """The greatest whole number that is not greater than a value; None where the numbers do not tell."""

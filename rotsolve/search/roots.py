@@ -303,7 +303,7 @@ class RootChoice(Struct, frozen=True):
             return []
         from rotsolve.search.swings import stable_roots
 
-        return stable_roots(name, roots, self.scene, self.numbers.values)
+        return stable_roots(name, roots, self.scene, self.numbers.signs)
 
     def _first_moment(self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None) -> Choice | None:
         """Of times that come again the first one after the state before."""
@@ -349,7 +349,7 @@ class RootChoice(Struct, frozen=True):
 
     def _lacks_numbers(self, root: Formula) -> bool:
         """Whether a root holds a given without a number."""
-        return bool(root.symbols() - set(self.numbers.values))
+        return bool(self.numbers.signs.lacking(root))
 
 
 def smallest(entries: Sequence[tuple[int, float]]) -> int:

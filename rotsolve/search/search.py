@@ -9,6 +9,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
@@ -18,7 +19,6 @@ from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.varying import POSITION, RATE
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
-from rotsolve.motion.positive import positive_letters
 from rotsolve.plan import Plan, Planner, Shortage
 from rotsolve.profile import staged
 from rotsolve.questions.find import Asked
@@ -51,14 +51,16 @@ class Search(Struct, dict=True):
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        problem = self.scene.configuration.problem
+        configuration = self.scene.configuration
+        problem = configuration.problem
         self.givens = {given.name: given for given in problem.givens}
         self.values = problem.values
+        self.signs = SignOracle(self.values, configuration.positive, configuration.signs.limits)
         self.planner = Planner(self.scene.equations, [given.name for given in problem.givens if given.asked])
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
-        self.numbers = Numbers(self.values, lambda value: self.solver.with_found(value), self.aside)
+        self.numbers = Numbers(self.signs, lambda value: self.solver.with_found(value), self.aside)
         self.running = {"time"} | places_and_speeds(self.scene.passages.values())
         self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
         self.known = {given.name for given in problem.givens if not given.asked} | self.running
@@ -66,8 +68,7 @@ class Search(Struct, dict=True):
         self.solver = Solver(
             pool=self.planner.pool,
             order=self._order(),
-            positive=positive_letters(problem.givens),
-            values=self.values,
+            signs=self.signs,
             choose=self.choose_root,
             refs=self.refs,
             running=frozenset(self.running),

@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, call, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import HARMONIC, STABILITY, Equation
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.writing import spoken
-from rotsolve.equations.equilibrium import sign
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.equations.swing import Swing
 from rotsolve.laws import groups
@@ -79,7 +79,7 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -
         search.solver.solved.pop(swing.acceleration.name, None)
         search.known.discard(swing.acceleration.name)
     motion = harmonic(swing.acceleration, swing.coordinate, swing.omega, swing.harmonic)
-    undecided = sign(slope, search.values) is None
+    undecided = search.signs.of_sizes(slope) is None
     yield replace(motion, remark=("stable while ", swing.omega**2, " > 0")) if undecided else motion
     same = same_at_any_size(swing, search) if words == "period" else None
     for equation in periods(swing.omega, swing.letters, swing.harmonic, words):
@@ -143,7 +143,7 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Search) -
     known = set(search.givens) | set(search.values)
     if slope.symbols() - known:
         raise NotYet(f"how `{name}` swings about {state} depends on how its springs are stretched there")
-    way = sign(slope, search.values)
+    way = search.signs.of_sizes(slope)
     if way == 0:
         raise NotYet(f"nothing drives `{name}` back to {state}: there are no small swings")
     if way == 1:
@@ -182,7 +182,7 @@ def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) ->
     search.displaced.pop(swing.acceleration.name)
     if unknown not in slope.symbols():
         raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
-    growing = sign(differentiate(slope, unknown), search.values)
+    growing = search.signs.of_sizes(differentiate(slope, unknown))
     if growing is not None and growing != (1 if modifier == "largest" else -1):
         side = "smallest" if modifier == "largest" else "largest"
         raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
@@ -214,14 +214,12 @@ def bodies_standing(name: str, states: Iterable[str], scene: SceneEquations) -> 
                 yield body, angle, facts
 
 
-def stable_roots(
-    name: str, roots: Sequence[Formula], scene: SceneEquations, values: Mapping[str, Formula]
-) -> list[int]:
+def stable_roots(name: str, roots: Sequence[Formula], scene: SceneEquations, signs: SignOracle) -> list[int]:
     """Places of the stable ones among values of a letter that the angle of a body in balance, or on a turning shaft, depends on."""
     for body, angle, facts in (*on_shaft(name, scene), *balanced(name, scene)):
         balance = groups.drive(facts, frozenset((body.name,)))
         if balance is not None:
             slope = differentiate(balance[0] - balance[1], name) * differentiate(angle, name)
             back = signed(slope, body.motion.sense)
-            return [place for place, root in enumerate(roots) if sign(back.substitute({name: root}), values) == -1]
+            return [place for place, root in enumerate(roots) if signs.of_sizes(back.substitute({name: root})) == -1]
     return []

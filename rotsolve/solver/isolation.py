@@ -92,14 +92,15 @@ class Isolation(Textbook, kw_only=True):
         if not self.numeric:
             raise NoClosedForm("it has no closed form")
         gap = self.with_answers(self.carried_out(item.left) - self.carried_out(item.right))
-        if gap.symbols() - set(self.values) - {asked}:
+        values = self.signs.values
+        if gap.symbols() - values.keys() - {asked}:
             raise NoClosedForm("it has no closed form, and not every given has a number")
         from rotsolve.algebra.certified.rootfind import is_identity, real_roots
 
         for reach in REACHES:
-            if is_identity(gap, asked, self.values, reach):
+            if is_identity(gap, asked, values, reach):
                 raise Redundant(item.index)
-            found = real_roots(gap, asked, self.values, -reach, reach).roots
+            found = real_roots(gap, asked, values, -reach, reach).roots
             if found:
                 picked = self.choose(asked, [as_formula(root) for root in found], None)
                 return (found[picked.root], picked.words) if picked else (found[0], ())

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from fractions import Fraction
 from functools import partial, reduce
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.exact.writing.powers import in_powers
@@ -65,9 +63,12 @@ class Textbook(Struct, kw_only=True):
     """Formulas as a textbook writes them, by the order of the letters, the signs of the givens and the answers found so far."""
 
     order: tuple[str, ...]
-    positive: frozenset[str]
-    values: Mapping[str, Formula]
+    signs: SignOracle
     solved: dict[str, Found] = field(default_factory=dict)
+
+    @property
+    def positive(self) -> frozenset[str]:
+        return self.signs.positive
 
     def simplify(self, value: Formula) -> Formula:
         """Textbook form; bars round a value whose sign the numbers tell are taken off. A root of long squares stays as it is."""
@@ -105,10 +106,7 @@ class Textbook(Struct, kw_only=True):
         """|x| as x or −x where the numbers tell its sign."""
         if not (isinstance(node, Call) and node.function == "abs"):
             return node
-        try:
-            sign = evaluate(self.with_answers(node.arguments[0]), self.values, digits=3).sign
-        except (Undefined, ValueError):
-            return node
+        sign = self.signs.decide(self.with_answers(node.arguments[0]))
         return node.arguments[0] * sign if sign is not None else node
 
     def with_answers(self, value: Formula) -> Formula:
@@ -183,11 +181,5 @@ class Textbook(Struct, kw_only=True):
         return any(in_midst(name) for name in node.integrand.symbols() - {node.variable})
 
     def sign(self, value: Formula) -> int | None:
-        """The sign of a formula by the numbers of the scene, else by its positive letters."""
-        value = self.with_answers(value)
-        try:
-            return evaluate(value, self.values, digits=3).sign
-        except (Undefined, ValueError):
-            from rotsolve.algebra.calculus.separable import sign_by_letters
-
-            return sign_by_letters(value, self.positive)
+        """The sign of a formula with the answers put in."""
+        return self.signs.decide(self.with_answers(value))

@@ -7,8 +7,9 @@ from fractions import Fraction
 import mpmath
 import pytest
 
-from rotsolve.algebra.calculus.separable import Stretch, Unending, sign_by_letters
+from rotsolve.algebra.calculus.separable import Stretch, Unending
 from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import equal, simplify
 from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
 from rotsolve.algebra.formula import Formula, Number
@@ -86,10 +87,11 @@ def test_what_is_of_another_kind_is_left_alone(text: str) -> None:
 
 
 def test_signs_by_letters() -> None:
-    assert sign_by_letters(parse("a*b+c"), NAMES) == 1
-    assert sign_by_letters(parse("-a/b"), NAMES) == -1
-    assert sign_by_letters(parse("a-a"), NAMES) == 0
-    assert sign_by_letters(parse("a-b"), NAMES) is None
+    signs = SignOracle({}, frozenset(NAMES))
+    assert signs.by_letters(parse("a*b+c")) == 1
+    assert signs.by_letters(parse("-a/b")) == -1
+    assert signs.by_letters(parse("a-a")) == 0
+    assert signs.by_letters(parse("a-b")) is None
 
 
 @pytest.mark.parametrize(

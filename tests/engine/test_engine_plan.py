@@ -6,6 +6,7 @@ import random
 
 import pytest
 
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.algebra.notation.parse import parse
@@ -107,7 +108,7 @@ def solver(equations: list[Equation], choose: object = None) -> Solver:
         return Choice(0)
 
     positive = frozenset({"k", "m", "g", "R"})
-    return Solver(pool=equations, order=(), positive=positive, values={}, choose=choose or first)  # type: ignore[arg-type]
+    return Solver(pool=equations, order=(), signs=SignOracle({}, frozenset(positive)), choose=choose or first)  # type: ignore[arg-type]
 
 
 def answered(asked: str, known: str, *lines: str) -> Formula:

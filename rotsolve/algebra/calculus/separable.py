@@ -12,7 +12,6 @@ from fractions import Fraction
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import Problem, simplify
-from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -34,17 +33,6 @@ SignOf = Callable[[Formula], "int | None"]
 
 class Unending(ValueError):
     """The integral has no finite value: what it counts grows without end as the end is approached."""
-
-
-def sign_by_letters(f: Formula, positive: Collection[str]) -> int | None:
-    """The sign of a formula as far as positive letters tell it; 0 where it vanishes."""
-    problem = Problem([f], positive=positive)
-    top, bottom = problem.ratio()
-    product = problem.field.reduce(top * bottom)
-    if not len(product):
-        return 0
-    signs = Signs(problem.field, positive)
-    return 1 if signs.nonnegative(product) else -1 if signs.nonnegative(-product) else None
 
 
 class Stretch(Struct, frozen=True):

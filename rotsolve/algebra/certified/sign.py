@@ -1,28 +1,98 @@
-"""Certified signs: of a formula by its number, else from what is known of its letters."""
+"""Signs: the one place where it is told which sign a formula has: by certified numbers, else by what is known of its letters.
+
+What hangs on a sign is never guessed. A sign that numbers have told is noted, so that whoever puts other numbers into the answers
+knows where they hold: every number that is looked at goes to the witness, what decided how a formula is made to `decided` too.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 
-from rotsolve.algebra.certified.ball import evaluate
+from msgspec import Struct, field
+
+from rotsolve.algebra.certified.ball import Certified, evaluate, resolve
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import Problem, simplify
-from rotsolve.algebra.exact.signs import Signs
 from rotsolve.algebra.formula import ZERO, Formula
 
+ACUTE = "acute"
 
-def sign_of(value: Formula, values: Mapping[str, Formula], positive: Collection[str]) -> int | None:
-    """−1, 0 or 1; None where neither the number nor the letters that are positive tell."""
-    value = simplify(value, positive=positive)
-    if value == ZERO:
-        return 0
-    if not value.symbols() - set(values):
-        try:
-            return evaluate(value, values, digits=6).sign
-        except (Undefined, ValueError):
+
+def no_limits() -> Mapping[str, str]:
+    """Nothing is known of any letter."""
+    return {}
+
+
+class SignOracle(Struct, frozen=True):
+    """What is known of the letters of a scene: the values of its givens, which are surely positive, and what limits the others.
+
+    `limits` says `acute` of an angle from 0 to π/2 and another word of what is never negative; asked only where nothing else tells.
+    """
+
+    values: Mapping[str, Formula]
+    positive: frozenset[str] = frozenset()
+    limits: Callable[[], Mapping[str, str]] = no_limits
+    decided: dict[Formula, int] = field(default_factory=dict)  # the signs on which it hung how formulas are made
+
+    def decide(self, value: Formula) -> int | None:
+        """−1, 0 or 1, on which it will hang how formulas are made; None where nothing tells the sign."""
+        sign = self.sign(value)
+        if sign is not None and value.symbols():
+            self.decided[value] = sign
+        return sign
+
+    def sign(self, value: Formula) -> int | None:
+        """−1, 0 or 1; None where neither numbers nor letters tell."""
+        sign = self.by_numbers(value)
+        return self.by_letters(value) if sign is None else sign
+
+    def by_numbers(self, value: Formula) -> int | None:
+        """The sign of the number that a formula has with the values of the givens; None where one lacks, or it is not real."""
+        number = self.number(value)
+        return None if number is None else number.sign
+
+    def number(self, value: Formula) -> Certified | None:
+        """The certified number itself; None where a letter has no value, or it is not real."""
+        if self.lacking(value):
             return None
+        try:
+            return evaluate(value, self.values, digits=8)
+        except (Undefined, ValueError, ZeroDivisionError):
+            return None
+
+    def lacking(self, value: Formula) -> list[str]:
+        """The letters of a formula that have no value, in order."""
+        return sorted(value.symbols() - self.values.keys())
+
+    def by_letters(self, value: Formula) -> int | None:
+        """The sign as far as letters that are positive, or within limits, tell it: that which it has within them, not at their ends."""
+        value = simplify(value, positive=self.positive)
+        if value == ZERO:
+            return 0
+        if not self.lacking(value):  # what lacks a value has cancelled out
+            return self.by_numbers(value)
+        sign = sign_within(value, self.positive)
+        if sign is None:
+            known = {name: limits for name, limits in self.limits().items() if name in value.symbols()}
+            acute = {name for name, limits in known.items() if limits == ACUTE}
+            sign = sign_within(value, {*self.positive, *known}, acute) if known else None
+        return sign
+
+    def of_sizes(self, value: Formula) -> int | None:
+        """The sign of a formula in which letters without a value stand for sizes of any kind, all positive."""
+        sign = self.by_numbers(value)
+        if sign is not None or not self.lacking(value):
+            return sign
+        value = simplify(resolve(value, self.values), positive=self.positive)
+        return 0 if value == ZERO else sign_within(value, value.symbols())
+
+
+def sign_within(value: Formula, positive: Collection[str], acute: Collection[str] = ()) -> int | None:
+    """The sign of a formula above and below the line, where positive letters and acute angles tell it."""
+    from rotsolve.algebra.exact.signs import PolynomialSigns
+
     problem = Problem([value], positive=positive)
-    top, bottom = problem.field.cancel(problem.ratio())
-    signs = Signs(problem.field, positive)
-    found = [1 if signs.nonnegative(part) else -1 if signs.nonnegative(-part) else 0 for part in (top, bottom)]
+    parts = problem.field.cancel(problem.ratio())
+    signs = PolynomialSigns(problem.field, positive, acute)
+    found = [1 if signs.nonnegative(part) else -1 if signs.nonnegative(-part) else 0 for part in parts]
     return found[0] * found[1] or None

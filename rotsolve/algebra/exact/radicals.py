@@ -9,7 +9,7 @@ from collections.abc import Collection, Sequence
 from fractions import Fraction
 
 from rotsolve.algebra.exact.field import Field, Poly
-from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.signs import PolynomialSigns
 from rotsolve.algebra.exact.writing.factors import Factors
 from rotsolve.algebra.exact.writing.products import square_part
 from rotsolve.algebra.exact.writing.shape import Shaper
@@ -25,24 +25,29 @@ class Radicals:
         self.order = order
         self.positive = positive
 
-    def _factors(self, argument: Formula) -> tuple[Field, Fraction, list[Factor], Signs]:
+    def _factors(self, argument: Formula) -> tuple[Field, Fraction, list[Factor], PolynomialSigns]:
         ring = Field([argument])
         num, den = ring.convert(argument)
         num, den = ring.reduce(num), ring.reduce(den)
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
         if not len(num):
-            return ring, Fraction(0), [], Signs(ring, self.positive)
+            return ring, Fraction(0), [], PolynomialSigns(ring, self.positive)
         parts = Factors(ring).of_ratio((num, den))
         factors = [(ring.gens[i], e) for i, e in parts.gens.items()]
         factors += [(ring.poly(terms), e) for terms, e in parts.sums]
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
             top, above = ring.factor(num)
             bottom, below = ring.factor(den)
-            return ring, Fraction(top, bottom), above + [(p, -e) for p, e in below], Signs(ring, self.positive)
-        return ring, parts.number, [(p, int(e)) for p, e in factors if e], Signs(ring, self.positive)
+            return (
+                ring,
+                Fraction(top, bottom),
+                above + [(p, -e) for p, e in below],
+                PolynomialSigns(ring, self.positive),
+            )
+        return ring, parts.number, [(p, int(e)) for p, e in factors if e], PolynomialSigns(ring, self.positive)
 
     def _settled(
-        self, ring: Field, signs: Signs, number: Fraction, factors: list[Factor]
+        self, ring: Field, signs: PolynomialSigns, number: Fraction, factors: list[Factor]
     ) -> tuple[Fraction, list[Factor], list[Factor]]:
         """Number, factors that are never negative, factors of unknown sign."""
         known: list[Factor] = []

@@ -8,22 +8,23 @@ from rotsolve.algebra.exact.field import Field, Poly
 from rotsolve.algebra.formula import Call, Constant, Formula, Symbol
 
 
-class Signs:
+class PolynomialSigns:
     """What is known of the signs of a field's polynomials."""
 
-    def __init__(self, ring: Field, positive: Collection[str]) -> None:
+    def __init__(self, ring: Field, positive: Collection[str], acute: Collection[str] = ()) -> None:
         self.field = ring
-        self.kinds = [self._kind(atom, positive) for atom in ring.atoms]
+        self.kinds = [self._kind(atom, positive, acute) for atom in ring.atoms]
 
     @staticmethod
-    def _kind(atom: Formula, positive: Collection[str]) -> str:
+    def _kind(atom: Formula, positive: Collection[str], acute: Collection[str]) -> str:
         """plus: never negative; bounded: between −1 and 1; any."""
         if isinstance(atom, Constant) or (isinstance(atom, Symbol) and atom.name in positive):
             return "plus"
         if isinstance(atom, Call) and atom.function in ("sqrt", "abs", "exp"):
             return "plus"
         if isinstance(atom, Call) and atom.function in ("sin", "cos"):
-            return "bounded"
+            angle = atom.arguments[0]
+            return "plus" if isinstance(angle, Symbol) and angle.name in acute else "bounded"
         return "any"
 
     def nonnegative(self, poly: Poly) -> bool:

@@ -4,13 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
-from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit, vector
-from rotsolve.elements.sides import rough
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector, unit, vector
 from rotsolve.language.problem import PointRef
 
 if TYPE_CHECKING:
@@ -25,7 +22,9 @@ def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | Non
     x, y = gap
     for along, across, ahead in ((x, y, RIGHT), (y, x, UP)):
         if across == ZERO:
-            return unit(straight(along, ahead, instant))
+            question = f"on which side of `{first.owner or 'the place'}` `{second.owner or 'the other end'}` is"
+            span = first.span or second.span
+            return unit(ahead if instant.configuration.certain_sign(along, question, span) >= 0 else ahead.turned(180))
     whole = distance(gap, instant)
     right, up = (min((side / whole, simplify(side / whole)), key=length) for side in gap)
     return vector(right, RIGHT) + vector(up, UP)
@@ -37,27 +36,14 @@ def distance(gap: tuple[Formula, Formula], instant: Instant) -> Formula:
     barred = simplify(sqrt(gap[0] ** 2 + gap[1] ** 2), positive=positive)
 
     def unbarred(node: Formula) -> Formula:
-        sign = sign_of(node.arguments[0], instant) if isinstance(node, Call) and node.function == "abs" else None
-        if not sign or not isinstance(node, Call):
+        if not (isinstance(node, Call) and node.function == "abs"):
+            return node
+        sign = instant.configuration.signs.decide(node.arguments[0])
+        if not sign:
             return node
         return node.arguments[0] if sign > 0 else negate(node.arguments[0])
 
     return simplify(barred.transform(unbarred), positive=positive)
-
-
-def straight(gap: Formula, ahead: Heading, instant: Instant) -> Heading:
-    """The direction of a level or upright gap: along `ahead` where it is positive."""
-    sign = sign_of(gap, instant)
-    return ahead if (rough(gap) if sign is None else sign) >= 0 else ahead.turned(180)
-
-
-def sign_of(value: Formula, instant: Instant) -> int | None:
-    """The sign of a value, by the numbers of the scene."""
-    values = {given.name: given.value for given in instant.configuration.problem.givens if given.value is not None}
-    try:
-        return evaluate(value, values, digits=3).sign
-    except (Undefined, ValueError):
-        return None
 
 
 def apart(first: PointRef, second: PointRef, instant: Instant) -> tuple[Formula, Formula] | None:

@@ -13,7 +13,6 @@ from rotsolve.core.vectors.directions import TURNS, along_text
 from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import apart, between, distance
-from rotsolve.elements.sides import rough
 from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
 
@@ -81,8 +80,10 @@ class Spring(Connection, frozen=True):
             return straight
         anchor, body = self.spring if self.spring[0].owner not in configuration.bodies else self.spring[::-1]
         line = configuration.line(body.owner, instant.state) if body.owner in configuration.bodies else None
-        if line is not None and rough(line[0].cos()):
-            return unit(line[0] if rough(line[0].cos()) > 0 else line[0].turned(180))
+        question = f"in which direction `{self.name}` pulls `{body.owner}`"
+        side = configuration.certain_sign(line[0].cos(), question, body.span) if line is not None else 0
+        if line is not None and side:
+            return unit(line[0] if side > 0 else line[0].turned(180))
         outward = UP if anchor.owner == "ground" else DOWN
         return unit(outward if anchor is self.spring[0] else outward.turned(180))
 

@@ -8,7 +8,7 @@ to right) unless it is said to pass under.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,6 @@ from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.sides import rough
 from rotsolve.elements.surfaces import Surface, Wall
 from rotsolve.language.keys import key
 from rotsolve.language.problem import Body, PointRef
@@ -154,7 +153,9 @@ class Routing(Struct, frozen=True, dict=True):
     def clockwise(self, station: int, along: list[Vector]) -> int:
         """+1 where the running string turns a wheel clockwise: over from left to right, or under from right to left."""
         legs = [along[index] for index in (station - 1, station) if 0 <= index < len(along)]
-        leftward = any(rough(leg.along(RIGHT)) < -1e-9 for leg in legs)
+        question = f"whether the string runs to the left or right round `{self.points[station].owner}`"
+        decide = partial(self.instant.configuration.certain_sign, question=question, span=self.points[station].span)
+        leftward = any(decide(leg.along(RIGHT)) < 0 for leg in legs)
         return -1 if (self.points[station].owner in self.under) != leftward else 1
 
     def light(self, station: int) -> bool:
@@ -202,12 +203,12 @@ def told_along(push: Vector, name: str, instant: Instant) -> str:
     return f", {line[1]}" if gap.degrees % 360 == 0 else f", {opposite(line[1])}"
 
 
-def said(push: Vector, arm: Vector, kind: str) -> str:
+def said(push: Vector, arm: Vector, kind: str, instant: Instant) -> str:
     """How a pull is told: its direction for what travels, its turn for what is held on an axis."""
     direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
     if kind == "axis" and arm.parts:
-        turn = rough(arm.cross(push))
-        sense = "" if abs(turn) < 1e-12 else ", turning it counterclockwise" if turn > 0 else ", turning it clockwise"
+        senses = {1: ", turning it counterclockwise", -1: ", turning it clockwise"}
+        sense = senses.get(instant.configuration.signs.sign(arm.cross(push)) or 0, "")
         return (f" {direction}" if direction and not sense else "") + sense
     return f", {direction}" if direction else ", along the string"
 
@@ -299,7 +300,7 @@ class String(Connection, frozen=True):
                 words = (
                     "tension ",
                     tension,
-                    told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind),
+                    told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind, instant),
                 )
                 yield Force(self.name, "tension", instant.host(ref.owner), tension, push, arm, words, internal=True)
 

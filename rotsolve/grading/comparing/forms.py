@@ -12,7 +12,7 @@ from itertools import pairwise
 from math import ceil, comb, prod
 
 from rotsolve.algebra.exact.field import RADICALS, TRIG, Field, Ratio, is_integer_power
-from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.signs import PolynomialSigns
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     PI,
@@ -57,7 +57,7 @@ class Yardstick:
         self.calls: list[tuple[str, list[Ratio], Symbol]] = []
         for call, symbol in found.items():  # inner ones come first
             self.calls.append((call.function, self._arguments(call), symbol))
-        self.signs = Signs(self.field, positive)
+        self.signs = PolynomialSigns(self.field, positive)
         self.steps = list(self.field.gens)  # each letter of a rank as the one below it and a positive step
         for ranked in ranks:
             for lower, higher in pairwise(self.field.index[Symbol(name)] for name in ranked):

@@ -8,7 +8,7 @@ from fractions import Fraction
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
-from rotsolve.algebra.exact.signs import Signs
+from rotsolve.algebra.exact.signs import PolynomialSigns
 from rotsolve.algebra.formula import Call
 
 Exponent = int | Fraction  # a fraction where it is a root
@@ -67,7 +67,7 @@ class Factors:
         self.field = ring
         self.known: dict[int, list[tuple[Poly, tuple[int, list[tuple[Terms, int]]]]]] = {}  # by number of terms
         self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
-        signs = Signs(ring, positive) if self.radicands else None
+        signs = PolynomialSigns(ring, positive) if self.radicands else None
         self.unsure = {i for i, square in self.radicands.items() if signs and not signs.nonnegative(square)}
 
     def _is_sqrt(self, i: int) -> bool:
