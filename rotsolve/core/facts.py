@@ -61,22 +61,69 @@ class Motion(Struct, frozen=True):
         return self.acceleration + arm.turned(90).times(self.spin_rate) + arm.turned(180).times(square(self.spin))
 
 
+class Role(Struct, frozen=True):
+    """What a force or couple is to the body on which it acts; `name` is its identity. Laws ask its questions, never its name.
+
+    To add one: a row below, or a record of its own beside the element that states it.
+    """
+
+    name: str
+    weighs: bool = False  # m g: energy counts it by the height of the body
+    stores: bool = False  # its work is told by a potential energy
+    loses: bool = False  # its work is given or taken for good
+    inner: bool = False  # between parts of one body or system, whose work together is told elsewhere
+    powered: bool = False  # known by its power
+    pulls: bool = False  # along a string
+    presses: bool = False  # across a surface
+    rubs: bool = False  # along a surface or at an axle, against the slip or as large as it takes to prevent it
+    springs: bool = False  # by how far a spring is stretched
+    holds: bool = False  # what a support does to what it holds
+    axle: bool = False  # of a support in whose axis a wheel turns
+    unseen: bool = False  # told in a free-body diagram only where an equation speaks of it
+    noun: str = ""  # what all forces of this role are called where several are listed
+
+
+WEIGHT = Role("weight", weighs=True, stores=True, noun="weight")
+HANGING = Role("hanging", stores=True)  # the weight of a part of a rope
+TENSION = Role("tension", pulls=True)
+NORMAL = Role("normal", presses=True)
+FRICTION = Role("friction", loses=True, rubs=True)
+REACTION = Role("reaction", holds=True, unseen=True)
+AXLE = Role("axle", holds=True, axle=True, unseen=True)
+GRIP = Role("grip", unseen=True)  # of a rope and the wheel over which it runs
+SPRING = Role("spring", stores=True, springs=True)
+TORSION = Role("torsion", stores=True)
+APPLIED = Role("applied")
+DRIVE = Role("drive", loses=True)  # whatever makes a given motion true
+COUPLING = Role("coupling")
+POWERED = Role("power", powered=True)
+INNER = Role("inner", loses=True, inner=True)
+BLOW = Role("blow")  # from outside the scene
+CONTACT = Role("contact")  # of bodies that meet
+
+
 class Force(Struct, frozen=True):
     """A force on a body: size along a unit vector, acting at `arm` from the body's reference point.
 
-    role: weight, tension, normal, friction, reaction, spring, applied. `works` is False where its point is at rest or moves across
-    it (reactions, rolling friction, normal forces), so that energy may leave it out.
+    `noun` and `way` say what it is and where it points, `place` to what it belongs. `works` is False where its point is at rest or moves
+    across it (reactions, rolling friction, normal forces), so that energy may leave it out.
     """
 
     owner: str
-    role: str
+    role: Role
     body: str
     size: Formula
     direction: Vector
     arm: Vector
-    words: Words
+    noun: str
+    way: str = ""
+    place: str = ""
     works: bool = True
     internal: bool = False  # ideal connection: its powers on all its bodies add up to nothing
+
+    @property
+    def words(self) -> Words:
+        return told(self.noun, self.size, self.place, self.way)
 
     @property
     def vector(self) -> Vector:
@@ -90,14 +137,27 @@ class Force(Struct, frozen=True):
 
 
 class Couple(Struct, frozen=True):
-    """A couple on a body, counterclockwise positive."""
+    """A couple on a body, counterclockwise positive; `size` is what it is told by."""
 
     owner: str
-    role: str
+    role: Role
     body: str
     torque: Formula
-    words: Words
+    noun: str
+    size: Formula
+    way: str = ""
+    place: str = ""
     internal: bool = False
+
+    @property
+    def words(self) -> Words:
+        return told(self.noun, self.size, self.place, self.way)
+
+
+def told(noun: str, size: Formula, place: str, way: str) -> Words:
+    """A force or couple as a diagram says it: "kinetic friction f of the block, right"."""
+    behind = (f" {place}" if place else "") + (f", {way}" if way else "")
+    return (f"{noun} ", size, behind) if behind else (f"{noun} ", size)
 
 
 class Rule(Struct, frozen=True):
@@ -116,13 +176,24 @@ class Rule(Struct, frozen=True):
     remark: Words = ()
 
 
+class Need(Struct, frozen=True):
+    """A kind of requirement; `grips` where it is friction that has to suffice: |f| ≤ μₛ N."""
+
+    name: str
+    grips: bool = False
+
+
+TAUT, TOUCHES, REACHES, GRIPS = Need("taut"), Need("touches"), Need("reaches"), Need("grips", grips=True)
+
+
 class Requirement(Struct, frozen=True):
-    """An inequality that the answer must obey: left ≥ right, else `otherwise` is what really happens."""
+    """An inequality that the answer must obey: left ≥ right. `kept` says what holds then, `otherwise` what really happens else."""
 
     owner: str
+    kind: Need
     left: Formula
     right: Formula
-    words: Words
+    kept: str
     otherwise: str
 
 
@@ -199,6 +270,7 @@ class BodyFacts(Struct, frozen=True):
     axis: str = ""  # the support on whose axis it turns; bodies with the same one have that axis in common
     lays: bool = False  # it lays itself out, layer by layer
     changing: bool = False  # its mass or moment of inertia changes in the phase, so that I α is not all of dL/dt
+    slanted: bool = False  # it travels along a slope
     sliding: tuple[tuple[Formula, Formula], ...] = ()  # mass and speed along it of each rider that slides freely
 
     @property

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Set
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import ForceLine, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
@@ -16,7 +16,6 @@ from rotsolve.derivation.drafts import Draft
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.motion.freebody import free_bodies
 
-UNSEEN = ("reaction", "grip")  # told in a free-body diagram only where an equation speaks of them
 WITH_FORCES = (NEWTON, ENERGY, ANGULAR_MOMENTUM)
 
 
@@ -31,7 +30,7 @@ class Diagrams(Struct, frozen=True):
         for body in self._drawn(draft):
             pushed = self._pushed(body, draft)
             for item in body.acting:
-                if item.role not in UNSEEN and not at_the_axis(item, body, pushed):
+                if not item.role.unseen and not at_the_axis(item, body, pushed):
                     letters = (item.size if isinstance(item, Force) else item.torque).symbols()
                     yield from sorted(name for name in letters if SEPARATOR not in name)
 
@@ -70,11 +69,11 @@ class Diagrams(Struct, frozen=True):
         if not body.acting:
             return ForceLine(spoken(body.name), (("no force",),), body.positive)
         pushed = self._pushed(body, draft)
-        spoken_of, silent = [], []
+        spoken_of, silent = list[Words](), list[Force | Couple]()
         for item in body.acting:
             size = item.size if isinstance(item, Force) else item.torque
             if at_the_axis(item, body, pushed):
-                silent.append("weight" if item.role == "weight" else str(item.words[0]).strip())
+                silent.append(item)
                 continue
             if size == ZERO:
                 spoken_of.append(absent_force(item))
@@ -82,9 +81,8 @@ class Diagrams(Struct, frozen=True):
             letters = {letter for letter in size.symbols() if SEPARATOR in letter}
             if letters <= in_use:
                 spoken_of.append(words(item.words))
-            elif item.role not in UNSEEN:
-                spoken_of.append(nameless(item.words))
-        silent = list(dict.fromkeys(silent))
+            elif not item.role.unseen:
+                spoken_of.append(nameless(item))
         if silent and not spoken_of:
             return ForceLine(spoken(body.name), (only_at_support(silent),), body.positive)
         return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, without_torque(silent))
@@ -100,28 +98,28 @@ def at_the_axis(item: Force | Couple, body: BodyFacts, pushed: bool) -> bool:
     return isinstance(item, Force) and body.motion.kind == "axis" and not pushed and not item.arm.parts
 
 
-def nameless(words: Words) -> Words:
+def nameless(item: Force | Couple) -> Words:
     """The words of a force whose letter no equation has: "normal force, up"."""
-    told = [part for part in words if not isinstance(part, Formula)]
-    return ("".join(part.rstrip() if k < len(told) - 1 else part for k, part in enumerate(told)),)
+    return (f"{item.noun}{' ' if item.place else ''}{item.place}{', ' if item.way else ''}{item.way}",)
 
 
 def absent_force(item: Force | Couple) -> Words:
     """What is said of a force that a state tells to be nothing: "no normal force at base"."""
-    return (f"no {str(item.words[0]).strip()} at {spoken(item.owner)}",)
+    return (f"no {item.noun} at {spoken(item.owner)}",)
 
 
-def without_torque(silent: list[str]) -> tuple[Words, ...]:
+def without_torque(silent: list[Force | Couple]) -> tuple[Words, ...]:
     """Which forces on a body on an axis act at that axis."""
     if not silent:
         return ()
-    verb = "act" if len(silent) > 1 else "acts"
-    return ((f"{joined_names(silent)} {verb} at the {support_of(silent)}: no torque about it",),)
+    names = nouns(silent)
+    verb = "act" if len(names) > 1 else "acts"
+    return ((f"{joined_names(names)} {verb} at the {support_of(silent)}: no torque about it",),)
 
 
-def only_at_support(silent: list[str]) -> Words:
+def only_at_support(silent: list[Force | Couple]) -> Words:
     """What is said of a body on an axis on which nothing else acts."""
-    return (f"{joined_names(silent)}: no torque about the {support_of(silent)}",)
+    return (f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}",)
 
 
 def joined_names(names: list[str]) -> str:
@@ -129,5 +127,10 @@ def joined_names(names: list[str]) -> str:
     return " and ".join(filter(None, (", ".join(names[:-1]), names[-1])))
 
 
-def support_of(silent: list[str]) -> str:
-    return "axle" if any(name.startswith("axle") for name in silent) else "pivot"
+def nouns(silent: list[Force | Couple]) -> list[str]:
+    """What some forces are called, each noun once."""
+    return list(dict.fromkeys(item.role.noun or item.noun for item in silent))
+
+
+def support_of(silent: list[Force | Couple]) -> str:
+    return "axle" if any(item.role.axle for item in silent) else "pivot"

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Requirement
@@ -23,11 +23,11 @@ Settling = Callable[[Formula], Formula | None]  # puts in what is known for the 
 def requirements(search: Search, letters: Letters) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
     aside = Search(search.scene, families_for(NEWTON))
-    told: set[str] = set()
+    told: set[tuple[str, str, str]] = set()
     spoken_of: list[str | Formula] = []
     for place, needs in requirements_by_state(search):
         for need in needs:
-            key = f"{need.owner}{need.otherwise}{search.scene.section(place)}"
+            key = (need.owner, need.otherwise, search.scene.section(place))
             if key in told or not concerns(need, search):
                 continue
             settled, gap = margin_of(need, search, aside)
@@ -81,7 +81,7 @@ def objection(need: Requirement, state: str, search: Search, letters: Letters) -
     """A requirement that fails, in words: "T > 0 for cord at end: the string goes slack"."""
     names = symbols_in(need, search, letters)
     left, right = (side.substitute(names) for side in (need.left, need.right))
-    relation: Words = (right, " ≤ ", left) if isinstance(need.right, Call) else (left, " > 0")
+    relation: Words = (right, " ≤ ", left) if need.kind.grips else (left, " > 0")
     moment = f" at {spoken(state)}" if state else ""
     return (*relation, f" for {spoken(need.owner)}{moment}: {need.otherwise}")
 
@@ -101,7 +101,7 @@ def verge_words(need: Requirement, state: str, search: Search, letters: Letters)
     names = symbols_in(need, search, letters)
     left, right = (side.substitute(names) for side in (need.left, need.right))
     moment = f" at {spoken(state)}" if state else ""
-    happens = need.otherwise if " " in need.otherwise else f"{spoken(need.owner)} {need.otherwise}"
+    happens = f"{spoken(need.owner)} {need.otherwise}" if need.kind.grips else need.otherwise
     return (left, " = ", right, f" for {spoken(need.owner)}{moment}: the least change decides whether {happens}")
 
 
@@ -114,13 +114,11 @@ def symbols_in(need: Requirement, search: Search, letters: Letters) -> dict[str,
 
 def holding_words(need: Requirement, search: Search, letters: Letters, settled: Settling) -> Words:
     """A requirement that holds, in words: "T > 0: the string stays taut"; without a letter that the derivation does not have."""
-    if isinstance(need.right, Call):
+    if need.kind.grips:
         size, limit_ = (decimal(settled(side), search) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
-    told = str(need.words[-1]).partition(": ")[2]
-    what = f"{spoken(need.owner)} keeps contact" if "leaves" in need.otherwise else told
     names = {name for name in need.left.symbols() if SEPARATOR in name}
-    return (letters.printed(need.left), " > 0: ", what) if names <= set(letters.names) else (what,)
+    return (letters.printed(need.left), " > 0: ", need.kept) if names <= set(letters.names) else (need.kept,)
 
 
 def decimal(value: Formula | None, search: Search) -> str:

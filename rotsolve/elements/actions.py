@@ -106,9 +106,8 @@ class AppliedForce(Action, frozen=True):
         if isinstance(size, Negative) and len(push.parts) == 1:  # −k x to the right is k x to the left
             size, push = size.operand, -push
             along = along_text(push.parts[0][1])
-            told = f", {along}" if along else f"{told}, backwards"
-        words = ("force ", size, told)
-        yield facts.Force(self.name, "applied", instant.host(self.on.owner), size, push, arm, words)
+            told = along or f"{told}, backwards"
+        yield facts.Force(self.name, facts.APPLIED, instant.host(self.on.owner), size, push, arm, "force", told)
 
     def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
@@ -149,11 +148,11 @@ class AppliedForce(Action, frozen=True):
     def told(self, push: Vector, arm: Vector, instant: Instant) -> str:
         """Direction in words."""
         if isinstance(self.direction, str):
-            return f", {self.direction}"
+            return self.direction
         if self.direction is None and self.on is not None and instant.motion(self.on.owner).kind == "axis":
-            return ", along the positive turn"
+            return "along the positive turn"
         text = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
-        return f", {text}" if text else ", at its angle"
+        return text or "at its angle"
 
 
 class AppliedCouple(Action, frozen=True):
@@ -175,8 +174,8 @@ class AppliedCouple(Action, frozen=True):
         turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), instant.sense(name))
         if isinstance(size, Negative):  # a drag −c ω is a torque c ω the other way
             size, turn = size.operand, -turn
-        words = ("torque ", size, ", clockwise" if turn < 0 else ", counterclockwise")
-        yield facts.Couple(self.name, "applied", name, facts.signed(size, turn), words)
+        way = "clockwise" if turn < 0 else "counterclockwise"
+        yield facts.Couple(self.name, facts.APPLIED, name, facts.signed(size, turn), "torque", size, way)
 
 
 class Press(Action, frozen=True):
@@ -202,18 +201,18 @@ class Press(Action, frozen=True):
         mode, sense = instant.mode(f"{self.name}.{name}"), instant.sense(name)
         forward, back = instant.turn_words(name)
         arm = vector(rim_radius(instant.body(self.on.owner), self.on.point) or ZERO, RIGHT)
-        words = ("push ", push, ", towards the axle")
-        yield facts.Force(self.name, "normal", name, push, unit(LEFT), arm, words, works=False)
+        inward = "towards the axle"
+        yield facts.Force(self.name, facts.NORMAL, name, push, unit(LEFT), arm, "push", inward, works=False)
         turn = sense if mode == "turns back" else -sense
         against = unit(UP if turn > 0 else DOWN)
         if mode != "holds":
             size, told = (self.friction or ZERO) * push, forward if mode == "turns back" else back
-            words = ("kinetic friction ", size, f", turning it {told}")
-            yield facts.Force(self.name, "friction", name, size, against, arm, words)
+            way = f"turning it {told}"
+            yield facts.Force(self.name, facts.FRICTION, name, size, against, arm, "kinetic friction", way)
             return
         size = instant.ask("friction_force", self.name, when=instant.span(name), words=(back, forward))
-        words = ("friction ", size, f", turning it {back}")
-        yield facts.Force(self.name, "friction", name, size, against, arm, words, works=False)
+        way = f"turning it {back}"
+        yield facts.Force(self.name, facts.FRICTION, name, size, against, arm, "friction", way, works=False)
         yield facts.held_still(self.name, name, instant.motion(name))
 
 
@@ -234,7 +233,7 @@ class AppliedPower(Action, frozen=True):
             return
         name, power = instant.host(self.on.owner), self.now(instant)
         torque = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
-        yield facts.Couple(self.name, "power", name, facts.signed(torque, instant.sense(name)), ("torque ", torque))
+        yield facts.Couple(self.name, facts.POWERED, name, facts.signed(torque, instant.sense(name)), "torque", torque)
         spin = facts.signed(instant.motion(name).spin, instant.sense(name))
         if spin != ZERO:  # from rest a constant power means an endless torque at first
             yield facts.Rule(

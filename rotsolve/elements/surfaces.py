@@ -15,6 +15,7 @@ class Surface(Element, frozen=True):
     word: ClassVar[str] = ""
     about: ClassVar[str] = ""
     later: ClassVar[bool] = False
+    slanted: ClassVar[bool] = False
     held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
     name: str = ""
 
@@ -36,6 +37,7 @@ class Level(Surface, frozen=True):
 
 class Slope(Surface, frozen=True):
     word = "slope"
+    slanted = True
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = key(
         "quantity",

@@ -88,7 +88,7 @@ class Swing(Struct, frozen=True, dict=True):
     def hanging(self) -> str:
         """In brackets how a hinged body stands in its equilibrium, where its weight acts straight below or above the hinge."""
         body = next(body for body in self.still.bodies if body.name == self.body)
-        weight = next((force for force in body.forces if force.role == "weight"), None)
+        weight = next((force for force in body.forces if force.role.weighs), None)
         if weight is None or body.motion.kind != "axis" or not is_zero(weight.arm.along(RIGHT)):
             return ""
         height = simplify(weight.arm.along(UP))
@@ -129,7 +129,7 @@ class Swing(Struct, frozen=True, dict=True):
         moving_across = (
             force.owner
             for body, force in pulls
-            if force.role == "spring"
+            if force.role.springs
             and force.owner not in placed
             and not is_zero(body.motion.velocity_of(force.arm).cross(force.direction))
         )

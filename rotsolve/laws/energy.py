@@ -104,7 +104,7 @@ def potential(passage: Passage, group: frozenset[str], end: int) -> list[Formula
     for body in facts.bodies:
         heights = passage.heights.get(body.name)
         if body.name in group and heights is not None:
-            weights = [force for force in body.forces if force.role == "weight"]
+            weights = [force for force in body.forces if force.role.weighs]
             terms.extend(force.size * (heights[end] + force.arm.along(UP)) for force in weights)
     terms.extend(item.energy for item in facts.potentials if group & set(item.bodies))
     return terms

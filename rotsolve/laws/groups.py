@@ -53,7 +53,7 @@ def string_between(body: BodyFacts, wheel: BodyFacts) -> Force | None:
     """The pull on the wheel of the string that holds a body: the same tension the other way, at the rim's arm."""
     for force in body.forces:
         for other in wheel.forces:
-            same = force.role == "tension" and (force.owner, force.size) == (other.owner, other.size)
+            same = force.role.pulls and (force.owner, force.size) == (other.owner, other.size)
             if same and force.direction == -other.direction:
                 return other
     return None

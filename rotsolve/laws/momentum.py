@@ -133,7 +133,7 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     """Angular impulses of what does not cancel between the bodies of one axis; None where it varies in a way that is not known."""
     by_owner: dict[str, list[Formula]] = {}
     for body in members:
-        if any(force.role == "weight" and force.torque != ZERO for force in body.forces):
+        if any(force.role.weighs and force.torque != ZERO for force in body.forces):
             return None  # it depends on how far the body has turned
         for item in body.acting:
             by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))

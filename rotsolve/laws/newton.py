@@ -30,7 +30,7 @@ def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     if (
         body.motion.kind == "line"
         and axis != body.motion.heading
-        and not any(force.role == "normal" for force in body.forces)
+        and not any(force.role.presses for force in body.forces)
     ):
         return None  # whatever holds it on its line takes what acts across
     forces = [force.vector.along(axis) for force in body.forces]
@@ -53,9 +53,9 @@ def axis_words(body: BodyFacts, axis: Heading) -> str:
     names = {0: ", horizontally", 90: ", vertically"}
     upright = names.get(int(axis.degrees % 360), "") if not axis.terms else ""
     if body.motion.kind == "line" and not (upright and in_a_corner(body)):
-        path = "slope" if body.positive.partition(",")[0].endswith("slope") else "surface"
+        path = "slope" if body.slanted else "surface"
         if axis == body.motion.heading:
-            across = [force for force in body.forces if force.role == "normal"]
+            across = [force for force in body.forces if force.role.presses]
             return f", along the {path}" if across else ""
         return f", across the {path}"
     return upright
@@ -63,7 +63,7 @@ def axis_words(body: BodyFacts, axis: Heading) -> str:
 
 def in_a_corner(body: BodyFacts) -> bool:
     """Whether a body touches surfaces that face different ways, so that no one of them is the surface."""
-    normals = [force.vector for force in body.forces if force.role == "normal"]
+    normals = [force.vector for force in body.forces if force.role.presses]
     return any(not is_zero(normals[0].cross(other)) for other in normals[1:])
 
 

@@ -15,8 +15,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.facts import BodyFacts, Couple, Cut, Force, Inertia, Motion
+from rotsolve.core.facts import INNER, WEIGHT, BodyFacts, Couple, Cut, Force, Inertia, Motion
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, unit, vector
+from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.motion.instant import Instant
@@ -86,7 +87,7 @@ def free_side(section: CrossSection, facts: BodyFacts) -> Loads | None:
     pieces: dict[int, list[RigidPiece]] = {1: [], 0: [], -1: []}
     start = section.point(ZERO)
     for item in facts.acting:
-        if item.role != "weight":
+        if not item.role.weighs:
             ref = named_point(item, section)
             arm = None if ref is None else item.arm if isinstance(item, Force) else section.instant.point(ref)
             side = None if arm is None else section.side((arm - start).along(facts.motion.orientation))
@@ -184,9 +185,8 @@ def weights(pieces: tuple[RigidPiece, ...], section: CrossSection, at: Vector) -
     for item in pieces:
         if item.mass != ZERO:
             arm = tidy(section.point(simplify(item.at.along(RIGHT) + section.length / 2)) - at)
-            what = "weight " if item.name == section.rod.name else f"weight of {item.name.replace('_', ' ')} "
-            size = item.mass * gravity
-            yield Force("", "weight", section.rod.name, size, unit(DOWN), arm, (what, size, ", down"))
+            noun = "weight" if item.name == section.rod.name else f"weight of {spoken(item.name)}"
+            yield Force("", WEIGHT, section.rod.name, item.mass * gravity, unit(DOWN), arm, noun, "down")
 
 
 def outside(loads: Loads, at: Vector) -> Iterator[Force]:
@@ -203,12 +203,12 @@ def inner_forces(section: CrossSection, facts: BodyFacts, sign: int, arm: Vector
     for word, direction, words in sides:
         size = section.ask(word)
         push = unit(direction if sign > 0 else direction.turned(180))
-        yield Force(section.rod.name, "inner", section.rod.name, size, push, arm, (f"{word} ", size, f", {words}"))
+        yield Force(section.rod.name, INNER, section.rod.name, size, push, arm, word, words)
 
 
 def bending(section: CrossSection, sign: int) -> Couple:
     """The bending moment at the cut: clockwise on the part beyond it."""
     size = section.ask("bending_moment")
     turn: Formula = negate(size) if sign > 0 else size
-    words = ("bending moment ", size, ", clockwise" if sign > 0 else ", counterclockwise")
-    return Couple(section.rod.name, "inner", section.rod.name, turn, words)
+    way = "clockwise" if sign > 0 else "counterclockwise"
+    return Couple(section.rod.name, INNER, section.rod.name, turn, "bending moment", size, way)

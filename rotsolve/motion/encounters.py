@@ -5,7 +5,7 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
-from rotsolve.core.facts import BodyFacts, Facts, Force, Inertia
+from rotsolve.core.facts import BLOW, CONTACT, REACTION, BodyFacts, Facts, Force, Inertia
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, unit
 from rotsolve.elements.actions import pointing
@@ -148,14 +148,12 @@ def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instan
     """The blows on one body: at its support, and from the event itself."""
     blows = []
     for force in body.forces:
-        if force.role == "reaction":
+        if force.role.holds:
             axis = "x" if force.direction == unit(RIGHT) else "y"
             words = ("right", "left") if axis == "x" else ("up", "down")
             size = instant.ask("impulse", force.owner, component=axis, words=words)
             blows.append(
-                Force(
-                    force.owner, "reaction", body.name, size, force.direction, force.arm, ("blow ", size), internal=True
-                )
+                Force(force.owner, REACTION, body.name, size, force.direction, force.arm, "blow", internal=True)
             )
     for index, ref in enumerate(points):
         if instant.host(ref.owner) != body.name:
@@ -167,7 +165,7 @@ def blows_on(body: BodyFacts, event: Event, points: tuple[PointRef, ...], instan
             for axis, direction in contact_axes(event, points, instant):
                 size = instant.ask("impulse", event.name, component=axis)
                 push = unit(direction if index == len(points) - 1 else direction.turned(180))
-                blows.append(Force(event.name, "contact", body.name, size, push, arm, ("blow ", size), internal=True))
+                blows.append(Force(event.name, CONTACT, body.name, size, push, arm, "blow", internal=True))
     return blows
 
 
@@ -196,7 +194,7 @@ def outside_blow(event: Impulse, body: BodyFacts, arm: Vector, instant: Instant)
             push = unit(body.motion.heading or RIGHT)
     else:
         push = pointing(event.direction)
-    return Force(event.name, "blow", body.name, size, push, arm, ("impulse ", size))
+    return Force(event.name, BLOW, body.name, size, push, arm, "impulse")
 
 
 def contact_axes(event: Event, points: tuple[PointRef, ...], instant: Instant) -> tuple[tuple[str, Heading], ...]:

@@ -9,6 +9,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, total
 from rotsolve.core.facts import (
+    WEIGHT,
     BodyFacts,
     Couple,
     Cut,
@@ -28,6 +29,8 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import BY_WORD
 from rotsolve.core.registry import Quantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
+from rotsolve.core.writing import spoken
+from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.rims import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.instant import Instant
@@ -109,8 +112,8 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
         if mass != ZERO:
             size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
             place = ", at the centre of mass" if arm.parts and owner == name else ""
-            what = "weight " if owner == name else f"weight of {owner.replace('_', ' ')} "
-            forces.append(Force("", "weight", name, size, unit(DOWN), arm, (what, size, f", down{place}")))
+            noun = "weight" if owner == name else f"weight of {spoken(owner)}"
+            forces.append(Force("", WEIGHT, name, size, unit(DOWN), arm, noun, f"down{place}"))
     return tuple(forces)
 
 
@@ -139,8 +142,15 @@ def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: 
         axis=instant.configuration.axis(body.name, instant.state),
         lays=instant.configuration.laid(body.name),
         changing=instant.configuration.changing(body.name, instant.state),
+        slanted=slanted(body.name, instant),
         sliding=sliding(body.name, instant),
     )
+
+
+def slanted(name: str, instant: Instant) -> bool:
+    """Whether a body travels along a slope."""
+    surface = supporting(name, instant.configuration, instant.state)
+    return surface is not None and surface.slanted
 
 
 def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:

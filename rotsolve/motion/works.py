@@ -22,17 +22,17 @@ def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Wo
     """Work of the forces and couples on a body that are neither weights, springs nor ideal connections."""
     name, interval, first = body.name, way.interval, way.first
     for force in body.forces:
-        if force.internal or not force.works or force.role in ("weight", "spring", "hanging"):
+        if force.internal or not force.works or force.role.stores:
             continue
         yield named_work(force.owner, work_of_force(force.vector, force.arm, body, way), (name,), interval, first)
     for couple in body.couples:
-        if couple.role == "power":
+        if couple.role.powered:
             power = power_of(couple.owner, way.middle)
             amount = (
                 Integral(power, TIME, first.time(), way.last.time()) if power.symbols() & {TIME} else power * duration
             )
             yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
-        elif not couple.internal and couple.role not in ("torsion", "inner"):
+        elif not (couple.internal or couple.role.stores or couple.role.inner):
             turned = signed(rotation(name, interval, first), first.sense(name))
             told = way.work(couple.torque, turned, body.motion.spin, name)
             yield named_work(couple.owner, told, (name,), interval, first)
@@ -160,30 +160,25 @@ def lettered(work: Work) -> bool:
 
 def why_conserved(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     """Why mechanical energy is conserved, in a sentence about the forces that do no work."""
-    roles = {force.role for body in facts.bodies if body.name in group for force in body.forces}
+    roles = [force.role for body in facts.bodies if body.name in group for force in body.forces]
     held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
     parts = []
     if any(body.sliding for body in facts.bodies if body.name in group):
         parts.append("there is no friction where the one slides along the other")
-    if "reaction" in roles and held:
-        axles = any(
-            str(force.words[0]).startswith("axle")
-            for body in facts.bodies
-            if body.name in group
-            for force in body.forces
-        )
+    if held and any(role.holds for role in roles):
+        axle = any(role.axle for role in roles)
         parts.append(
-            "the axle does no work (it is at rest)" if axles else "the pivot does no work (its point is at rest)"
+            "the axle does no work (it is at rest)" if axle else "the pivot does no work (its point is at rest)"
         )
     if any(body.lays for body in facts.bodies if body.name in group):
         parts.append(
             "what is laid down comes to rest without a jolt (the mass still rolled up is as its radius squared)"
         )
-    if "tension" in roles:
+    if any(role.pulls for role in roles):
         parts.append("the string's tension gives one body what it takes from the other")
-    if "friction" in roles:
+    if any(role.rubs for role in roles):
         parts.append("friction does no work (the point of contact is at rest)")
-    elif "normal" in roles:
+    elif any(role.presses for role in roles):
         parts.append("the normal force does no work (it is perpendicular to the motion)")
     if parts:
         yield "Energy is conserved: " + "; ".join(parts)

@@ -210,7 +210,7 @@ class OfBodies(AtInstant, frozen=True):
     def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
         body = self.body(name)
-        wanted = [force for force in body.forces if component != "gravity" or force.role == "weight"]
+        wanted = [force for force in body.forces if component != "gravity" or force.role.weighs]
         torques = [signed(force.torque, body.motion.sense) for force in wanted]
         if component != "gravity":
             torques += [signed(couple.torque, body.motion.sense) for couple in body.couples]
@@ -220,10 +220,8 @@ class OfBodies(AtInstant, frozen=True):
         """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
         body = self.body(name)
         if component == "gravity":
-            weight = Vector(
-                tuple(part for force in body.forces if force.role == "weight" for part in force.vector.parts)
-            )
-            size = total([force.size for force in body.forces if force.role == "weight"])
+            weight = Vector(tuple(part for force in body.forces if force.role.weighs for part in force.vector.parts))
+            size = total([force.size for force in body.forces if force.role.weighs])
             return Meaning(size, BY_WORD["force"].dimension, tidy(weight))
         vector = Vector()
         for force in body.forces:
@@ -248,9 +246,7 @@ class OfBodies(AtInstant, frozen=True):
         body = self.body(name)
         parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces]
         if component == "gravity":
-            parts = [
-                force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role == "weight"
-            ]
+            parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role.weighs]
         else:
             parts += [couple.torque * body.motion.spin for couple in body.couples]
         return total([part for part in parts if part != ZERO])

@@ -50,7 +50,7 @@ class OfElements(AtInstant, frozen=True):
                 return total([part for part in parts if part != ZERO])
             case "force":
                 return self._element_force(path, forces)
-            case "power" if any(couple.role == "power" for _, couple in couples):
+            case "power" if any(couple.role.powered for _, couple in couples):
                 return self._given_power(path.owner)
             case "power":
                 parts = [couple.torque * body.motion.spin for body, couple in couples]
@@ -83,14 +83,13 @@ class OfElements(AtInstant, frozen=True):
 
     def _contact_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
         """The push of a surface or its friction, on the body that a contact names first."""
-        role = {"normal_force": "normal", "friction_force": "friction"}[path.quantity]
+        rubs = path.quantity == "friction_force"
         first = self._first_body(path.owner)
         forces = sorted(forces, key=lambda pair: pair[0].name != first)
-        force = next((force for _, force in forces if force.role == role), None)
+        force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
         if force is None:
             return ZERO
-        way = str(force.words[-1]).lstrip(", ") if role == "friction" else ""
-        return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(way, ""))
+        return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(force.way if rubs else "", ""))
 
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""
@@ -138,7 +137,7 @@ class OfElements(AtInstant, frozen=True):
             tension = item.tension_at(path.point, self.instant)
             if tension is not None:
                 return tension
-        sizes = {force.size: None for force in forces if force.role == "tension"}
+        sizes = {force.size: None for force in forces if force.role.pulls}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:

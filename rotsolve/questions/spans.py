@@ -139,7 +139,7 @@ def work_of_weight(name: str, passage: Passage) -> Formula:
     for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
         body = facts.body(name)
         for force in body.forces if body is not None else ():
-            if force.role == "weight":
+            if force.role.weighs:
                 level = force.size * (height + force.arm.along(UP))
                 result = add(result, level if sign > 0 else negate(level))
     return result

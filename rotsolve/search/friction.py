@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import product
 
 from msgspec import Struct
@@ -11,6 +11,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
+from rotsolve.core.facts import Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
@@ -45,12 +46,12 @@ def tried(
     facts = scene.facts(state)
     name = scene.instant(state).host(contact.pair()[0].owner)
     body = facts.body(name)
-    forces = {force.role: force for force in body.forces if force.owner == contact.name} if body else {}
-    if "friction" not in forces:
+    rubbing, pressing = contact_forces(contact.name, body.forces if body else ())
+    if rubbing is None or pressing is None:
         return None
     try:
-        friction = search.answer(question(forces["friction"].size, f"f_{contact.name}"))
-        normal = search.answer(question(forces["normal"].size, f"N_{contact.name}"))
+        friction = search.answer(question(rubbing.size, f"f_{contact.name}"))
+        normal = search.answer(question(pressing.size, f"N_{contact.name}"))
     except NoAnswer:
         return None
     needed, limit = friction.found.formula, greatest_friction(contact, normal)
@@ -82,14 +83,21 @@ def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equa
         return []
     static = item.grip().static
     assert static is not None
-    forces = {force.role: force.size for body in facts.bodies for force in body.forces if force.owner == contact}
-    if "friction" not in forces or "normal" not in forces:
+    rubbing, pressing = contact_forces(contact, [force for body in facts.bodies for force in body.forces])
+    if rubbing is None or pressing is None:
         return []
-    most = static * forces["normal"]
+    most = static * pressing.size
     for side in (most, negate(most)):
-        limit = POINT_OF_SLIPPING.equation(forces["friction"], side, scene.section(state))
-        found.append((limit, forces["normal"]))
+        limit = POINT_OF_SLIPPING.equation(rubbing.size, side, scene.section(state))
+        found.append((limit, pressing.size))
     return found
+
+
+def contact_forces(contact: str, forces: Iterable[Force]) -> tuple[Force | None, Force | None]:
+    """Friction and normal force of a contact, the last of each."""
+    own = [force for force in forces if force.owner == contact]
+    rubbing, pressing = [item for item in own if item.role.rubs], [item for item in own if item.role.presses]
+    return rubbing[-1] if rubbing else None, pressing[-1] if pressing else None
 
 
 def question(size: Formula, name: str) -> Asked:
@@ -217,11 +225,7 @@ def holds(configuration: Configuration, rub: Rub, modes: dict[str, str], sense: 
         return number is not None and number > 0
     scene = SceneEquations(configuration, modes)
     search = Search(scene, (NEWTON,))
-    needs = [
-        item
-        for item in scene.facts(rub.state).requirements
-        if (item.owner, item.otherwise) == (rub.contact.name, "slips")
-    ]
+    needs = [item for item in scene.facts(rub.state).requirements if item.owner == rub.contact.name and item.kind.grips]
     room = [search.settled(item.left - item.right) for item in needs]
     numbers = [search.number(value) if value is not None else None for value in room]
     return all(number is not None and number >= 0 for number in numbers)

@@ -141,14 +141,14 @@ def of_energy(course: Course) -> Iterator[Balance]:
         force.size * (risen(body, course) + force.arm.along(UP))
         for body in bodies
         for force in body.forces
-        if force.role == "weight"
+        if force.role.weighs
     ]
     stored = [item.energy for item in course.facts.potentials]
     holders = {item.owner for item in course.facts.potentials}
     powers: list[Formula] = []
     for body in bodies:
         for item in body.acting:
-            if item.internal or item.role == "weight" or item.owner in holders:
+            if item.internal or item.role.weighs or item.owner in holders:
                 continue
             if isinstance(item, Force):
                 powers.append(item.vector.dot(body.motion.velocity_of(item.arm)))

@@ -52,7 +52,7 @@ def watches(course: Course, modes: Mapping[str, str], ahead: State | None, since
     for rub in rubs_at(course.moment.configuration, course.moment.state):
         found += of_rub(rub, course, modes)
     for item in course.facts.requirements:
-        if item.otherwise != "slips":
+        if not item.kind.grips:
             value = item.left - item.right
             if told(course, value):
                 found.append(Watch(BREAKS, place_of(course, value), item.otherwise))
@@ -114,7 +114,7 @@ def grip(facts: Facts, rub: Rub) -> Force | Couple | None:
     """The friction on the body that rubs."""
     body = facts.body(rub.body)
     acting = body.acting if body is not None else ()
-    return next((item for item in acting if item.owner == owner_of(rub) and item.role == "friction"), None)
+    return next((item for item in acting if item.owner == owner_of(rub) and item.role.rubs), None)
 
 
 def along(item: Force | Couple, reference: Force | Couple) -> Formula:

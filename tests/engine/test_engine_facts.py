@@ -25,11 +25,8 @@ from rotsolve.motion.configuration import Configuration
 
 Readings = Callable[[Path], tuple[SceneEquations, ...]]
 RATES = ("velocity", "angular_velocity")
-STORING = ("spring", "torsion", "hanging")  # roles of forces that take their work from a potential
-CONSERVATIVE = ("weight", *STORING)
 STRETCHES = ("elongation", "length")
 PLACES = ("angle", "displacement", *STRETCHES)
-LOSING = ("friction", "drive", "inner")  # roles of a connection's forces that give or take work for good
 
 
 def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_of: Callable[[Path], Problem]) -> None:
@@ -96,7 +93,7 @@ def test_each_force_of_a_connection_is_ideal_or_stores_or_loses(file: Path, read
         for facts in moments(scene):
             for _, item in items(facts):
                 if item.owner in names:
-                    assert item.internal != (item.role in (*STORING, *LOSING)) or item.role == "friction", item
+                    assert item.internal != (item.role.stores or item.role.loses) or item.role.rubs, item
 
 
 def test_stored_energy_has_the_force_for_slope(file: Path, readings: Readings) -> None:
@@ -145,9 +142,7 @@ def test_potential_energy_of_a_phase_has_the_forces_for_slope(
             if any(passage.heights.get(name) is None for name in group):
                 continue
             stored = total(energy.potential(passage, group, 1))
-            given = [
-                power(body, item) for body, item in items(facts) if body.name in group and item.role in CONSERVATIVE
-            ]
+            given = [power(body, item) for body, item in items(facts) if body.name in group and item.role.stores]
             left = simplify((total(given) + growth(stored, facts)).substitute(rates))
             assert left == ZERO, f"{passage.name}: forces and stored energy {to_text(stored)} leave {to_text(left)}"
 

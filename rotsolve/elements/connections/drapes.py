@@ -11,7 +11,19 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, negate, total
-from rotsolve.core.facts import Force, Potential, Requirement, Rule, square
+from rotsolve.core.facts import (
+    GRIP,
+    HANGING,
+    REACHES,
+    REACTION,
+    TAUT,
+    TENSION,
+    Force,
+    Potential,
+    Requirement,
+    Rule,
+    square,
+)
 from rotsolve.core.vectors.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -71,8 +83,8 @@ class Drapes(Connection, frozen=True):
         hanging = instant.ask("length", self.name, letter="x")
         rest = self.other_length(hanging, instant)
         if rest != ZERO:
-            words = (rest, " ≥ 0: the rope still reaches back")
-            yield Requirement(self.name, rest, ZERO, words, "the rope's other end has run off")
+            kept, otherwise = "the rope still reaches back", "the rope's other end has run off"
+            yield Requirement(self.name, REACHES, rest, ZERO, kept, otherwise)
         if instant.configuration.heavy:
             yield from self.weights(hanging, rest, instant)
         if self.drapes[1].owner in instant.configuration.bodies:
@@ -104,13 +116,13 @@ class Drapes(Connection, frozen=True):
         assert isinstance(shape, Rope) and shape.length is not None
         over = self.drapes[1].owner
         lies = self.wound or (over in instant.configuration.surfaces and over != "ground")
-        parts = [(hanging, forward, "of the part that hangs, forward")]
+        parts = [(hanging, forward, "of the part that hangs", "forward")]
         if not lies:
-            parts.append((rest, forward.turned(180), "of the part on the other side, back"))
+            parts.append((rest, forward.turned(180), "of the part on the other side", "back"))
         mass = rope.mass or ZERO
-        for length, direction, what in parts:
+        for length, direction, part, way in parts:
             size = mass * gravity * length / shape.length
-            yield Force(self.name, "hanging", rope.name, size, unit(direction), NOWHERE, ("weight ", size, f" {what}"))
+            yield Force(self.name, HANGING, rope.name, size, unit(direction), NOWHERE, "weight", way, part)
         whole, weight = shape.length, mass * gravity
         energies = [weight * x / 2 if x == whole else weight * square(x) / (2 * whole) for x, *_ in parts]
         energy = negate(total(energies))
@@ -127,13 +139,13 @@ class Drapes(Connection, frozen=True):
         top, span = vector(radius, UP), instant.span(rope)
         size = instant.ask("force", self.name, when=span)
         back = unit(forward.turned(180))
-        yield Force(self.name, "grip", rope, size, back, NOWHERE, ("grip of the rim ", size, ", back"), internal=True)
-        pull = ("grip of the rope ", size, f", along the rim to the {side}")
-        yield Force(self.name, "grip", wheel, size, unit(forward), top, pull, internal=True)
+        yield Force(self.name, GRIP, rope, size, back, NOWHERE, "grip of the rim", "back", internal=True)
+        noun, way = "grip of the rope", f"along the rim to the {side}"
+        yield Force(self.name, GRIP, wheel, size, unit(forward), top, noun, way, internal=True)
         for axis, direction in (("x", RIGHT), ("y", DOWN)):
             press = instant.ask("force", self.name, when=span, component=axis)
-            words = ("press of the rope ", press, "")
-            yield Force(self.name, "reaction", wheel, press, unit(direction), NOWHERE, words, internal=True)
+            noun = "press of the rope"
+            yield Force(self.name, REACTION, wheel, press, unit(direction), NOWHERE, noun, internal=True)
         rim = instant.motion(wheel)
         yield Rule(
             self.name,
@@ -148,10 +160,10 @@ class Drapes(Connection, frozen=True):
         rope, name = self.rope(instant).name, instant.host(load.owner)
         forward = self.heading(instant)[0]
         size = instant.ask("tension", self.name, when=instant.span(rope))
-        yield Requirement(self.name, size, ZERO, (size, " ≥ 0: the rope stays taut"), "the rope goes slack")
-        yield Force(self.name, "tension", name, size, unit(UP), NOWHERE, ("tension ", size, ", up"), internal=True)
-        words = ("tension of its end ", size, ", forward")
-        yield Force(self.name, "tension", rope, size, unit(forward), NOWHERE, words, internal=True)
+        yield Requirement(self.name, TAUT, size, ZERO, "the rope stays taut", "the rope goes slack")
+        yield Force(self.name, TENSION, name, size, unit(UP), NOWHERE, "tension", "up", internal=True)
+        noun = "tension of its end"
+        yield Force(self.name, TENSION, rope, size, unit(forward), NOWHERE, noun, "forward", internal=True)
         yield Rule(
             self.name,
             f"the rope does not stretch, {spoken(name)}",

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.drive import TRAVELLING, TURNING
-from rotsolve.core.facts import Couple, Force, Rule, signed
+from rotsolve.core.facts import COUPLING, DRIVE, INNER, Couple, Force, Rule, signed
 from rotsolve.core.varying import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.core.writing import balance
@@ -93,8 +93,8 @@ class MutualDrive(Connection, frozen=True):
         else:
             size = instant.ask("torque", self.name, when=instant.span(body), words=instant.turn_words(body))
         for name, turn in ((carrier, -sense), (body, sense)):
-            words = ("torque ", size, ", counterclockwise" if turn > 0 else ", clockwise")
-            yield Couple(self.name, "inner" if self.couple is None else "drive", name, signed(size, turn), words)
+            role, way = INNER if self.couple is None else DRIVE, "counterclockwise" if turn > 0 else "clockwise"
+            yield Couple(self.name, role, name, signed(size, turn), "torque", size, way)
 
 
 def coupling(
@@ -117,10 +117,12 @@ def coupling(
         torque = force * radius
         yield Couple(
             element.name,
-            "coupling",
+            COUPLING,
             name,
             torque if way > 0 else negate(torque),
-            (f"{noun} ", force, " at the rim"),
+            noun,
+            force,
+            place="at the rim",
             internal=True,
         )
     sides = []
@@ -154,12 +156,12 @@ class Guide(Connection, frozen=True):
         words = {word for word, _, _ in self.motions}
         if words & set(TURNING):
             size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
-            yield Couple(self.name, "drive", name, signed(size, instant.sense(name)), ("driving torque ", size))
+            yield Couple(self.name, DRIVE, name, signed(size, instant.sense(name)), "driving torque", size)
         if words & set(TRAVELLING):
             for component, direction, said in self._ways(name, instant):
                 size = instant.ask("force", self.name, when=instant.span(name), component=component)
-                words_ = ("driving force ", size, f", {said}")
-                yield Force(self.name, "drive", name, size, unit(direction), instant.frame(name).cm, words_)
+                arm = instant.frame(name).cm
+                yield Force(self.name, DRIVE, name, size, unit(direction), arm, "driving force", said)
 
     def _ways(self, name: str, instant: Instant) -> Iterator[tuple[str, Heading, str]]:
         """Along the body's line, or right and up."""

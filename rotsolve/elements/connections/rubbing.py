@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from msgspec import field
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
-from rotsolve.core.facts import Couple, Force, Rule
+from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -105,9 +105,8 @@ class Clutch(Rubbing, frozen=True):
         size = instant.ask("torque", self.name, when=instant.span(second)) if sticks else self.torque(instant)
         turn = 1 if sticks or mode.startswith("slips back") else -1
         for name, way in ((first, -turn), (second, turn)):
-            words = ("friction torque ", size, ", counterclockwise" if way > 0 else ", clockwise")
-            torque = size if way > 0 else negate(size)
-            yield Couple(self.name, "friction", name, torque, words, internal=sticks)
+            torque, sense = (size, "counterclockwise") if way > 0 else (negate(size), "clockwise")
+            yield Couple(self.name, FRICTION, name, torque, "friction torque", size, sense, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)
 
@@ -149,17 +148,7 @@ class Rims(Rubbing, frozen=True):
         """The push on each wheel, and friction along the rims: against the slip, or as large as it takes."""
         mode, arms = instant.mode(self.name), self.arms(instant)
         for name, arm, push in arms:
-            yield Force(
-                self.name,
-                "normal",
-                name,
-                self.press,
-                unit(push),
-                arm,
-                ("push ", self.press),
-                works=False,
-                internal=True,
-            )
+            yield Force(self.name, NORMAL, name, self.press, unit(push), arm, "push", works=False, internal=True)
         if self.friction.kind == "none":
             return
         sticks = not mode.startswith("slips")
@@ -171,7 +160,7 @@ class Rims(Rubbing, frozen=True):
         for (name, arm, _), upward in zip(arms, (not up, up), strict=True):
             along = unit(UP if upward else UP.turned(180))
             turn = "counterclockwise" if upward == (arm.parts[0][1] == RIGHT) else "clockwise"
-            words = ("friction " if sticks else "kinetic friction ", size, f", turning it {turn}")
-            yield Force(self.name, "friction", name, size, along, arm, words, works=not sticks, internal=sticks)
+            noun, way = "friction" if sticks else "kinetic friction", f"turning it {turn}"
+            yield Force(self.name, FRICTION, name, size, along, arm, noun, way, works=not sticks, internal=sticks)
         if sticks:
             yield self.grip_rule(instant)

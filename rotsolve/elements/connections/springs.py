@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
-from rotsolve.core.facts import Couple, Force, Potential, square
+from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.vectors.directions import TURNS, along_text
 from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.connection import Connection, Fact
@@ -51,8 +51,8 @@ class Spring(Connection, frozen=True):
         for ref, push in ((first, along), (second, -along)):
             if ref.owner in instant.configuration.bodies:
                 name = instant.host(ref.owner)
-                words = ("spring force ", size, f", {along_words(push)}")
-                yield Force(self.name, "spring", name, size, push, instant.point(ref), words)
+                arm, way = instant.point(ref), along_words(push)
+                yield Force(self.name, SPRING, name, size, push, arm, "spring force", way)
         if self.stiffness is not None:
             rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
             energy = Number(Fraction(1, 2)) * self.stiffness * square(elongation)
@@ -116,9 +116,9 @@ class Torsion(Connection, frozen=True):
             twist = simplify(twist - self.rest_angle)
         stiffness = self.stiffness if self.stiffness is not None else ZERO
         torque = stiffness * twist
-        yield Couple(self.name, "torsion", last, negate(torque), ("torsion torque ", torque, ", turning it back"))
+        yield Couple(self.name, TORSION, last, negate(torque), "torsion torque", torque, "turning it back")
         if len(names) == 2:
-            yield Couple(self.name, "torsion", names[0], torque, ("torsion torque ", torque))
+            yield Couple(self.name, TORSION, names[0], torque, "torsion torque", torque)
         rate = instant.motion(last).spin - (instant.motion(names[0]).spin if len(names) == 2 else ZERO)
         energy = Number(Fraction(1, 2)) * stiffness * square(twist)
         yield Potential(self.name, energy, twist, rate, tuple(names), ("torsion spring ", energy))

@@ -15,12 +15,13 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import Force, Requirement, Rule
+from rotsolve.core.facts import TAUT, TENSION, Force, Requirement, Rule
 from rotsolve.core.vectors.directions import along_text, opposite
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import between
+from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.rims import rim_radius
 from rotsolve.elements.surfaces import Surface, Wall
 from rotsolve.language.keys import key
@@ -112,9 +113,10 @@ class Routing(Struct, frozen=True, dict=True):
                 return None
             hanging = neighbour.owner in self.instant.configuration.bodies and self.same_line(other)
             return unit(DOWN if hanging else UP)
-        direction, words = line
-        if words.endswith("slope"):
-            return unit(direction if words.startswith("up") else direction.turned(180))
+        direction = line[0]
+        surface = supporting(self.instant.host(ref.owner), self.instant.configuration, self.instant.state)
+        if surface is not None and surface.slanted:
+            return unit(uphill(surface))
         if direction.sin() == ZERO:
             return unit(RIGHT if other > index else LEFT)
         if self.wraps(index):
@@ -193,24 +195,24 @@ def uphill(surface: Surface) -> Heading:
 
 
 def told_along(push: Vector, name: str, instant: Instant) -> str:
-    """A pull along the line on which a body travels, in the words of that line: ", up the slope"."""
+    """A pull along the line on which a body travels, in the words of that line: "up the slope"."""
     line = instant.line(instant.host(name))
     if line is None or len(push.parts) != 1:
         return ""
     gap = push.parts[0][1] - line[0]
     if gap.terms or gap.degrees % 180:
         return ""
-    return f", {line[1]}" if gap.degrees % 360 == 0 else f", {opposite(line[1])}"
+    return line[1] if gap.degrees % 360 == 0 else opposite(line[1])
 
 
-def said(push: Vector, arm: Vector, kind: str, instant: Instant) -> str:
-    """How a pull is told: its direction for what travels, its turn for what is held on an axis."""
+def pull_words(push: Vector, arm: Vector, kind: str, instant: Instant) -> tuple[str, str]:
+    """How a pull is told: its direction for what travels; for what is held on an axis its turn, else where it pulls to."""
     direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
     if kind == "axis" and arm.parts:
-        senses = {1: ", turning it counterclockwise", -1: ", turning it clockwise"}
+        senses = {1: "turning it counterclockwise", -1: "turning it clockwise"}
         sense = senses.get(instant.configuration.signs.sign(arm.cross(push)) or 0, "")
-        return (f" {direction}" if direction and not sense else "") + sense
-    return f", {direction}" if direction else ", along the string"
+        return sense, "" if sense else direction
+    return direction or "along the string", ""
 
 
 class String(Connection, frozen=True):
@@ -266,9 +268,7 @@ class String(Connection, frozen=True):
         course = self.course(instant)
         for strand in course.strands():
             tension = self.tension(strand, course)
-            yield Requirement(
-                self.name, tension, ZERO, (tension, " ≥ 0: the string stays taut"), "the string goes slack"
-            )
+            yield Requirement(self.name, TAUT, tension, ZERO, "the string stays taut", "the string goes slack")
             for leg in strand:
                 yield from self.pulls_of(leg, tension, instant)
             yield from self.rules(strand, instant)
@@ -297,12 +297,11 @@ class String(Connection, frozen=True):
         """The tension on the bodies at both ends of a leg."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
             if ref.owner in instant.configuration.bodies:
-                words = (
-                    "tension ",
-                    tension,
-                    told_along(push, ref.owner, instant) or said(push, arm, instant.motion(ref.owner).kind, instant),
-                )
-                yield Force(self.name, "tension", instant.host(ref.owner), tension, push, arm, words, internal=True)
+                way, place = told_along(push, ref.owner, instant), ""
+                if not way:
+                    way, place = pull_words(push, arm, instant.motion(ref.owner).kind, instant)
+                name = instant.host(ref.owner)
+                yield Force(self.name, TENSION, name, tension, push, arm, "tension", way, place, internal=True)
 
     def rules(self, strand: tuple[Leg, ...], instant: Instant) -> Iterator[Rule]:
         """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0."""

@@ -7,7 +7,19 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
-from rotsolve.core.facts import Couple, Force, Rule, Turntable, held_still, signed
+from rotsolve.core.facts import (
+    AXLE,
+    DRIVE,
+    FRICTION,
+    REACTION,
+    Couple,
+    Force,
+    Role,
+    Rule,
+    Turntable,
+    held_still,
+    signed,
+)
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
@@ -76,7 +88,7 @@ class Driven(Connection, frozen=True):
                 self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
             ):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
-                yield Couple(self.name, "drive", name, signed(size, sense), ("torque ", size))
+                yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
 
     def friction(self, instant: Instant, name: str, sense: int) -> Iterator[Fact]:
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
@@ -84,13 +96,13 @@ class Driven(Connection, frozen=True):
         forward, back = instant.turn_words(name)
         if mode == "holds":
             size = instant.ask("torque", self.name, when=instant.span(name), words=(forward, back))
-            yield Couple(self.name, "friction", name, signed(size, sense), ("friction torque ", size))
+            yield Couple(self.name, FRICTION, name, signed(size, sense), "friction torque", size)
             yield held_still(self.name, name, instant.motion(name))
             return
         size = (self.friction_torque or ZERO).substitute({"time": instant.time()})
         against = back if mode != "turns back" else forward
         turn = -sense if mode != "turns back" else sense
-        yield Couple(self.name, "friction", name, signed(size, turn), ("friction torque ", size, f", {against}"))
+        yield Couple(self.name, FRICTION, name, signed(size, turn), "friction torque", size, against)
 
     @property
     def driven(self) -> bool:
@@ -126,10 +138,10 @@ class Hinge(Driven, frozen=True):
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
         yield from self.couples(instant)
-        yield from reaction(self.name, "hinge", self.hinge[-1], instant)
+        yield from reaction(self.name, REACTION, self.hinge[-1], instant)
         if not self.fixed_points():
             carrier, body = self.hinge
-            yield from reaction(self.name, "hinge", carrier, instant, opposite=body)
+            yield from reaction(self.name, REACTION, carrier, instant, opposite=body)
             yield from joint(self.name, carrier, body, instant)
 
 
@@ -154,7 +166,7 @@ class Axle(Driven, frozen=True):
         for ref in self.axle:
             if instant.host(ref.owner) not in hosts:
                 hosts.add(instant.host(ref.owner))
-                yield from reaction(self.name, "axle", ref, instant, several=len(self.axle) > 1)
+                yield from reaction(self.name, AXLE, ref, instant, several=len(self.axle) > 1)
 
 
 class Ball(Connection, frozen=True):
@@ -205,7 +217,7 @@ class Rides(Connection, frozen=True):
 
 
 def reaction(
-    owner: str, noun: str, ref: PointRef, instant: Instant, *, opposite: PointRef | None = None, several: bool = False
+    owner: str, role: Role, ref: PointRef, instant: Instant, *, opposite: PointRef | None = None, several: bool = False
 ) -> Iterator[Force]:
     """The two components of a support's force on a body, right and up.
 
@@ -220,16 +232,17 @@ def reaction(
         words = ("right", "left") if axis == "x" else ("up", "down")
         size = instant.ask("force", owner, when=span, component=component, words=words)
         arm = instant.point(ref)
-        text = (f"{noun} force ", size, f", {words[0] if opposite is None else words[1]}")
+        noun, way = "axle force" if role.axle else "hinge force", words[0] if opposite is None else words[1]
         push = unit(direction if opposite is None else direction.turned(180))
         yield Force(
             owner,
-            "reaction",
+            role,
             name,
             size,
             push,
             arm,
-            text,
+            noun,
+            way,
             works=bool(opposite) or instant.motion(name).kind != "axis",
             internal=True,
         )
@@ -275,6 +288,6 @@ class Shaft(Connection, frozen=True):
         return self.shaft
 
     def facts(self, instant: Instant) -> Iterator[Fact]:
-        yield from reaction(self.name, "hinge", self.shaft[0], instant)
+        yield from reaction(self.name, REACTION, self.shaft[0], instant)
         name = instant.host(self.shaft[0].owner)
         yield Turntable(self.name, name, self.turning or ZERO, self.distance or ZERO)

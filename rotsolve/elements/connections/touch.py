@@ -9,8 +9,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
-from rotsolve.core.derivation import Words
-from rotsolve.core.facts import Force, Requirement, Rule, square
+from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.vectors.directions import TURNS, along_text, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
@@ -141,23 +140,15 @@ class Touch(Connection, frozen=True):
         if isinstance(surface, Curved) and surface.radius() is None:  # a push that no law tells
             yield from self.friction_facts(instant, name, arm, surface, normal)
             return
-        text = ("normal force ", normal, f", {away(surface)}")
-        yield from self.both(
-            Force(self.name, "normal", name, normal, unit(facing), arm, text, works=False, internal=True),
-            instant,
-            ("push ", normal, f" of {spoken(ref.owner)}, {into(surface)}"),
-        )
-        yield Requirement(
-            self.name,
-            normal,
-            ZERO,
-            (normal, " ≥ 0: the surface can only push"),
-            f"{spoken(ref.owner)} leaves the surface",
-        )
+        push, way = unit(facing), away(surface)
+        force = Force(self.name, NORMAL, name, normal, push, arm, "normal force", way, works=False, internal=True)
+        yield from self.both(force, instant, "push", into(surface), ref.owner)
+        kept, otherwise = f"{spoken(self.name)} keeps contact", f"{spoken(ref.owner)} leaves the surface"
+        yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if self.course(instant) is None:
             label = f"{spoken(name)} stays on the {spoken(surface.name)}"
-            kept = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
-            yield self.no_slip(label, kept, facing, instant, linear=False)
+            point = instant.point(PointRef(ref.owner, "center")) if instant.is_round(ref.owner) else arm
+            yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
     def arm(self, instant: Instant) -> Vector:
@@ -228,29 +219,27 @@ class Touch(Connection, frozen=True):
             size = ((grip.static if mode.endswith("at most") else grip.kinetic) or ZERO) * normal
             way = forward if backward else forward.turned(180)
             ways = (ahead, back) if backward else (back, ahead)
-            text = ("kinetic friction ", size, f", {ways[0]}")
-            other = ("kinetic friction ", size, f" of {spoken(name)}, {ways[1]}")
-            yield from self.both(Force(self.name, "friction", name, size, unit(way), arm, text), instant, other)
+            force = Force(self.name, FRICTION, name, size, unit(way), arm, "kinetic friction", ways[0])
+            yield from self.both(force, instant, force.noun, ways[1], name)
             return
         size = instant.ask("friction_force", self.name, when=span, words=(back, ahead))
-        text, other = ("friction ", size, f", {back}"), ("friction ", size, f" of {spoken(name)}, {ahead}")
         against = unit(forward.turned(180))
-        force = Force(self.name, "friction", name, size, against, arm, text, works=False, internal=True)
-        yield from self.both(force, instant, other)
+        force = Force(self.name, FRICTION, name, size, against, arm, "friction", back, works=False, internal=True)
+        yield from self.both(force, instant, force.noun, ahead, name)
         rolling = motion.turns and instant.is_round(name)
         label = f"{spoken(name)} rolls without slipping" if rolling else f"{spoken(name)} does not slip"
         yield self.no_slip(label, arm, forward, instant, linear=motion.kind == "line")
         if grip.static is not None:
-            limit = grip.static * normal
-            words = ("friction needed |", size, "| ≤ ", limit)
-            yield Requirement(self.name, limit, call("abs", size), words, "slips")
+            yield Requirement(self.name, GRIPS, grip.static * normal, call("abs", size), "", "slips")
 
-    def both(self, force: Force, instant: Instant, words: Words) -> Iterator[Force]:
+    def both(self, force: Force, instant: Instant, noun: str, way: str, of: str) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""
         yield force
         carrier = self.carrier(instant.configuration)
         if carrier:
-            yield replace(force, body=instant.host(carrier), direction=-force.direction, arm=NOWHERE, words=words)
+            host, back = instant.host(carrier), -force.direction
+            place = f"of {spoken(of)}"
+            yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place)
 
 
 def supporting(name: str, configuration: Configuration, state: str) -> Surface | None:

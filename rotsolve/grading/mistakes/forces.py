@@ -12,7 +12,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, 
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, Inertia
+from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Facts, Force, Inertia, Role
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
@@ -33,39 +33,39 @@ if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
 
-def pulled_bodies(scene: Scene, role: str) -> Iterator[str]:
+def pulled_bodies(scene: Scene, role: Role) -> Iterator[str]:
     """The bodies on which a force of some role acts."""
     return (body.name for body in scene.bodies.values() if any(force.role == role for force in body.forces))
 
 
-def reversed_force(role: str) -> Callable[[Force, BodyFacts], Force]:
+def reversed_force(role: Role) -> Callable[[Force, BodyFacts], Force]:
     """A force of some role the other way."""
     return lambda force, body: replace(force, size=negate(force.size)) if force.role == role else force
 
 
 def gravity_sign(scene: Scene) -> Made:
     """−m g for m g."""
-    for name in each(pulled_bodies(scene, "weight")):
+    for name in each(pulled_bodies(scene, WEIGHT)):
         words = f"the weight of the {spoken(name)} was given the wrong sign"
-        yield words, Change(altered=of_forces((name,), reversed_force("weight")))
+        yield words, Change(altered=of_forces((name,), reversed_force(WEIGHT)))
 
 
 def tension_sign(scene: Scene) -> Made:
     """−T for T in the law of what hangs from a string."""
     motions = {name: body.motion for name, body in scene.bodies.items()}
     hanging = (
-        name for name in pulled_bodies(scene, "tension") if motions[name].kind == "line" and not motions[name].turns
+        name for name in pulled_bodies(scene, TENSION) if motions[name].kind == "line" and not motions[name].turns
     )
     for name in each(hanging):
         words = f"the tension on the {spoken(name)} was given the wrong sign"
-        yield words, Change(altered=of_forces((name,), reversed_force("tension")), aside=(ENERGY,))
+        yield words, Change(altered=of_forces((name,), reversed_force(TENSION)), aside=(ENERGY,))
 
 
 def tension_as_weight(scene: Scene) -> Made:
     """T = m g in place of Newton's second law for what hangs from one string, as if it were at rest."""
     for name, body in scene.bodies.items():
-        pulls = [force.size for force in body.forces if force.role == "tension"]
-        weights = [force.size for force in body.forces if force.role == "weight"]
+        pulls = [force.size for force in body.forces if force.role.pulls]
+        weights = [force.size for force in body.forces if force.role.weighs]
         if body.motion.kind == "line" and not body.motion.turns and len(pulls) == len(weights) == 1:
             words = f"the tension was taken as the weight of the {spoken(name)}"
             yield words, Change(altered=Alteration(equation=in_balance(name, pulls[0], weights[0])), aside=(ENERGY,))
@@ -92,7 +92,7 @@ def weight_at_end(scene: Scene) -> Made:
     """The arm L for ½ L of a rod that is hinged at its end."""
     first = scene.moments[0].state
     for name in each(
-        name for name in pulled_bodies(scene, "weight") if shape_of(scene.configuration.bodies[name]).word == "rod"
+        name for name in pulled_bodies(scene, WEIGHT) if shape_of(scene.configuration.bodies[name]).word == "rod"
     ):
         held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end"):
@@ -121,7 +121,7 @@ def gathered_at_end(body: BodyFacts, facts: Facts) -> BodyFacts:
 
 
 def farther(force: Force, body: BodyFacts) -> Force:
-    return replace(force, arm=force.arm + force.arm) if force.role == "weight" else force
+    return replace(force, arm=force.arm + force.arm) if force.role.weighs else force
 
 
 # friction
@@ -132,7 +132,7 @@ def rubbing(scene: Scene) -> Iterator[tuple[tuple[str, ...], str]]:
     bodies: dict[str, list[str]] = {}
     for body in scene.bodies.values():
         for item in body.acting:
-            if item.role == "friction":
+            if item.role.rubs:
                 bodies.setdefault(item.owner, []).append(f"the {spoken(body.name)}")
     for owner in each(bodies):
         yield (owner,), and_joined(bodies[owner])
@@ -177,16 +177,16 @@ def zeroed(item: Force | Couple) -> Force | Couple:
 
 def normal_as_weight(scene: Scene) -> Made:
     """N = m g, whatever the slope."""
-    for names, who in each_and_all(pulled_bodies(scene, "friction")):
+    for names, who in each_and_all(pulled_bodies(scene, FRICTION)):
         words = f"the normal force on {who} was taken as its weight"
         yield words, Change(altered=of_forces(names, rubbed_by_weight))
 
 
 def rubbed_by_weight(force: Force, body: BodyFacts) -> Force:
     """Friction by the weight of a body where it goes by its normal force."""
-    if force.role != "friction":
+    if not force.role.rubs:
         return force
-    weight = total([other.size for other in body.forces if other.role == "weight"])
+    weight = total([other.size for other in body.forces if other.role.weighs])
     normals = {name: weight for name in force.size.symbols() if name.startswith(f"normal_force{SEPARATOR}")}
     return replace(force, size=force.size.substitute(normals))
 
@@ -221,7 +221,7 @@ def equal_tensions(scene: Scene) -> Made:
 
 def tensions_on(body: BodyFacts) -> list[tuple[Formula, Formula]]:
     """The two tensions of each string that runs over a wheel."""
-    pulls = [force for force in body.forces if force.role == "tension" and isinstance(force.size, Symbol)]
+    pulls = [force for force in body.forces if force.role.pulls and isinstance(force.size, Symbol)]
     return [
         (one.size, other.size)
         for place, one in enumerate(pulls)
@@ -264,7 +264,7 @@ def without_rotation(names: Collection[str]) -> Callable[[Equation], Equation | 
 
 def without_reaction(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body as its weight and other pulls would move its centre of mass on its circle."""
-    forces = tuple(force for force in body.forces if force.role != "reaction")
+    forces = tuple(force for force in body.forces if not force.role.holds)
     return replace(body, forces=forces, axes=(direction_of(body.cm).turned(90),))
 
 

@@ -60,7 +60,7 @@ def is_pulley(body: BodyFacts) -> bool:
     """Whether a body turns about an axle through its centre of mass, or a string runs over it while it travels."""
     if body.motion.kind == "axis":
         return not body.cm.parts
-    strings = [force.owner for force in body.forces if force.role == "tension"]
+    strings = [force.owner for force in body.forces if force.role.pulls]
     return len(set(strings)) < len(strings)
 
 

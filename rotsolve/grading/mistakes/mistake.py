@@ -98,7 +98,7 @@ def of_owners(owners: Collection[str], change: Callable[[Force | Couple], Force 
     """Other friction of some connections or actions, on whatever body, at every moment."""
 
     def changed(body: BodyFacts, facts: Facts) -> BodyFacts:
-        acting = [change(item) if item.owner in owners and item.role == "friction" else item for item in body.acting]
+        acting = [change(item) if item.owner in owners and item.role.rubs else item for item in body.acting]
         forces = tuple(item for item in acting if isinstance(item, Force))
         return replace(body, forces=forces, couples=tuple(item for item in acting if isinstance(item, Couple)))
 
