@@ -89,7 +89,7 @@ class Tape(Struct):
     def _formula(self, node: Formula, letters: Mapping[str, int], place: Callable[[Formula], int]) -> int:
         match node:
             case Number(value):
-                return self.number(rational(value))
+                return self.number(flint_fraction(value))
             case Symbol(name):
                 if name not in letters:
                     raise Unwritable(name)
@@ -156,7 +156,7 @@ class Tape(Struct):
         return self.write(Operation(name, arguments))
 
 
-def rational(value: Fraction) -> Exact:
+def flint_fraction(value: Fraction) -> Exact:
     """A fraction as flint has them."""
     return fmpq(fmpz(value.numerator), fmpz(value.denominator))
 

@@ -75,10 +75,11 @@ def simulate_command(
         raise typer.BadParameter(f"that makes more than {MOST_ROWS} rows", param_hint="'--step'")
     if isnan(accuracy):
         raise typer.BadParameter("it is no number", param_hint="'--accuracy'")
-    from rotsolve.simulation.command import Request, run
+    from rotsolve.simulation.command import SimulationRequest, run_simulation
 
     with orderly():
         chosen = read_settings(settings or [])
         columns = width or page_width(None)
-        code = run(Request(file, seconds, accuracy, between, csv, plot, chosen, columns, certified, output))
+        request = SimulationRequest(file, seconds, accuracy, between, csv, plot, chosen, columns, certified, output)
+        code = run_simulation(request)
     raise typer.Exit(code)

@@ -18,12 +18,12 @@ from rotsolve.core.facts import BodyFacts, Force
 from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.laws import energy
-from rotsolve.simulation.bounded import FLOAT_BITS, Stretch
-from rotsolve.simulation.course import Course
+from rotsolve.simulation.bounded import FLOAT_BITS, Regime
 from rotsolve.simulation.series import BALLS, FLOATS, Expansion
+from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar
 
-LOOKS = 400  # moments of a stretch at which the balance is drawn; where it takes integrals, its first steps
+LOOKS = 400  # moments of a regime at which the balance is drawn; where it takes integrals, its first steps
 BALANCE_BITS = 128
 CLOSE = 1e-14  # how well two halves of an integral make the whole
 OFF = 1e-9  # part of the forces by which they may miss the rate of momentum, where not all of them are told
@@ -55,17 +55,17 @@ class Balance(Struct, frozen=True):
     check: int | None = None
 
 
-def drift(stretches: Sequence[Stretch]) -> Drift:
+def drift(regimes: Sequence[Regime]) -> Drift:
     """The drift of energy and momentum over a whole motion."""
-    return Drift(*(largest(stretches, balances) for balances in (of_energy, of_momentum)))
+    return Drift(*(largest_misfit(regimes, balances) for balances in (energy_balance, momentum_balance)))
 
 
-def largest(stretches: Sequence[Stretch], balances: Callable[[Course], Iterator[Balance]]) -> float | None:
-    """The largest misfit within a stretch, as a part of the largest size in all; None where the forces do not tell it."""
+def largest_misfit(regimes: Sequence[Regime], balances: Callable[[System], Iterator[Balance]]) -> float | None:
+    """The largest misfit within a regime, as a part of the largest size in all; None where the forces do not tell it."""
     misfits, sizes = [0.0], [0.0]
-    for part in stretches:
+    for part in regimes:
         with Precision(BITS):
-            found = list(balances(part.course))
+            found = list(balances(part.system))
         for balance in found:
             pair = misfit(balance, part)
             if pair is None:
@@ -77,12 +77,12 @@ def largest(stretches: Sequence[Stretch], balances: Callable[[Course], Iterator[
     return max(misfits) / max(sizes) if max(sizes) else max(misfits)
 
 
-def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
-    """By how much value − ∫ rate dt changes in a stretch, and the largest size; None where the rate is not what it must be."""
-    course = part.course
+def misfit(balance: Balance, part: Regime) -> tuple[float, float] | None:
+    """By how much value − ∫ rate dt changes in a regime, and the largest size; None where the rate is not what it must be."""
+    system = part.system
     places = (balance.value, balance.rate, *balance.parts, *((balance.check,) if balance.check is not None else ()))
     reading = Values(part, places)
-    fed = course.tape.constant(balance.rate) != 0
+    fed = system.tape.constant(balance.rate) != 0
     pieces = part.runs[0].pieces
     pieces = pieces[:LOOKS] if fed else pieces[:: 1 + len(pieces) // LOOKS]
     first, spent = reading.at(part.times[0]), [0.0]
@@ -102,14 +102,14 @@ def misfit(balance: Balance, part: Stretch) -> tuple[float, float] | None:
 
 
 class Values:
-    """Reads some places on a tape at moments of a stretch, by its main run, in its own numbers."""
+    """Reads some places on a tape at moments of a regime, by its main run, in its own numbers."""
 
-    def __init__(self, part: Stretch, places: Sequence[int]) -> None:
-        course, self.part, self.places = part.course, part, places
+    def __init__(self, part: Regime, places: Sequence[int]) -> None:
+        system, self.part, self.places = part.system, part, places
         arithmetic = FLOATS if part.bits == FLOAT_BITS else BALLS
-        self.letters = [course.letters[item.letter] for item in course.variables]
-        self.clock, self.one = course.letters[TIME], arithmetic.number(ONE)
-        self.expansion = Expansion(course.tape, places, arithmetic)
+        self.letters = [system.letters[item.letter] for item in system.variables]
+        self.clock, self.one = system.letters[TIME], arithmetic.number(ONE)
+        self.expansion = Expansion(system.tape, places, arithmetic)
 
     def fed(self, start: float, length: float, halvings: int = 6) -> float:
         """∫ rate dt over a time, halved until both halves make the whole."""
@@ -131,20 +131,20 @@ class Values:
         return [self.expansion.lists[place][0] for place in self.places]
 
 
-def of_energy(course: Course) -> Iterator[Balance]:
+def energy_balance(system: System) -> Iterator[Balance]:
     """K + U against the power of what has no potential; nothing where a turning shaft gives energy."""
-    bodies = course.facts.bodies
+    bodies = system.facts.bodies
     if any(body.sweep is not None for body in bodies):
         return
     kinetic = energy.kinetic(list(bodies))
     heights = [
-        force.size * (risen(body, course) + force.arm.along(UP))
+        force.size * (risen(body, system) + force.arm.along(UP))
         for body in bodies
         for force in body.forces
         if force.role.weighs
     ]
-    stored = [item.energy for item in course.facts.potentials]
-    holders = {item.owner for item in course.facts.potentials}
+    stored = [item.energy for item in system.facts.potentials]
+    holders = {item.owner for item in system.facts.potentials}
     powers: list[Formula] = []
     for body in bodies:
         for item in body.acting:
@@ -154,12 +154,12 @@ def of_energy(course: Course) -> Iterator[Balance]:
                 powers.append(item.vector.dot(body.motion.velocity_of(item.arm)))
             else:
                 powers.append(item.torque * body.motion.spin)
-    yield from told(course, [*kinetic, *heights, *stored], powers, kinetic)
+    yield from balance_on_tape(system, [*kinetic, *heights, *stored], powers, kinetic)
 
 
-def risen(body: BodyFacts, course: Course) -> Formula:
+def risen(body: BodyFacts, system: System) -> Formula:
     """How high the reference point of a body is above some level that stays."""
-    motion, since = body.motion, GENERIC + course.moment.state
+    motion, since = body.motion, GENERIC + system.moment.state
     if motion.kind == "axis":
         return ZERO
     if motion.bend is not None:
@@ -169,23 +169,23 @@ def risen(body: BodyFacts, course: Course) -> Formula:
     return gone if motion.heading is None else gone * motion.heading.sin()
 
 
-def of_momentum(course: Course) -> Iterator[Balance]:
+def momentum_balance(system: System) -> Iterator[Balance]:
     """Σ m v to the right and up against the sum of all forces, where these are all told and nothing is carried round."""
-    if any(body.sweep is not None for body in course.facts.bodies):
+    if any(body.sweep is not None for body in system.facts.bodies):
         return
     for axis in (RIGHT, UP):
-        parts = [body.mass * body.centre_velocity.along(axis) for body in course.facts.bodies]
-        forces = [force.vector.along(axis) for body in course.facts.bodies for force in body.forces]
-        rates = [body.mass * body.centre_acceleration.along(axis) for body in course.facts.bodies]
-        yield from told(course, parts, forces, parts, rates)
+        parts = [body.mass * body.centre_velocity.along(axis) for body in system.facts.bodies]
+        forces = [force.vector.along(axis) for body in system.facts.bodies for force in body.forces]
+        rates = [body.mass * body.centre_acceleration.along(axis) for body in system.facts.bodies]
+        yield from balance_on_tape(system, parts, forces, parts, rates)
 
 
-def told(
-    course: Course, value: list[Formula], rate: list[Formula], parts: list[Formula], check: list[Formula] | None = None
+def balance_on_tape(
+    system: System, value: list[Formula], rate: list[Formula], parts: list[Formula], check: list[Formula] | None = None
 ) -> Iterator[Balance]:
-    """A balance on the tape of a course, where all its letters are told."""
+    """A balance on the tape of a system, where all its letters are told."""
     formulas = [total(value), total(rate), *parts, *([total(check)] if check is not None else [])]
-    if all(formula.symbols() <= set(course.letters) for formula in formulas):
-        places = [course.tape.formula(formula, course.letters) for formula in formulas]
+    if all(formula.symbols() <= set(system.letters) for formula in formulas):
+        places = [system.tape.formula(formula, system.letters) for formula in formulas]
         last = places.pop() if check is not None else None
         yield Balance(places[0], places[1], tuple(places[2:]), last)

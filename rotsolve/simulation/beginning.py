@@ -29,7 +29,7 @@ STATED = ("angle", "elongation", "length", "velocity", "angular_velocity")  # wh
 SINCE = ("rotation", "displacement")  # what counts from the first state
 
 
-def opening(configuration: Configuration, state: str) -> Configuration:
+def scene_from(configuration: Configuration, state: str) -> Configuration:
     """The scene as it is arranged from a state on, under the name of its first one: what acts there, what is there."""
     problem, first = configuration.problem, configuration.timeline.states[0]
     there = {
@@ -54,7 +54,7 @@ def opening(configuration: Configuration, state: str) -> Configuration:
     )
 
 
-def standing(configuration: Configuration, time: float, numbers: Mapping[str, float]) -> Configuration:
+def scene_at(configuration: Configuration, time: float, numbers: Mapping[str, float]) -> Configuration:
     """The scene at a moment of its motion as a scene of its own, which starts with these places and speeds, by their names.
 
     What varies in it counts on from that moment.

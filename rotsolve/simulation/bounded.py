@@ -18,10 +18,10 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
+from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar
-from rotsolve.simulation.taylor import Motion, Stepper, Walker, order_for, value
+from rotsolve.simulation.taylor import Stepper, Trajectory, Walker, horner, order_for
 from rotsolve.simulation.watches import Hit, Lookout, Watch
 
 ROUNDING = 2.0**-49  # of the terms of a polynomial: what working it out may add
@@ -36,7 +36,7 @@ States = tuple[list[Scalar], ...]  # of all runs
 Times = tuple[float, ...]
 
 
-class Way(Struct, frozen=True):
+class RunOptions(Struct, frozen=True):
     """How one run goes: the tolerance of its steps, its numbers, and whether it rounds coarsely on purpose."""
 
     tolerance: float
@@ -56,23 +56,25 @@ class Tolerances(Struct, frozen=True):
         return self.bits == FLOAT_BITS and self.main < ROUNDED
 
     @property
-    def ways(self) -> tuple[Way, ...]:
+    def ways(self) -> tuple[RunOptions, ...]:
         """The main run, and those with which it is compared: two where roundings count, since one may happen to come out the same."""
         if self.rounded:
             others = zip(COARSER, (COARSE_FLOATS, MIXED_FLOATS), strict=True)
-            return Way(self.main, FLOATS), *(Way(times * self.main, numbers, True) for times, numbers in others)
+            return RunOptions(self.main, FLOATS), *(
+                RunOptions(times * self.main, numbers, True) for times, numbers in others
+            )
         if self.bits == FLOAT_BITS:
-            return Way(self.main, FLOATS), Way(self.main / FINER, COARSE_FLOATS, True)
-        return Way(self.main, BALLS), Way(self.main / FINER, BALLS)
+            return RunOptions(self.main, FLOATS), RunOptions(self.main / FINER, COARSE_FLOATS, True)
+        return RunOptions(self.main, BALLS), RunOptions(self.main / FINER, BALLS)
 
 
-class Stretch(Struct):
+class Regime(Struct):
     """A part of a motion along which the equations stay the same: its runs, when each ends, and the bounds of the state so far."""
 
-    course: Course
+    system: System
     tolerances: Tolerances
     times: Times
-    runs: tuple[Motion, ...]
+    runs: tuple[Trajectory, ...]
     ends: Times
     last: States
     hit: Hit | None = None
@@ -111,7 +113,7 @@ class Stretch(Struct):
         """The numbers of the state by the main run, with what roundings of its polynomials and of its first state add to them."""
         piece = self.runs[0].piece_at(time)
         since = abs(time - piece.start)
-        sizes = (float(value([abs(term) for term in terms], since)) for terms in piece.polynomials)
+        sizes = (float(horner([abs(term) for term in terms], since)) for terms in piece.polynomials)
         return [arb(middle, self.rounding * size) for middle, size in zip(piece.at(time), sizes, strict=True)]
 
     def derived(self, time: float, names: Sequence[str]) -> list[float]:
@@ -119,7 +121,7 @@ class Stretch(Struct):
         marks = self.marks()
         around = list(self.around(marks, time))
         fresh = [mark for mark in around if not self.spread.get(mark, {}).keys() >= set(names)]
-        reading = Reading(self.course, names)
+        reading = Readout(self.system, names)
         for mark in fresh:
             self.spread.setdefault(mark, {}).update(self._gaps(reading, mark))
         rows = [self._gaps(reading, time), *(self.spread[mark] for mark in around)]
@@ -141,7 +143,7 @@ class Stretch(Struct):
             return marks[: number + 2 : 1 + number // LOOKS]
         return marks[max(0, number - BESIDE) : number + BESIDE]
 
-    def _gaps(self, reading: Reading, time: float) -> dict[str, float]:
+    def _gaps(self, reading: Readout, time: float) -> dict[str, float]:
         """How far quantities differ between the main run and the others at a moment, and some more for safety."""
         first, *others = (reading.read(time, run.piece_at(time).at(time)) for run in self.runs)
         return {
@@ -158,14 +160,14 @@ class Unsettled(ValueError):
         self.time = time
 
 
-def start_of(course: Course, tolerances: Tolerances) -> States:
+def start_of(system: System, tolerances: Tolerances) -> States:
     """The first state of all runs."""
     with Precision(tolerances.bits):
-        return tuple([way.numbers.number(item.start) for item in course.variables] for way in tolerances.ways)
+        return tuple([way.numbers.number(item.start) for item in system.variables] for way in tolerances.ways)
 
 
-def stretch(
-    course: Course,
+def follow_regime(
+    system: System,
     times: Times,
     states: States,
     until: float,
@@ -173,13 +175,13 @@ def stretch(
     watched: Sequence[Watch],
     sides: Sequence[Mapping[Watch, int]],
     tell: Callable[[float], None],
-) -> Stretch:
-    """Follow a course from a time on by all runs until something happens."""
+) -> Regime:
+    """Follow a system from a time on by all runs until something happens."""
     runs, ends, last, hits, told = [], [], [], [], []
     places = [watch.place for watch in watched]
     with Precision(tolerances.bits):
         for number, (way, time, state, signs) in enumerate(zip(tolerances.ways, times, states, sides, strict=True)):
-            stepper = Stepper(course, way.numbers, way.tolerance, order_for(way.tolerance), places)
+            stepper = Stepper(system, way.numbers, way.tolerance, order_for(way.tolerance), places)
             walker = Walker(stepper, time, state, way.coarse)
             lookout = Lookout(watched, signs)
             motion, hit = followed_until(walker, until, lookout, tell, ROUNDED_TIMES if number else 0)
@@ -190,18 +192,18 @@ def stretch(
             told.append(lookout.told())
     if len({hit and hit.watch for hit in hits}) > 1:
         raise Unsettled(min(ends))
-    return Stretch(course, tolerances, times, tuple(runs), tuple(ends), tuple(last), hits[0], tuple(told))
+    return Regime(system, tolerances, times, tuple(runs), tuple(ends), tuple(last), hits[0], tuple(told))
 
 
 def followed_until(
     walker: Walker, until: float, lookout: Lookout, tell: Callable[[float], None], beside: int = 0
-) -> tuple[Motion, Hit | None]:
+) -> tuple[Trajectory, Hit | None]:
     """The pieces of a motion until something happens, or to a time.
 
     Times are floats: where something happens is rounded, in all runs alike. One that takes it some floats `beside` shows by how much
     that matters.
     """
-    motion = Motion()
+    motion = Trajectory()
     while True:
         piece = walker.piece(until)
         motion.add(piece)
@@ -218,7 +220,7 @@ def followed_until(
             return motion, None
 
 
-def measure(found: Stretch, before: Sequence[float]) -> None:
+def measure_bounds(found: Regime, before: Sequence[float]) -> None:
     """The bounds at each step of the main run by its differences from the others, and some more for safety; see `around`."""
     main, *others = found.runs
     rows = [list(before)]
@@ -238,14 +240,14 @@ def farthest(number: Scalar, others: Sequence[Scalar]) -> float:
     return max((abs(float(number - other)) for other in others), default=0.0)
 
 
-class Reading:
+class Readout:
     """Reads quantities from the numbers of the state at a moment, in balls."""
 
-    def __init__(self, course: Course, names: Sequence[str]) -> None:
-        self.letters = [course.letters[item.letter] for item in course.variables]
-        self.clock = course.letters[TIME]
-        self.places = {name: course.outputs[name] for name in names}
-        self.expansion = Expansion(course.tape, list(self.places.values()), BALLS)
+    def __init__(self, system: System, names: Sequence[str]) -> None:
+        self.letters = [system.letters[item.letter] for item in system.variables]
+        self.clock = system.letters[TIME]
+        self.places = {name: system.outputs[name] for name in names}
+        self.expansion = Expansion(system.tape, list(self.places.values()), BALLS)
 
     def read(self, time: float, state: Sequence[Scalar]) -> dict[str, Scalar]:
         letters = {place: arb(number) for place, number in zip(self.letters, state, strict=True)}

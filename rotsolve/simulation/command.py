@@ -15,7 +15,7 @@ from rotsolve.simulation.showing.report import csv, lines, times_of
 from rotsolve.simulation.simulating import simulate
 
 
-class Request(Struct, frozen=True):
+class SimulationRequest(Struct, frozen=True):
     """What the command line asked for."""
 
     file: str
@@ -30,7 +30,7 @@ class Request(Struct, frozen=True):
     output: str | None = None  # a file for the numbers
 
 
-def run(request: Request) -> int:
+def run_simulation(request: SimulationRequest) -> int:
     """Follow a scene and write what was asked for."""
     try:
         with advancing(name_of(request.file)) as tell:
@@ -38,8 +38,8 @@ def run(request: Request) -> int:
             found = simulate(scene, request.until, request.accuracy, request.settings, tell, certified=certified)
     except Exception as error:
         failed = failure_outcome(request.file, error)
-        return refuse(failed.message, failed.code)
-    return write(found, request)
+        return fail(failed.message, failed.code)
+    return write_run(found, request)
 
 
 def drawn(found: Run) -> str:
@@ -49,12 +49,12 @@ def drawn(found: Run) -> str:
     return f"t = 0 to {found.end:g} s{ended}{states}"
 
 
-def refuse(message: str, code: int) -> int:
+def fail(message: str, code: int) -> int:
     print(message, file=sys.stderr)
     return code
 
 
-def write(found: Run, request: Request) -> int:
+def write_run(found: Run, request: SimulationRequest) -> int:
     """The picture into its file, the numbers or the table to standard output."""
     if request.plot is not None:
         from rotsolve.simulation.showing.plot import NoPlots, plot
@@ -62,15 +62,15 @@ def write(found: Run, request: Request) -> int:
         try:
             plot(found, request.plot)
         except NoPlots as error:
-            return refuse(f"error: {error}", BAD)
+            return fail(f"error: {error}", BAD)
         except OSError as error:
-            return refuse(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
-        return refuse(f"wrote {request.plot}: {drawn(found)}", SOLVED)
+            return fail(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
+        return fail(f"wrote {request.plot}: {drawn(found)}", SOLVED)
     if request.csv:
         numbers = csv(found, times_of(found, request.step))
         if request.output is not None:
             code = write_file(request.output, "".join(f"{line}\n" for line in numbers))
-            return refuse(f"wrote {request.output}: {drawn(found)}", SOLVED) if code == SOLVED else code
+            return fail(f"wrote {request.output}: {drawn(found)}", SOLVED) if code == SOLVED else code
         for line in numbers:
             print(line)
         return SOLVED

@@ -28,19 +28,19 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.beginning import Beginning, beginning
-from rotsolve.simulation.course import (
-    Course,
-    Variable,
-    check_rules,
-    component_of,
-    key,
-    path,
-    refusal,
-    said,
-    told_by_others,
-)
 from rotsolve.simulation.linear import Contradictory, Linear, Row
 from rotsolve.simulation.series import rough_value
+from rotsolve.simulation.system import (
+    System,
+    Variable,
+    check_rules,
+    component_in,
+    letter_key,
+    named_in_text,
+    path_name,
+    refusal,
+    told_by_others,
+)
 from rotsolve.simulation.tape import SeriesTape, vanishes
 
 RIGHT_ANGLE = PI / 2
@@ -60,12 +60,12 @@ PLACES = (
 class Compiler(Struct, dict=True):
     """Writes the equations of motion of a configuration in one choice of modes of its contacts.
 
-    `before` is the course that this one goes on from, whose angles keep their origins.
+    `before` is the system that this one goes on from, whose angles keep their origins.
     """
 
     configuration: Configuration
     modes: Mapping[str, str]
-    before: Course | None = None
+    before: System | None = None
 
     def __post_init__(self) -> None:
         self.values = {
@@ -79,14 +79,14 @@ class Compiler(Struct, dict=True):
         self.unnumbered = ""  # a letter without a number that some law speaks of
         self.linear = Linear(self.tape, self.letters, lambda place: rough_value(self.tape, place, self.first))
 
-    def compiled(self) -> Course:
-        """The course of the scene from its first state."""
+    def compiled(self) -> System:
+        """The system of the scene from its first state."""
         try:
             return self._compiled()
         except Unwritable as error:
             raise refusal(error, self.registry) from None
 
-    def _compiled(self) -> Course:
+    def _compiled(self) -> System:
         with Precision(BITS):
             bodies = [body.name for body in self.configuration.present(self.start.instant.state)]
             self._enter_givens()
@@ -106,14 +106,14 @@ class Compiler(Struct, dict=True):
                 for speed, rate in self._pairs(moment, name)
                 if isinstance(speed, Symbol)
             }
-            lines = [*places, *((path(name), name, rising[name]) for name in free)]
+            lines = [*places, *((path_name(name), name, rising[name]) for name in free)]
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
             variables = self._followed(variables)
             outputs = self._outputs([line for line in lines if line[1] in moving], variables)
-            course = Course(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
-            check_rules(course)
-            return course
+            system = System(self.tape, variables, outputs, {**self.letters, **self.inertias}, facts, moment)
+            check_rules(system)
+            return system
 
     def _enter_givens(self) -> None:
         """The givens that have numbers."""
@@ -141,13 +141,15 @@ class Compiler(Struct, dict=True):
                     raise NotYet(
                         f"`{self.unnumbered}` has no number", help=f"give it one, or say --set {self.unnumbered}=…"
                     )
-                raise NotYet(f"the laws do not tell the {said(next(iter(rate.symbols()), letter), self.registry)}")
+                raise NotYet(
+                    f"the laws do not tell the {named_in_text(next(iter(rate.symbols()), letter), self.registry)}"
+                )
         yield from moving
 
     def _followed(self, variables: tuple[Variable, ...]) -> tuple[Variable, ...]:
         """The numbers that have to be followed; places that others tell, and nothing else rests on, become values of these.
 
-        A course that goes on from another one starts from numbers that are known to each run alone: it follows all of them.
+        A system that goes on from another one starts from numbers that are known to each run alone: it follows all of them.
         """
         if self.before is not None:
             return variables
@@ -191,7 +193,7 @@ class Compiler(Struct, dict=True):
         self.first[letter] = self._exact(start)
 
     def _at_first(self, told: Callable[[], Formula]) -> Formula:
-        """The value of a place at first; nothing where this course goes on from another, which knows it."""
+        """The value of a place at first; nothing where this system goes on from another, which knows it."""
         return told() if self.before is None else NOTHING
 
     def _set_angles(self, bodies: list[str]) -> None:
@@ -223,15 +225,15 @@ class Compiler(Struct, dict=True):
         """The coordinates: their names, letters and rates."""
         for name in bodies:
             motion, orbit = moment.motion(name), moment.orbit(name)
-            letter = key("angle", name, moment.when)
+            letter = letter_key("angle", name, moment.when)
             if letter in self.origins:
                 yield f"{name}.angle", letter, motion.spin
             if orbit is not None and motion.bend is not None:
                 rate = motion.velocity.along(motion.bend.outward.turned(90)) / motion.bend.radius
-                yield f"{orbit.owner}.angle", key("angle", orbit.owner, moment.when), rate
+                yield f"{orbit.owner}.angle", letter_key("angle", orbit.owner, moment.when), rate
             if motion.kind != "axis":
                 yield from self._ways(name, moment)
-            turned = key("rotation", name, GENERIC + self.configuration.timeline.states[0].name)
+            turned = letter_key("rotation", name, GENERIC + self.configuration.timeline.states[0].name)
             if turned in self.registry.quantities:
                 self._enter(turned, NOTHING)
                 yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
@@ -250,12 +252,12 @@ class Compiler(Struct, dict=True):
         """How far a body has travelled since the first state, along its line or to the right and up."""
         since = GENERIC + self.configuration.timeline.states[0].name
         if moment.motion(name).kind == "line":
-            letter = key("displacement", name, since)
+            letter = letter_key("displacement", name, since)
             self._enter(letter, NOTHING)
             yield f"{name}.position", letter, next(rates_of_body("velocity", moment, name))
             return
         for axis in "xy":
-            letter = key("displacement", name, since, axis)
+            letter = letter_key("displacement", name, since, axis)
             self._enter(letter, NOTHING)
             yield f"{name}.position.{axis}", letter, moment.component("velocity", name, axis)
 
@@ -279,7 +281,7 @@ class Compiler(Struct, dict=True):
 
         for name in names - {name for row in rows for name in row}:
             self.letters[name] = left_free(name)
-        turning_ = {name: 1 for name in names if component_of(name) == ""}
+        turning_ = {name: 1 for name in names if component_in(name) == ""}
         told = self.linear.in_terms_of_free(rows, turning_, left_free)
         self.letters.update(told)
         first = self._first_speeds(bodies, moment) if self.before is None else {}
@@ -365,7 +367,7 @@ class Compiler(Struct, dict=True):
             found[name] = self.tape.sum([(self.letters[letter], ONE), (quarter, fmpq(self.origins.get(letter, 0)))])
         for letter, place in self.letters.items():
             if letter in self.registry.quantities:
-                found.setdefault(path(letter), place)
+                found.setdefault(path_name(letter), place)
         followed = {item.letter for item in variables} | {TIME}
         return {name: place for name, place in found.items() if self.tape.letters_under(place) <= followed}
 
@@ -380,6 +382,6 @@ def refuse_changing(facts: Facts) -> None:
             raise NotYet(f"`{rule.owner}` changes its sizes on the way: not simulated yet")
 
 
-def compiled(configuration: Configuration, modes: Mapping[str, str], before: Course | None = None) -> Course:
-    """The equations of motion of a configuration, from its first state, or as they go on from a course before."""
+def compiled(configuration: Configuration, modes: Mapping[str, str], before: System | None = None) -> System:
+    """The equations of motion of a configuration, from its first state, or as they go on from a system before."""
     return Compiler(configuration, modes, before).compiled()

@@ -10,11 +10,11 @@ from collections.abc import Callable, Sequence
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.simulation.bounded import Stretch, Tolerances, Unsettled
-from rotsolve.simulation.course import Course
+from rotsolve.simulation.bounded import Regime, Tolerances, Unsettled
 from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar
-from rotsolve.simulation.taylor import Motion, Piece, Stepper, Unbounded, value
+from rotsolve.simulation.taylor import Stepper, TaylorStep, Trajectory, Unbounded, horner
 from rotsolve.simulation.watches import REACHED, Watch
 
 BITS_AN_ORDER = 3.5  # by measurement
@@ -25,18 +25,18 @@ WIDE = 1e-2  # a ball that is wider than this part of its number tells nothing a
 
 
 class Encloser:
-    """Takes steps of a course that are proved."""
+    """Takes steps of a system that are proved."""
 
-    def __init__(self, course: Course, bits: int, watched: Sequence[Watch]) -> None:
+    def __init__(self, system: System, bits: int, watched: Sequence[Watch]) -> None:
         order = int(bits / BITS_AN_ORDER)
         tolerance = 2.0 ** -min(bits, 1000)
-        self.course, self.order = course, order
-        self.points, self.boxes = (Stepper(course, BALLS, tolerance, order) for _ in range(2))
+        self.system, self.order = system, order
+        self.points, self.boxes = (Stepper(system, BALLS, tolerance, order) for _ in range(2))
         self.watched = [watch.place for watch in watched if watch.kind != REACHED]
-        places = [*(item.rate for item in course.variables), *self.watched]
-        self.rates = Expansion(course.tape, places, BALLS)
+        places = [*(item.rate for item in system.variables), *self.watched]
+        self.rates = Expansion(system.tape, places, BALLS)
 
-    def piece(self, time: float, state: Sequence[Scalar], until: float, before: float) -> tuple[Piece, bool]:
+    def piece(self, time: float, state: Sequence[Scalar], until: float, before: float) -> tuple[TaylorStep, bool]:
         """A step with its remainder as last coefficient, and whether what is watched keeps its sign in it."""
         series = self.points.expand(time, state).polynomials
         length = self.points.length(series, before or until - time)
@@ -50,7 +50,7 @@ class Encloser:
                 keeps = all(not self.rates.lists[place][0].contains(0) for place in self.watched)
                 rest = self.boxes.expand(clock, box).polynomials
                 held = tuple([*terms[:-1], last[-1]] for terms, last in zip(series, rest, strict=True))
-                return Piece(time, length, held), keeps
+                return TaylorStep(time, length, held), keeps
             length *= SHORTER
         raise Unbounded(time)
 
@@ -58,7 +58,7 @@ class Encloser:
         self, state: Sequence[Scalar], series: Sequence[Sequence[Scalar]], clock: Scalar, length: float
     ) -> list[Scalar] | None:
         """A box B with x + [0, h] f(B) within it: what the series says with some room, then what f makes of that."""
-        spreads = (spread(terms, length) for terms in series)
+        spreads = (reach(terms, length) for terms in series)
         box = [arb(start.mid(), arb(start.rad()) + more) for start, more in zip(state, spreads, strict=True)]
         period = arb(length / 2, length / 2)
         for _ in range(WIDENINGS):
@@ -67,7 +67,7 @@ class Encloser:
                 self.rates.begin({**letters, self.points.time: clock})
             except ZeroDivisionError:
                 return None
-            rates = (self.rates.lists[item.rate][0] for item in self.course.variables)
+            rates = (self.rates.lists[item.rate][0] for item in self.system.variables)
             ways = [start + period * rate for start, rate in zip(state, rates, strict=True)]
             if all(around.contains(way) for around, way in zip(box, ways, strict=True)):
                 return box
@@ -75,20 +75,20 @@ class Encloser:
         return None
 
 
-def spread(terms: Sequence[Scalar], length: float) -> Scalar:
+def reach(terms: Sequence[Scalar], length: float) -> Scalar:
     """How far a series takes a number from its start, with some room."""
     sizes = [abs(term) for term in terms[1:]]
-    return (ROOM * value([arb(0), *sizes], length)).upper() + arb(2) ** -400
+    return (ROOM * horner([arb(0), *sizes], length)).upper() + arb(2) ** -400
 
 
 def enclosed(
-    course: Course, until: float, bits: int, watched: Sequence[Watch], tell: Callable[[float], None]
-) -> tuple[Stretch, str]:
-    """A course in proved steps, and why it was not followed to the end; it ends where something may happen."""
-    motion, time, before, why = Motion(), 0.0, 0.0, ""
+    system: System, until: float, bits: int, watched: Sequence[Watch], tell: Callable[[float], None]
+) -> tuple[Regime, str]:
+    """A system in proved steps, and why it was not followed to the end; it ends where something may happen."""
+    motion, time, before, why = Trajectory(), 0.0, 0.0, ""
     with Precision(bits):
-        state = [arb(item.start) for item in course.variables]
-        encloser = Encloser(course, bits, watched)
+        state = [arb(item.start) for item in system.variables]
+        encloser = Encloser(system, bits, watched)
         while time < until:
             tell(time / until)
             piece, keeps = encloser.piece(time, state, until, before)
@@ -100,14 +100,14 @@ def enclosed(
                     raise Unsettled(time)
                 break
             motion.add(piece)
-            state = [value(terms, piece.length) for terms in piece.polynomials]
+            state = [horner(terms, piece.length) for terms in piece.polynomials]
             time, before = piece.start + piece.length, piece.length
             if any(float(number.rad()) > WIDE * max(1.0, abs(float(number.mid()))) for number in state):
                 raise Unbounded(time)
     zeros = [[0.0] * len(state) for _ in motion.pieces]
     return (
-        Stretch(
-            course,
+        Regime(
+            system,
             Tolerances(0.0, bits),
             (0.0, 0.0),
             (motion, motion),

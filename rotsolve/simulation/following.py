@@ -1,4 +1,4 @@
-"""Following: a motion through all that happens on the way: each event ends one course of equations and begins the next."""
+"""Following: a motion through all that happens on the way: each event ends one system of equations and begins the next."""
 
 from __future__ import annotations
 
@@ -14,33 +14,33 @@ from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
-from rotsolve.simulation.beginning import opening, standing
+from rotsolve.simulation.beginning import scene_at, scene_from
 from rotsolve.simulation.bounded import (
     FLOAT_BITS,
     SAFETY,
-    Reading,
+    Readout,
+    Regime,
     States,
-    Stretch,
     Times,
     Tolerances,
     Unsettled,
     farthest,
-    measure,
+    follow_regime,
+    measure_bounds,
     start_of,
-    stretch,
 )
 from rotsolve.simulation.compiling import compiled
-from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import BALLS, Expansion
+from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar
-from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, place_of, told, watches
+from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, is_told, place_on_tape, watches
 
 READING_BITS = 192
 STEPS_LEAVE_OUT = 100.0  # times their tolerance: how far an event may be from its moment by what the steps leave out
 CROWD = 2000  # events before a motion is given up
 
 
-class Event(Struct, frozen=True):
+class Occurrence(Struct, frozen=True):
     """Something that happens: when, how far that may be from the true moment, and what it is."""
 
     time: float
@@ -52,8 +52,8 @@ class Event(Struct, frozen=True):
 class Followed(Struct):
     """A motion as far as it was followed; `ended` says why not further."""
 
-    stretches: list[Stretch] = field(default_factory=list)
-    events: list[Event] = field(default_factory=list)
+    regimes: list[Regime] = field(default_factory=list)
+    events: list[Occurrence] = field(default_factory=list)
     ended: str = ""
     sought: str = ""  # the last state of the scene that was looked for
 
@@ -70,42 +70,42 @@ class Follower(Struct, dict=True):
         first = self.configuration.timeline.after(self.configuration.timeline.states[0].name)
         if first is not None and first.event is not None:
             raise NotYet(f"the motion begins with the event `{first.name}`, which is not simulated yet")
-        self.scene = opening(self.configuration, self.configuration.timeline.states[0].name)
+        self.scene = scene_from(self.configuration, self.configuration.timeline.states[0].name)
         self.found = Followed()
         self.modes = self.decided(self.scene)
         self.ahead = list(self.configuration.timeline.states[1:])
-        self.courses: dict[
-            object, Course
+        self.systems: dict[
+            object, System
         ] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
 
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
-        course = compiled(self.scene, self.modes)
-        states = start_of(course, self.tolerances)
+        system = compiled(self.scene, self.modes)
+        states = start_of(system, self.tolerances)
         times: Times = (0.0,) * len(states)
-        since = self._coordinates(course, [item.start for item in course.variables], 0.0)
+        since = self._coordinates(system, [item.start for item in system.variables], 0.0)
         sides: Sequence[Mapping[Watch, int]] = [{} for _ in states]
         while not self.found.ended and len(self.found.events) < CROWD:
             try:
-                watched = watches(course, self.modes, self.ahead[0] if self.ahead else None, since)
+                watched = watches(system, self.modes, self.ahead[0] if self.ahead else None, since)
             except NotYet as error:
-                if not self.found.stretches:
+                if not self.found.regimes:
                     raise
                 self.found.ended = str(error)
                 break
             self.found.sought = next((item.what for item in watched if item.kind == REACHED), self.found.sought)
-            part = stretch(course, times, states, self.until, self.tolerances, watched, sides, self.tell)
+            part = follow_regime(system, times, states, self.until, self.tolerances, watched, sides, self.tell)
             self._enter(part)
             if part.hit is None:
                 return self.found
             states, times = part.last, part.ends
             if part.hit.watch.kind == REACHED or part.hit.also:
-                since = self._coordinates(course, states[0], times[0])
-            before, watch = course, part.hit.watch
+                since = self._coordinates(system, states[0], times[0])
+            before, watch = system, part.hit.watch
             for _ in part.hit.also:
                 self._reconfigured(self.ahead.pop(0))
-            course, states = self._after(watch, part, states, times)
-            sides = part.sides if course is before else [{} for _ in states]
+            system, states = self._after(watch, part, states, times)
+            sides = part.sides if system is before else [{} for _ in states]
         if not self.found.ended:
             raise Unsettled(times[0])
         return self.found
@@ -118,62 +118,64 @@ class Follower(Struct, dict=True):
 
         return decide(scene, at_rest).modes
 
-    def _enter(self, part: Stretch) -> None:
+    def _enter(self, part: Regime) -> None:
         """A part that has been followed, with what ends it; bounds never shrink from one part to the next."""
-        before = dict.fromkeys((item.name for item in part.course.variables), 0.0)
-        if self.found.stretches:
-            last = self.found.stretches[-1]
-            before.update(zip((item.name for item in last.course.variables), last.bounds[-1], strict=True))
+        before = dict.fromkeys((item.name for item in part.system.variables), 0.0)
+        if self.found.regimes:
+            last = self.found.regimes[-1]
+            before.update(zip((item.name for item in last.system.variables), last.bounds[-1], strict=True))
         with Precision(self.tolerances.bits):
-            measure(part, [before[item.name] for item in part.course.variables])
-        self.found.stretches.append(part)
+            measure_bounds(part, [before[item.name] for item in part.system.variables])
+        self.found.regimes.append(part)
         bound = SAFETY * farthest(part.ends[0], part.ends[1:]) + 4 * 2.0**-52 * part.ends[0]
         for watch in (part.hit.watch, *part.hit.also) if part.hit is not None else ():
             if watch.kind != TURNS:
                 state = watch.what if watch.kind == REACHED else ""
-                self.found.events.append(Event(part.ends[0], bound, watch.what, state))
+                self.found.events.append(Occurrence(part.ends[0], bound, watch.what, state))
 
-    def _after(self, hit: Watch, part: Stretch, states: States, times: Times) -> tuple[Course, States]:
-        """The course that follows an event at the end of a part, and the states of all runs in its numbers."""
-        course = part.course
+    def _after(self, hit: Watch, part: Regime, states: States, times: Times) -> tuple[System, States]:
+        """The system that follows an event at the end of a part, and the states of all runs in its numbers."""
+        system = part.system
         if hit.kind == BREAKS:
             self.found.ended = f"{hit.what}: what comes after that is not followed"
         if hit.kind in (BREAKS, TURNS) or (hit.kind == REACHED and not self._reconfigured(self.ahead.pop(0))):
-            return course, states
+            return system, states
         if hit.kind == SLIPS and hit.rub is not None:
             self.modes = {**self.modes, hit.rub.key: hit.mode}
         else:
-            numbers = {name: float(ball.mid()) for name, ball in self._read(course, states[0], times[0]).items()}
-            self.modes = self.decided(standing(self.scene, times[0], numbers), self._at_rest(part, hit))
-        following = self._going_on(course)
-        carried = (self._carried(course, following, state, time) for state, time in zip(states, times, strict=True))
+            numbers = {name: float(ball.mid()) for name, ball in self._read(system, states[0], times[0]).items()}
+            self.modes = self.decided(scene_at(self.scene, times[0], numbers), self._at_rest(part, hit))
+        following = self._going_on(system)
+        carried = (self._carried(system, following, state, time) for state, time in zip(states, times, strict=True))
         return following, tuple(carried)
 
-    def _going_on(self, course: Course) -> Course:
-        """The course that goes on from another one; it depends on that one's coordinates and their origins alone."""
-        key = (tuple(sorted(self.modes.items())), tuple((item.letter, item.origin) for item in course.variables))
-        if key not in self.courses:
-            self.courses[key] = compiled(self.scene, self.modes, course)
-        return self.courses[key]
+    def _going_on(self, system: System) -> System:
+        """The system that goes on from another one; it depends on that one's coordinates and their origins alone."""
+        key = (tuple(sorted(self.modes.items())), tuple((item.letter, item.origin) for item in system.variables))
+        if key not in self.systems:
+            self.systems[key] = compiled(self.scene, self.modes, system)
+        return self.systems[key]
 
-    def _at_rest(self, part: Stretch, hit: Watch) -> set[str]:
+    def _at_rest(self, part: Regime, hit: Watch) -> set[str]:
         """What rubs without slipping at the end of a part: what has just stopped, and what slips no more by all that its numbers tell."""
         first, last = self._slips(part, part.runs[0].pieces[-1].start), self._slips(part, part.ends[0])
         left_out = STEPS_LEAVE_OUT * self.tolerances.main
         resting = {name for name, slip in last.items() if abs(slip).lower() <= left_out * abs(first[name]).upper()}
         return resting | ({hit.rub.name} if hit.rub is not None else set())
 
-    def _slips(self, part: Stretch, time: float) -> dict[str, Scalar]:
+    def _slips(self, part: Regime, time: float) -> dict[str, Scalar]:
         """How fast all that rubs slips at a moment, where the laws tell it."""
-        course = part.course
+        system = part.system
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
-            slips = {rub.name: rub.rate(course.moment) for rub in rubs(course.moment.configuration)}
-            places = {name: place_of(course, slip) for name, slip in slips.items() if slip and told(course, slip)}
-            expansion = Expansion(course.tape, list(places.values()), BALLS)
-            state = {
-                course.letters[item.letter]: ball for item, ball in zip(course.variables, part.state(time), strict=True)
+            slips = {rub.name: rub.rate(system.moment) for rub in rubs(system.moment.configuration)}
+            places = {
+                name: place_on_tape(system, slip) for name, slip in slips.items() if slip and is_told(system, slip)
             }
-            expansion.begin({**state, course.letters[TIME]: arb(time)})
+            expansion = Expansion(system.tape, list(places.values()), BALLS)
+            state = {
+                system.letters[item.letter]: ball for item, ball in zip(system.variables, part.state(time), strict=True)
+            }
+            expansion.begin({**state, system.letters[TIME]: arb(time)})
             return {name: expansion.lists[place][0] for name, place in places.items()}
 
     def _reconfigured(self, state: State) -> bool:
@@ -182,28 +184,28 @@ class Follower(Struct, dict=True):
         if after is not None and after.event is not None:
             self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
             return False
-        scene = opening(self.configuration, state.name)
+        scene = scene_from(self.configuration, state.name)
         changed = (scene.problem.connections, scene.problem.actions) != (
             self.scene.problem.connections,
             self.scene.problem.actions,
         )
         if changed:
             self.scene = scene
-            self.courses.clear()
+            self.systems.clear()
         return changed
 
-    def _coordinates(self, course: Course, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
+    def _coordinates(self, system: System, state: Sequence[Scalar], time: float) -> dict[str, Exact]:
         """The places at a moment, where a state that is still ahead may count from them."""
-        return {name: ball.mid() for name, ball in self._read(course, state, time).items()} if self.ahead else {}
+        return {name: ball.mid() for name, ball in self._read(system, state, time).items()} if self.ahead else {}
 
-    def _read(self, course: Course, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
+    def _read(self, system: System, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
-            return Reading(course, tuple(course.outputs)).read(time, state)
+            return Readout(system, tuple(system.outputs)).read(time, state)
 
-    def _carried(self, course: Course, following: Course, state: Sequence[Scalar], time: float) -> list[Scalar]:
-        """The state at an event in the numbers of the course that follows."""
-        own = {item.letter: number for item, number in zip(course.variables, state, strict=True)}
-        read = self._read(course, state, time)
+    def _carried(self, system: System, following: System, state: Sequence[Scalar], time: float) -> list[Scalar]:
+        """The state at an event in the numbers of the system that follows."""
+        own = {item.letter: number for item, number in zip(system.variables, state, strict=True)}
+        read = self._read(system, state, time)
         floats = self.tolerances.bits == FLOAT_BITS
         found = []
         for item in following.variables:

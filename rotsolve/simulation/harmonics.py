@@ -27,7 +27,7 @@ class TooLong(Exception):
 def reduced(tape: SeriesTape, places: Sequence[int]) -> list[int]:
     """The same values written as sums of single sines and cosines, where that takes fewer products."""
     try:
-        shorter = [written(tape, terms_of(tape, place, {})) for place in places]
+        shorter = [write_terms(tape, terms_of(tape, place, {})) for place in places]
     except TooLong:
         return list(places)
     return shorter if price(tape, shorter) < price(tape, places) else list(places)
@@ -48,13 +48,13 @@ def terms_of(tape: SeriesTape, place: int, known: dict[int, Terms]) -> Terms:
             found: Terms = {PLAIN: operation.numbers[0]}
             for value, factor in zip(operation.values, operation.numbers[1:], strict=True):
                 for term, weight in terms_of(tape, value, known).items():
-                    add(found, term, weight * factor)
+                    add_term(found, term, weight * factor)
             known[place] = found
         elif operation.kind == "times":
             first, second = (terms_of(tape, value, known) for value in operation.values)
-            known[place] = product(first, second)
+            known[place] = product_of_sums(first, second)
         elif operation.kind in ("sin", "cos"):
-            known[place] = single(operation.kind, angle_of(tape, operation.values[0]))
+            known[place] = one_harmonic(operation.kind, angle_of(tape, operation.values[0]))
         else:
             known[place] = {(((place, 1),), "", ()): ONE}
     return known[place]
@@ -67,7 +67,7 @@ def angle_of(tape: SeriesTape, place: int) -> Angle:
     return tuple((value, int(factor.p)) for value, factor in sorted(terms.items())) if whole else ((place, 1),)
 
 
-def add(terms: Terms, term: Term, weight: Exact) -> None:
+def add_term(terms: Terms, term: Term, weight: Exact) -> None:
     total = terms.get(term, ZERO) + weight
     if vanishes(total):
         terms.pop(term, None)
@@ -77,7 +77,7 @@ def add(terms: Terms, term: Term, weight: Exact) -> None:
         raise TooLong
 
 
-def single(kind: str, angle: Angle, factor: Exact = ONE) -> Terms:
+def one_harmonic(kind: str, angle: Angle, factor: Exact = ONE) -> Terms:
     """factor · sin or cos of an angle, whose first factor is made positive; of no angle a number."""
     if not angle:
         return {PLAIN: factor} if kind == "cos" else {}
@@ -87,32 +87,32 @@ def single(kind: str, angle: Angle, factor: Exact = ONE) -> Terms:
     return {((), kind, angle): factor}
 
 
-def product(first: Terms, second: Terms) -> Terms:
+def product_of_sums(first: Terms, second: Terms) -> Terms:
     found: Terms = {}
     for (powers, kind, angle), weight in first.items():
         for (more, other, turned), factor in second.items():
-            merged = merge(powers, more)
-            for (_, made, result), part in harmonic(kind, angle, other, turned).items():
-                add(found, (merged, made, result), weight * factor * part)
+            merged = powers_together(powers, more)
+            for (_, made, result), part in product_of_harmonics(kind, angle, other, turned).items():
+                add_term(found, (merged, made, result), weight * factor * part)
     return found
 
 
-def harmonic(kind: str, angle: Angle, other: str, turned: Angle) -> Terms:
+def product_of_harmonics(kind: str, angle: Angle, other: str, turned: Angle) -> Terms:
     """The product of two sines or cosines as a sum."""
     if not kind or not other:
         return {((), kind or other, angle or turned): ONE}
     if kind != other and kind == "cos":
-        return harmonic(other, turned, kind, angle)
+        return product_of_harmonics(other, turned, kind, angle)
     made = "cos" if kind == other else "sin"
     found: Terms = {}
     for sign, weight in ((-1, HALF), (1, -HALF if kind == other == "sin" else HALF)):
         opposite = tuple((value, sign * times) for value, times in turned)
-        for term, factor in single(made, merge(angle, opposite), weight).items():
-            add(found, term, factor)
+        for term, factor in one_harmonic(made, powers_together(angle, opposite), weight).items():
+            add_term(found, term, factor)
     return found
 
 
-def merge(first: Powers, second: Powers) -> Powers:
+def powers_together(first: Powers, second: Powers) -> Powers:
     """x² y and y z as x² y² z; of angles their sum."""
     counts = dict(first)
     for value, times in second:
@@ -120,7 +120,7 @@ def merge(first: Powers, second: Powers) -> Powers:
     return tuple((value, times) for value, times in sorted(counts.items()) if times)
 
 
-def written(tape: SeriesTape, terms: Terms) -> int:
+def write_terms(tape: SeriesTape, terms: Terms) -> int:
     """A sum of terms on the tape, those with the same sine or cosine drawn together."""
     groups: dict[tuple[str, Angle], list[tuple[int, Exact]]] = {}
     for (powers, kind, angle), factor in sorted(terms.items(), key=lambda item: item[0]):

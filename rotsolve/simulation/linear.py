@@ -153,7 +153,7 @@ class Linear(Struct):
     def _together(self, left: list[tuple[int, Row]]) -> dict[str, int]:
         """The unknowns of equations with changing coefficients, block by block; none of a block that does not tell all its own."""
         known: dict[str, int] = {}
-        for rows in apart(row for _, row in left):
+        for rows in coupled(row for _, row in left):
             names = sorted({name for row in rows for name in row if name != REST})
             if len(names) != len(rows):
                 continue
@@ -169,7 +169,7 @@ class Linear(Struct):
         return known
 
 
-def apart(rows: Iterable[Row]) -> list[list[Row]]:
+def coupled(rows: Iterable[Row]) -> list[list[Row]]:
     """Rows that share unknowns, group by group."""
     groups: list[tuple[set[str], list[Row]]] = []
     for row in rows:

@@ -13,8 +13,8 @@ from rotsolve.algebra.flints import arb
 from rotsolve.language.problem import Problem
 from rotsolve.render.layout import page
 from rotsolve.simulation.balance import Drift, drift
-from rotsolve.simulation.bounded import Reading, Stretch
-from rotsolve.simulation.following import READING_BITS, Event
+from rotsolve.simulation.bounded import Readout, Regime
+from rotsolve.simulation.following import READING_BITS, Occurrence
 from rotsolve.simulation.tape import Scalar
 
 WIDTH = 120  # columns of a printed run
@@ -26,22 +26,22 @@ class Run(Struct, dict=True):
     problem: Problem
     until: float
     accuracy: float
-    stretches: list[Stretch]
-    events: tuple[Event, ...] = ()
+    regimes: list[Regime]
+    events: tuple[Occurrence, ...] = ()
     ended: str = ""  # why it was not followed to the end asked for
     settled: float = inf  # the time to which its numbers are as accurate as asked
     sought: str = ""  # the last state of the scene that was looked for
-    _readings: dict[tuple[int, tuple[str, ...]], Reading] = field(default_factory=dict)
+    _readings: dict[tuple[int, tuple[str, ...]], Readout] = field(default_factory=dict)
 
     @property
     def end(self) -> float:
         """The time to which it was followed."""
-        return min(self.settled, self.stretches[-1].ends[0])
+        return min(self.settled, self.regimes[-1].ends[0])
 
     @property
     def rounded(self) -> bool:
         """Whether the roundings of floats matter as much as what the steps leave out."""
-        return self.stretches[0].tolerances.rounded
+        return self.regimes[0].tolerances.rounded
 
     @property
     def unreached(self) -> tuple[str, ...]:
@@ -69,25 +69,25 @@ class Run(Struct, dict=True):
     @cached_property
     def drift(self) -> Drift:
         """How far energy and momentum are from what the forces make of them, as parts of the largest that there was."""
-        return drift(self.stretches)
+        return drift(self.regimes)
 
     @property
     def names(self) -> tuple[str, ...]:
         """What can be told at any moment: `rod.angle`, `block.velocity`, `string.tension`, …"""
-        return tuple(self.stretches[0].course.outputs)
+        return tuple(self.regimes[0].system.outputs)
 
     def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
         """Quantities at a time as balls that hold the true values."""
         self._check(time)
-        number = max(0, bisect_right([item.times[0] for item in self.stretches], time) - 1)
-        part = self.stretches[number]
-        wanted = tuple(name for name in (names or part.course.outputs) if name in part.course.outputs)
+        number = max(0, bisect_right([item.times[0] for item in self.regimes], time) - 1)
+        part = self.regimes[number]
+        wanted = tuple(name for name in (names or part.system.outputs) if name in part.system.outputs)
         with Precision(max(READING_BITS, 2 * part.bits)):
             if (number, wanted) not in self._readings:
-                self._readings[number, wanted] = Reading(part.course, wanted)
+                self._readings[number, wanted] = Readout(part.system, wanted)
             reading = self._readings[number, wanted]
             found = reading.read(time, part.state(time))
-            direct = {item.name for item in part.course.variables}
+            direct = {item.name for item in part.system.variables}
             others = [name for name in wanted if name not in direct]
             if others and not part.proved:
                 middles = reading.read(time, part.rounded(time))

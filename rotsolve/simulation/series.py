@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.algebra.tape import Exact, Operation
+from rotsolve.algebra.tape import ZERO, Exact, Operation
 from rotsolve.simulation.tape import Scalar, SeriesTape
 
 Series = list[Scalar]
@@ -44,7 +44,7 @@ class Arithmetic(Struct, frozen=True):
     functions: Functions
 
 
-def nearest(number: Exact) -> float:
+def nearest_float(number: Exact) -> float:
     """The float nearest to a constant."""
     return float(arb(number).mid())
 
@@ -69,7 +69,7 @@ def beside(number: Exact, upwards: Callable[[float, bool], bool]) -> float:
     return close * (1 + COARSE if upwards(close, (middle > close) == (close > 0)) else 1 - COARSE)
 
 
-FLOATS = Arithmetic(nearest, OF_FLOAT)
+FLOATS = Arithmetic(nearest_float, OF_FLOAT)
 COARSE_FLOATS = Arithmetic(coarse, OF_FLOAT)
 MIXED_FLOATS = Arithmetic(mixed, OF_FLOAT)
 BALLS = Arithmetic(arb, OF_BALL)
@@ -118,13 +118,13 @@ class Expansion:
             step(order)
 
 
-def number_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def number_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     value = arithmetic.number(operation.numbers[0])
     own = lists[place]
     return (lambda: own.append(value)), None
 
 
-def sum_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def sum_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """c + Σ cᵢ xᵢ; the commonest forms by themselves."""
     own, first = lists[place], arithmetic.number(operation.numbers[0])
     factors = [arithmetic.number(number) for number in operation.numbers[1:]]
@@ -150,7 +150,7 @@ def sum_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmeti
     return start, step
 
 
-def product_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def product_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     own, left, right = lists[place], lists[operation.values[0]], lists[operation.values[1]]
 
     def start() -> None:
@@ -167,7 +167,7 @@ def product_of(operation: Operation, place: int, lists: Lists, arithmetic: Arith
     return start, square
 
 
-def quotient_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def quotient_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """z = x/y: zₖ = (xₖ − Σ yⱼ zₖ₋ⱼ, j from 1)/y₀."""
     own, above, below = lists[place], lists[operation.values[0]], lists[operation.values[1]]
 
@@ -181,7 +181,7 @@ def quotient_of(operation: Operation, place: int, lists: Lists, arithmetic: Arit
     return start, step
 
 
-def power_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def power_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """z = x^c: k x₀ zₖ = Σ (c (k − j) − j) xₖ₋ⱼ zⱼ, j below k."""
     own, base, exponent = lists[place], lists[operation.values[0]], arithmetic.number(operation.numbers[0])
 
@@ -195,7 +195,7 @@ def power_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithme
     return start, step
 
 
-def sine_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def sine_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """s = sin x and c = cos x, the next place, together: k sₖ = Σ j xⱼ cₖ₋ⱼ, k cₖ = −Σ j xⱼ sₖ₋ⱼ."""
     argument, sine, cosine = lists[operation.values[0]], lists[place], lists[place + 1]
     slopes: Series = []  # j xⱼ from j = 1
@@ -214,7 +214,7 @@ def sine_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmet
     return start, step
 
 
-def chained_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def chained_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """z with dz = g dx, g the second value (of exp x itself): k zₖ = Σ j xⱼ gₖ₋ⱼ."""
     function = arithmetic.functions[operation.kind]
     own, argument = lists[place], lists[operation.values[0]]
@@ -232,7 +232,7 @@ def chained_of(operation: Operation, place: int, lists: Lists, arithmetic: Arith
     return start, step
 
 
-def size_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
+def size_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """|x| as long as x keeps its sign."""
     own, argument = lists[place], lists[operation.values[0]]
 
@@ -243,29 +243,24 @@ def size_of(operation: Operation, place: int, lists: Lists, arithmetic: Arithmet
 
 
 OPERATIONS: Mapping[str, Callable[..., Made]] = {
-    "number": number_of,
-    "sum": sum_of,
-    "times": product_of,
-    "over": quotient_of,
-    "power": power_of,
-    "sin": sine_of,
-    **dict.fromkeys(("exp", "log", "atan", "asin", "acos"), chained_of),
-    "abs": size_of,
+    "number": number_series,
+    "sum": sum_series,
+    "times": product_series,
+    "over": quotient_series,
+    "power": power_series,
+    "sin": sine_series,
+    **dict.fromkeys(("exp", "log", "atan", "asin", "acos"), chained_series),
+    "abs": size_series,
 }
 
 
 def rough_value(tape: SeriesTape, place: int, letters: Mapping[str, Exact]) -> float:
     """About how large a value is where the letters have these values."""
     expansion = Expansion(tape, [place], FLOATS)
-    given = {
-        where: nearest(letters[tape.operations[where].name])
-        for where in expansion.places
-        if tape.operations[where].kind == "letter" and tape.operations[where].name in letters
+    names = {
+        where: tape.operations[where].name for where in expansion.places if tape.operations[where].kind == "letter"
     }
-    missing = {
-        where: 0.0 for where in expansion.places if tape.operations[where].kind == "letter" and where not in given
-    }
-    expansion.begin({**given, **missing})
+    expansion.begin({where: nearest_float(letters.get(name, ZERO)) for where, name in names.items()})
     return float(expansion.lists[place][0])
 
 

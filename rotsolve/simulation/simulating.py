@@ -15,10 +15,10 @@ from rotsolve.motion.configuration import Configuration
 from rotsolve.paths.meaning import NotYet
 from rotsolve.scene.read import read_source
 from rotsolve.scene.values import read_seconds
-from rotsolve.simulation.bounded import FLOAT_BITS, Stretch, Tolerances, Unsettled
+from rotsolve.simulation.bounded import FLOAT_BITS, Regime, Tolerances, Unsettled
 from rotsolve.simulation.compiling import compiled
 from rotsolve.simulation.enclosing import enclosed
-from rotsolve.simulation.following import Event, Followed, Follower
+from rotsolve.simulation.following import Followed, Follower, Occurrence
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.taylor import Unbounded
 from rotsolve.simulation.watches import watches
@@ -66,7 +66,7 @@ def simulate_problem(
     """Follow a problem that has been read."""
     configuration = configured(problem)
     try:
-        return (proved if certified else followed)(configuration, until, accuracy, tell)
+        return (proved if certified else follow)(configuration, until, accuracy, tell)
     except NotYet as error:
         span, help = error.span, error.help
         raise Unsolvable(str(error), span=span, help=help, lines=problem.lines, file=problem.file) from None
@@ -74,20 +74,13 @@ def simulate_problem(
         raise Unsolvable(str(error), lines=problem.lines, file=problem.file) from None
 
 
-def followed(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
+def follow(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
     """Follow a configuration; with a finer tolerance, or more bits, as long as the bounds are wider than what is asked.
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
-    tolerances, best, start = first_tolerances(accuracy), None, monotonic()
+    tolerances, best, going_on = first_tolerances(accuracy), None, patient(tell)
     excess, idle = math.inf, 0
-
-    def going_on(part: float) -> None:
-        if monotonic() - start > PATIENCE:
-            raise TimeoutError
-        if tell is not None:
-            tell(part)
-
     while True:
         try:
             found = Follower(configuration, until, tolerances, going_on).followed()
@@ -97,43 +90,28 @@ def followed(configuration: Configuration, until: float, accuracy: float, tell: 
                 continue
             if best is None:
                 raise Unsettled(getattr(error, "time", 0.0)) from None
-            settled = settled_until(best.stretches, accuracy)
+            settled = settled_until(best.regimes, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
-            return Run(
-                configuration.problem,
-                until,
-                accuracy,
-                best.stretches,
-                events_until(best, settled),
-                why,
-                settled,
-                best.sought,
-            )
-        before, excess = excess, worst(found.stretches) / accuracy
+            settled_to = events_until(best, settled), why, settled, best.sought
+            return Run(configuration.problem, until, accuracy, best.regimes, *settled_to)
+        before, excess = excess, worst(found.regimes) / accuracy
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
             events, ended = tuple(found.events), found.ended
-            return Run(configuration.problem, until, accuracy, found.stretches, events, ended, sought=found.sought)
+            return Run(configuration.problem, until, accuracy, found.regimes, events, ended, sought=found.sought)
         tolerances, best = finer(tolerances, excess), found
 
 
 def proved(configuration: Configuration, until: float, accuracy: float, tell: Callable[[float], None] | None) -> Run:
     """Follow a configuration in balls that surely hold its motion, with twice the bits as long as they are wider than asked."""
-    follower, start = Follower(configuration, until, Tolerances(accuracy)), monotonic()
-    course = compiled(follower.scene, follower.modes)
-    watched = watches(course, follower.modes, None, {})
-
-    def going_on(part: float) -> None:
-        if monotonic() - start > PATIENCE:
-            raise TimeoutError
-        if tell is not None:
-            tell(part)
-
+    follower, going_on = Follower(configuration, until, Tolerances(accuracy)), patient(tell)
+    system = compiled(follower.scene, follower.modes)
+    watched = watches(system, follower.modes, None, {})
     bits = FIRST_BITS + math.ceil(-math.log2(accuracy))
     while True:
         with suppress(Unbounded):
             try:
-                part, why = enclosed(course, until, bits, watched, going_on)
+                part, why = enclosed(system, until, bits, watched, going_on)
             except TimeoutError:
                 said = f"its numbers are not certified to {accuracy:g} within {PATIENCE:g} s of calculation"
                 raise NotYet(said, help="follow it for a shorter time, or without --certified") from None
@@ -141,6 +119,19 @@ def proved(configuration: Configuration, until: float, accuracy: float, tell: Ca
             if excess_of(part, [float(number.rad()) for number in part.last[0]], sizes) <= accuracy:
                 return Run(configuration.problem, until, accuracy, [part], (), why)
         bits *= 2
+
+
+def patient(tell: Callable[[float], None] | None) -> Callable[[float], None]:
+    """What is told how much is done; it ends the work when patience is over."""
+    start = monotonic()
+
+    def going_on(part: float) -> None:
+        if monotonic() - start > PATIENCE:
+            raise TimeoutError
+        if tell is not None:
+            tell(part)
+
+    return going_on
 
 
 def first_tolerances(accuracy: float) -> Tolerances:
@@ -155,40 +146,40 @@ def in_balls(tolerance: float) -> Tolerances:
     return Tolerances(tolerance, max(96, 40 + math.ceil(-math.log2(tolerance))))
 
 
-def events_until(found: Followed, time: float) -> tuple[Event, ...]:
+def events_until(found: Followed, time: float) -> tuple[Occurrence, ...]:
     return tuple(event for event in found.events if event.time <= time)
 
 
-def sizes_of(stretches: Sequence[Stretch]) -> dict[str, float]:
+def sizes_of(regimes: Sequence[Regime]) -> dict[str, float]:
     """The largest size of each number of the state."""
     sizes: dict[str, float] = {}
-    for part in stretches:
-        for number, item in enumerate(part.course.variables):
+    for part in regimes:
+        for number, item in enumerate(part.system.variables):
             own = max(abs(float(piece.polynomials[number][0])) for piece in part.runs[0].pieces)
             sizes[item.name] = max(sizes.get(item.name, 0.0), own, abs(float(part.last[0][number])))
     return sizes
 
 
-def excess_of(part: Stretch, bounds: Sequence[float], sizes: Mapping[str, float]) -> float:
+def excess_of(part: Regime, bounds: Sequence[float], sizes: Mapping[str, float]) -> float:
     """The widest of some bounds of the state, as a part of the size of its number."""
-    pairs = zip(part.course.variables, bounds, strict=True)
+    pairs = zip(part.system.variables, bounds, strict=True)
     return max((bound / sizes[item.name] for item, bound in pairs if sizes[item.name]), default=0.0)
 
 
-def worst(stretches: Sequence[Stretch]) -> float:
+def worst(regimes: Sequence[Regime]) -> float:
     """The widest bound of a number of the state at any time."""
-    sizes = sizes_of(stretches)
-    return max(excess_of(part, bounds, sizes) for part in stretches for bounds in part.bounds)
+    sizes = sizes_of(regimes)
+    return max(excess_of(part, bounds, sizes) for part in regimes for bounds in part.bounds)
 
 
-def settled_until(stretches: Sequence[Stretch], accuracy: float) -> float:
+def settled_until(regimes: Sequence[Regime], accuracy: float) -> float:
     """The time up to which all bounds are as asked."""
-    sizes = sizes_of(stretches)
-    for part in stretches:
+    sizes = sizes_of(regimes)
+    for part in regimes:
         for piece, bounds in zip(part.runs[0].pieces, part.bounds, strict=True):
             if excess_of(part, bounds, sizes) > accuracy:
                 return piece.start
-    return stretches[-1].ends[0]
+    return regimes[-1].ends[0]
 
 
 def finer(tolerances: Tolerances, excess: float) -> Tolerances:

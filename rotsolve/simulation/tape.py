@@ -13,7 +13,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.tape import MOST, ONE, ZERO, Exact, Operation, Tape, Unwritable, rational
+from rotsolve.algebra.tape import MOST, ONE, ZERO, Exact, Operation, Tape, Unwritable, flint_fraction
 
 Scalar = Any  # float or arb
 
@@ -123,7 +123,7 @@ class SeriesTape(Tape):
             return self.over(self.number(ONE), self.power(base, -exponent))
         if exponent.denominator == 1 and exponent <= MOST:
             return self.whole_power(base, exponent.numerator)
-        return self.write(Operation("power", (base,), (rational(exponent),)))
+        return self.write(Operation("power", (base,), (flint_fraction(exponent),)))
 
     def function(self, name: str, *arguments: int) -> int:
         """A function of values, with what its power series takes; of constants a constant."""
@@ -210,7 +210,7 @@ def number_to(number: Exact, exponent: Fraction) -> Exact:
     ball = arb(number)
     if ball < 0:
         raise Unwritable("the root of a negative number")
-    return ball.sqrt() ** exponent.numerator if exponent.denominator == 2 else ball ** arb(rational(exponent))
+    return ball.sqrt() ** exponent.numerator if exponent.denominator == 2 else ball ** arb(flint_fraction(exponent))
 
 
 def function_value(name: str, number: Exact) -> Exact:

@@ -16,8 +16,8 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.tape import ONE, ZERO
 from rotsolve.core.registry import TIME
-from rotsolve.simulation.course import Course
 from rotsolve.simulation.series import Arithmetic, Expansion
+from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar
 
 LEAST_ORDER, MOST_ORDER = 10, 150
@@ -35,7 +35,7 @@ class Unbounded(ValueError):
         self.time = time
 
 
-class Piece(Struct, frozen=True):
+class TaylorStep(Struct, frozen=True):
     """One step: from a time on, for a while, each number of the state as a polynomial of the time since then."""
 
     start: float
@@ -46,10 +46,10 @@ class Piece(Struct, frozen=True):
     def at(self, time: Scalar) -> list[Scalar]:
         """The state at a time."""
         since = time - self.start
-        return [value(polynomial, since) for polynomial in self.polynomials]
+        return [horner(polynomial, since) for polynomial in self.polynomials]
 
 
-def value(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
+def horner(polynomial: Sequence[Scalar], x: Scalar) -> Scalar:
     """Σ cₖ xᵏ by Horner's rule."""
     total = polynomial[-1]
     for coefficient in polynomial[-2::-1]:
@@ -68,27 +68,27 @@ def order_for(tolerance: float) -> int:
 
 
 class Stepper:
-    """Expands the motion of a course, and the values that are `watched`, from a moment on, in floats or balls."""
+    """Expands the motion of a system, and the values that are `watched`, from a moment on, in floats or balls."""
 
     def __init__(
-        self, course: Course, arithmetic: Arithmetic, tolerance: float, order: int, watched: Sequence[int] = ()
+        self, system: System, arithmetic: Arithmetic, tolerance: float, order: int, watched: Sequence[int] = ()
     ) -> None:
         self.order, self.shortening = order, tolerance ** (1 / order)
         self.roots = {size: [1 / k for k in range(size - WINDOW, size)] for size in (order, order + 1)}
-        self.expansion = Expansion(course.tape, [*(item.rate for item in course.variables), *watched], arithmetic)
+        self.expansion = Expansion(system.tape, [*(item.rate for item in system.variables), *watched], arithmetic)
         lists = self.expansion.lists
-        self.letters = [course.letters[item.letter] for item in course.variables]
+        self.letters = [system.letters[item.letter] for item in system.variables]
         self.own: list[list[Scalar]] = [lists.get(place, []) for place in self.letters]
         self.apart = [own for place, own in zip(self.letters, self.own, strict=True) if place not in lists]
-        pairs = [(own, item.rate) for own, item in zip(self.own, course.variables, strict=True)]
-        self.changing = [(own, lists[rate]) for own, rate in pairs if course.tape.constant(rate) is None]
-        self.steady = [(own, lists[rate]) for own, rate in pairs if course.tape.constant(rate) is not None]
+        pairs = [(own, item.rate) for own, item in zip(self.own, system.variables, strict=True)]
+        self.changing = [(own, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is None]
+        self.steady = [(own, lists[rate]) for own, rate in pairs if system.tape.constant(rate) is not None]
         self.watched = [lists[place] for place in watched]
-        self.time = course.letters[TIME]
+        self.time = system.letters[TIME]
         self.clock = lists.get(self.time)
         self.one, self.zero = arithmetic.number(ONE), arithmetic.number(ZERO)
 
-    def expand(self, time: float, state: Sequence[Scalar]) -> Piece:
+    def expand(self, time: float, state: Sequence[Scalar]) -> TaylorStep:
         """The polynomials of the state and of what is watched from a moment on, as yet without an end."""
         for own in self.apart:  # letters on which no rate depends
             own.clear()
@@ -108,7 +108,7 @@ class Stepper:
         for own, rate in changing:
             own.append(rate[self.order - 1] / self.order)
         found = tuple(own[:] for own in self.own)
-        return Piece(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
+        return TaylorStep(time, math.inf, found, tuple(series[: self.order] for series in self.watched))
 
     def length(self, polynomials: Sequence[Sequence[Scalar]], before: float) -> float:
         """How long a step these polynomials carry: what they leave out stays below the tolerance, as a part of each number's size.
@@ -132,17 +132,17 @@ def finite(polynomials: Sequence[Sequence[Scalar]]) -> bool:
     return all(math.isfinite(float(coefficient)) for polynomial in polynomials for coefficient in polynomial[:3])
 
 
-class Motion(Struct):
+class Trajectory(Struct):
     """A motion in one piece after the other, from the first moment on."""
 
-    pieces: list[Piece] = field(default_factory=list)
+    pieces: list[TaylorStep] = field(default_factory=list)
     starts: list[float] = field(default_factory=list)
 
-    def add(self, piece: Piece) -> None:
+    def add(self, piece: TaylorStep) -> None:
         self.pieces.append(piece)
         self.starts.append(float(piece.start))
 
-    def piece_at(self, time: float) -> Piece:
+    def piece_at(self, time: float) -> TaylorStep:
         return self.pieces[max(0, bisect_right(self.starts, time) - 1)]
 
 
@@ -158,7 +158,7 @@ class Walker:
         self.left: list[Scalar] = [0.0] * len(self.state)
         self.before = 0.0
 
-    def piece(self, until: float) -> Piece:
+    def piece(self, until: float) -> TaylorStep:
         """The polynomials from here on, for as long as they hold, not beyond `until`."""
         piece = self.stepper.expand(self.time, self.state)
         carried = (*piece.polynomials, *piece.watched)
@@ -170,9 +170,9 @@ class Walker:
             raise Unbounded(self.time)
         self.before = min(length, until - self.time)
         end = min(until, self.time + length)
-        return Piece(self.time, end - self.time, piece.polynomials, piece.watched)
+        return TaylorStep(self.time, end - self.time, piece.polynomials, piece.watched)
 
-    def walk(self, piece: Piece, length: float) -> None:
+    def walk(self, piece: TaylorStep, length: float) -> None:
         """Go on along a piece."""
         powers = powers_of(self.stepper.one * length, self.stepper.order)
         for number, polynomial in enumerate(piece.polynomials):

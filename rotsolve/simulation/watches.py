@@ -23,9 +23,9 @@ from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at
 from rotsolve.paths.meaning import NotYet
 from rotsolve.paths.reader import PathReader
-from rotsolve.simulation.course import Course, refusal
+from rotsolve.simulation.system import System, refusal
 from rotsolve.simulation.tape import Scalar
-from rotsolve.simulation.taylor import Piece, value
+from rotsolve.simulation.taylor import TaylorStep, horner
 
 PASSED = {"displacement": "position", "rotation": "angle", "turns": "angle"}  # what counts from the state before
 ZERO_THERE = {"slack": "tension", "leaves": "normal_force"}
@@ -33,7 +33,7 @@ STOPS, SLIPS, BREAKS, REACHED, TURNS = "stops", "slips", "breaks", "reached", "t
 
 
 class Watch(Struct, frozen=True):
-    """A value on the tape of a course that passes zero when something happens.
+    """A value on the tape of a system that passes zero when something happens.
 
     `kind`: STOPS of what slips, SLIPS of what sticks, BREAKS of what can only push or pull, REACHED of a state of the scene, TURNS of a
     value between bars. `rub` and `mode` tell what begins to slip, and how.
@@ -46,56 +46,56 @@ class Watch(Struct, frozen=True):
     mode: str = ""
 
 
-def watches(course: Course, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
-    """All that may happen in a course; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
+def watches(system: System, modes: Mapping[str, str], ahead: State | None, since: Mapping[str, Exact]) -> list[Watch]:
+    """All that may happen in a system; `ahead` is the state of the scene that comes next, `since` what was told at the last one."""
     found: list[Watch] = []
-    for rub in rubs_at(course.moment.configuration, course.moment.state):
-        found += of_rub(rub, course, modes)
-    for item in course.facts.requirements:
+    for rub in rubs_at(system.moment.configuration, system.moment.state):
+        found += of_rub(rub, system, modes)
+    for item in system.facts.requirements:
         if not item.kind.grips:
             value = item.left - item.right
-            if told(course, value):
-                found.append(Watch(BREAKS, place_of(course, value), item.otherwise))
-    rates = course.tape.needed(item.rate for item in course.variables)
-    sizes = [course.tape.operations[place] for place in rates if course.tape.operations[place].kind == "abs"]
+            if is_told(system, value):
+                found.append(Watch(BREAKS, place_on_tape(system, value), item.otherwise))
+    rates = system.tape.needed(item.rate for item in system.variables)
+    sizes = [system.tape.operations[place] for place in rates if system.tape.operations[place].kind == "abs"]
     found += [Watch(TURNS, operation.values[0], "") for operation in sizes]
     if ahead is not None:
-        found += of_state(ahead, course, since)
-    return [watch for watch in found if course.tape.constant(watch.place) is None]
+        found += of_state(ahead, system, since)
+    return [watch for watch in found if system.tape.constant(watch.place) is None]
 
 
-def told(course: Course, value: Formula) -> bool:
+def is_told(system: System, value: Formula) -> bool:
     """Whether all letters of a value are told by the laws."""
-    return all(name in course.letters for name in value.symbols())
+    return all(name in system.letters for name in value.symbols())
 
 
-def place_of(course: Course, value: Formula) -> int:
+def place_on_tape(system: System, value: Formula) -> int:
     try:
-        return course.tape.formula(value, course.letters)
+        return system.tape.formula(value, system.letters)
     except Unwritable as error:
-        raise refusal(error, course.moment.registry) from None
+        raise refusal(error, system.moment.registry) from None
 
 
-def of_rub(rub: Rub, course: Course, modes: Mapping[str, str]) -> Iterator[Watch]:
+def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch]:
     """When what rubs comes to rest, or begins to slip."""
     mode, name = modes.get(rub.key, ""), owner_of(rub)
     brake = rub.contact is None and rub.pair is None
     if mode in (FORWARD, BACK, TURNS_BACK) or (brake and not mode):
-        speed = rub.rate(course.moment)
-        if speed is not None and told(course, speed):
+        speed = rub.rate(system.moment)
+        if speed is not None and is_told(system, speed):
             what = f"{spoken(rub.body)} comes to rest" if brake else f"{spoken(name)}: slipping ends"
-            yield Watch(STOPS, place_of(course, speed), what, rub)
+            yield Watch(STOPS, place_on_tape(system, speed), what, rub)
         return
-    held = grip(course.facts, rub)
+    held = grip(system.facts, rub)
     for sense in (1, -1):
-        limit = grip(slipping(course.moment, rub, sense), rub)
+        limit = grip(slipping(system.moment, rub, sense), rub)
         if held is None or limit is None:
             continue
-        room = along(limit, held) - along(held, held)
-        if not told(course, room):
+        room = friction_along(limit, held) - friction_along(held, held)
+        if not is_told(system, room):
             raise NotYet(f"the laws do not tell how much friction `{name}` takes, and so not whether it slips")
         what = f"{spoken(rub.body)} begins to turn" if brake else f"{spoken(name)} begins to slip"
-        yield Watch(SLIPS, place_of(course, room), what, rub, rub.mode(sense))
+        yield Watch(SLIPS, place_on_tape(system, room), what, rub, rub.mode(sense))
 
 
 def owner_of(rub: Rub) -> str:
@@ -117,62 +117,62 @@ def grip(facts: Facts, rub: Rub) -> Force | Couple | None:
     return next((item for item in acting if item.owner == owner_of(rub) and item.role.rubs), None)
 
 
-def along(item: Force | Couple, reference: Force | Couple) -> Formula:
+def friction_along(item: Force | Couple, reference: Force | Couple) -> Formula:
     """The friction along the direction of another; of couples the torque."""
     if isinstance(item, Force) and isinstance(reference, Force):
         return item.vector.dot(reference.direction)
     return item.torque
 
 
-def of_state(state: State, course: Course, since: Mapping[str, Exact]) -> Iterator[Watch]:
+def of_state(state: State, system: System, since: Mapping[str, Exact]) -> Iterator[Watch]:
     """When a state is reached: where the first of its lines that tells a quantity holds."""
     for condition in state.conditions:
         path = condition.path
         if path is not None and path.quantity in PASSED and condition.value is not None:
-            place = passed(path, condition.value, course, since)
+            place = passed(path, condition.value, system, since)
         else:
-            value = gap(condition, course)
-            place = place_of(course, value) if value is not None and told(course, value) else None
+            value = state_gap(condition, system)
+            place = place_on_tape(system, value) if value is not None and is_told(system, value) else None
         if place is not None:
             yield Watch(REACHED, place, state.name)
             return
 
 
-def passed(path: Path, value: Formula, course: Course, since: Mapping[str, Exact]) -> int | None:
+def passed(path: Path, value: Formula, system: System, since: Mapping[str, Exact]) -> int | None:
     """A way or an angle gone since the state before, less what it is to be; `since` has what was told at that state."""
     name = f"{path.owner}.{PASSED[path.quantity]}" + (f".{path.component}" if path.component else "")
-    if name not in course.outputs or name not in since or not told(course, value):
+    if name not in system.outputs or name not in since or not is_told(system, value):
         return None
-    sense = course.moment.sense(path.owner) if path.quantity != "displacement" else 1
-    wanted = course.tape.formula(2 * PI * value if path.quantity == "turns" else value, course.letters)
-    gone = course.tape.sum([(course.outputs[name], ONE), (course.tape.number(since[name]), -ONE)])
-    return course.tape.sum([(gone, fmpq(sense)), (wanted, -ONE)])
+    sense = system.moment.sense(path.owner) if path.quantity != "displacement" else 1
+    wanted = system.tape.formula(2 * PI * value if path.quantity == "turns" else value, system.letters)
+    gone = system.tape.sum([(system.outputs[name], ONE), (system.tape.number(since[name]), -ONE)])
+    return system.tape.sum([(gone, fmpq(sense)), (wanted, -ONE)])
 
 
-def gap(condition: Condition, course: Course) -> Formula | None:
+def state_gap(condition: Condition, system: System) -> Formula | None:
     """What is zero where a line of a state holds."""
     path = condition.path
     if path is None:
         return None
     if condition.word in EXTREMES and path.quantity in RATE_OF:
-        return meaning(Path(path.owner, RATE_OF[path.quantity], path.point, path.argument, path.component), course)
+        return formula_at(Path(path.owner, RATE_OF[path.quantity], path.point, path.argument, path.component), system)
     if condition.word in ZERO_THERE:
-        return meaning(Path(path.owner, ZERO_THERE[condition.word]), course)
+        return formula_at(Path(path.owner, ZERO_THERE[condition.word]), system)
     if condition.value is None:
         return None
     if path.quantity == "time":
-        return course.moment.time() - condition.value
-    found = meaning(path, course)
+        return system.moment.time() - condition.value
+    found = formula_at(path, system)
     if found is None:
         return None
     turned = path.quantity == "angle"  # one of the places on its circle
     return call("sin", (found - condition.value) / 2) if turned else found - condition.value
 
 
-def meaning(path: Path, course: Course) -> Formula | None:
-    """What a path stands for at any moment of a course; None where that is not told there."""
+def formula_at(path: Path, system: System) -> Formula | None:
+    """What a path stands for at any moment of a system; None where that is not told there."""
     try:
-        return PathReader(course.moment, lambda: course.facts).meaning(path).formula
+        return PathReader(system.moment, lambda: system.facts).meaning(path).formula
     except NotYet:
         return None
 
@@ -201,7 +201,7 @@ class Lookout:
         """The last signs, for what goes on from here with the same equations."""
         return dict(zip(self.watched, self.sides, strict=True))
 
-    def first(self, piece: Piece) -> Hit | None:
+    def first(self, piece: TaylorStep) -> Hit | None:
         """The first moment in a piece at which one of the values passes zero."""
         if not self.watched:
             return None
@@ -219,36 +219,36 @@ class Lookout:
 
     def _passage(self, number: int, times: Sequence[float], polynomial: Sequence[Scalar]) -> float | None:
         """When one value passes zero, seen by its signs at some times since the start of the piece."""
-        row = [value(polynomial, time) for time in times]
+        row = [horner(polynomial, time) for time in times]
         side, low = self.sides[number], times[0]
         if not side and abs(row[0]) > CLEAR * max(abs(item) for item in row):
-            side = sign(row[0])
+            side = sign_of_float(row[0])
         for time, now in zip(times[1:], row[1:], strict=True):
-            if side and sign(now) == -side:
-                return passage(polynomial, low, time, side)
-            side, low = sign(now) or side, time
+            if side and sign_of_float(now) == -side:
+                return crossing_time(polynomial, low, time, side)
+            side, low = sign_of_float(now) or side, time
         self.sides[number] = side
         return None
 
 
-def passage(polynomial: Sequence[Scalar], low: float, high: float, side: int) -> float:
+def crossing_time(polynomial: Sequence[Scalar], low: float, high: float, side: int) -> float:
     """Where a polynomial passes zero between two times: by chords, halving the weight of an end that stays (Illinois)."""
-    below, above = value(polynomial, low), value(polynomial, high)
-    if sign(below) != side:
+    below, above = horner(polynomial, low), horner(polynomial, high)
+    if sign_of_float(below) != side:
         return low
     for _ in range(HALVINGS):
         middle = high - float(above * (high - low) / (above - below))
         if not low < middle < high:
             break
-        found = value(polynomial, middle)
-        if sign(found) == side:
+        found = horner(polynomial, middle)
+        if sign_of_float(found) == side:
             low, below, above = middle, found, above / 2
         else:
             high, above, below = middle, found, below / 2
         if not found:
             break
-    return min(low, high, key=lambda time: abs(value(polynomial, time)))
+    return min(low, high, key=lambda time: abs(horner(polynomial, time)))
 
 
-def sign(number: Scalar) -> int:
+def sign_of_float(number: Scalar) -> int:
     return 1 if number > 0 else -1 if number < 0 else 0

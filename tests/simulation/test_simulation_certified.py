@@ -23,7 +23,7 @@ def test_proved_bounds_hold(name: str) -> None:
     with mpmath.workdps(60):
         run = simulate(scene, 5, 1e-12, certified=True)
         _, bounds, sizes = compared(run, truth, 5)
-    assert run.stretches[0].proved and run.end == 5
+    assert run.regimes[0].proved and run.end == 5
     assert all(bounds[quantity] <= 1e-12 * sizes[quantity] for quantity in bounds)
 
 

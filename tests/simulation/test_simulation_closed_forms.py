@@ -140,7 +140,7 @@ def test_energy_drifts_little_over_a_thousand_swings() -> None:
 def test_places_that_others_tell_are_not_followed() -> None:
     """The centre of the lower rod is where the angles say, with a bound, and no number of the state by itself."""
     run = simulate(TWO_RODS, 2, 1e-9)
-    assert {item.name.partition(".")[2] for item in run.stretches[0].course.variables} == {"angle", "angular_velocity"}
+    assert {item.name.partition(".")[2] for item in run.regimes[0].system.variables} == {"angle", "angular_velocity"}
     first, found = run.at(0.0), run.at(2.0)
 
     def centre(at: Mapping[str, tuple[float, float]], of: Callable[[float], float]) -> float:

@@ -70,7 +70,7 @@ def times_of(run: Run, step: float | None) -> list[float]:
 
 def columns_of(run: Run) -> tuple[str, ...]:
     """Places and speeds of bodies, body by body, as far as they are told all along."""
-    told = set(run.names).intersection(*(part.course.outputs for part in run.stretches))
+    told = set(run.names).intersection(*(part.system.outputs for part in run.regimes))
     owners = dict.fromkeys(name.partition(".")[0] for name in run.names)
     words = {word: number for number, word in enumerate(SHOWN)}
     return tuple(
@@ -199,7 +199,7 @@ def small(value: float) -> str:
 
 def csv(run: Run, times: Iterable[float]) -> Iterator[str]:
     """All quantities with their bounds, in SI units; empty where a quantity is not told."""
-    names = list(dict.fromkeys(name for part in run.stretches for name in part.course.outputs))
+    names = list(dict.fromkeys(name for part in run.regimes for name in part.system.outputs))
     yield ",".join(["time", *(cell for name in names for cell in (name, f"{name} bound"))])
     for time in times:
         found = run.balls(time)

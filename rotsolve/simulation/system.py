@@ -1,4 +1,4 @@
-"""Course: a scene as it moves: a tape, the numbers of its state with their rates, and all that can be told of it."""
+"""System: a scene as it moves, as differential equations: the numbers of its state with their rates on a tape, and all that they tell."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from rotsolve.core.facts import Facts
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
-from rotsolve.simulation.series import FLOATS, Expansion, nearest
+from rotsolve.simulation.series import FLOATS, Expansion, nearest_float
 from rotsolve.simulation.tape import SeriesTape, vanishes
 
 
@@ -28,7 +28,7 @@ class Variable(Struct, frozen=True):
     origin: int = 0
 
 
-class Course(Struct, frozen=True):
+class System(Struct, frozen=True):
     """A scene as it moves: a tape, the numbers of its state, and all that can be told of it by the state.
 
     `outputs` are places on the tape by names; `letters` those of all letters of the laws.
@@ -42,15 +42,15 @@ class Course(Struct, frozen=True):
     moment: Instant
 
 
-def key(word: str, owner: str, when: str, component: str = "") -> str:
+def letter_key(word: str, owner: str, when: str, component: str = "") -> str:
     return SEPARATOR.join((word, owner, component, when))
 
 
-def component_of(letter: str) -> str:
+def component_in(letter: str) -> str:
     return letter.split(SEPARATOR)[2]
 
 
-def path(letter: str) -> str:
+def path_name(letter: str) -> str:
     """The name of a quantity as the scene language writes it: `block.velocity`, `pivot.force.x`, `string.block.tension`."""
     word, owner, component, _ = letter.split(SEPARATOR)
     if word == "tension" and component:
@@ -58,16 +58,16 @@ def path(letter: str) -> str:
     return ".".join(filter(None, (owner, word, component)))
 
 
-def said(letter: str, registry: Registry) -> str:
+def named_in_text(letter: str, registry: Registry) -> str:
     """A quantity in words."""
-    return f"`{path(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
+    return f"`{path_name(letter)}`" if letter in registry.quantities else f"value of `{letter}`"
 
 
 def refusal(error: Unwritable, registry: Registry) -> NotYet:
     """What can not be simulated, by its name."""
     letter = str(error)
     if letter in registry.quantities:
-        return NotYet(f"how `{path(letter)}` runs in time is not told")
+        return NotYet(f"how `{path_name(letter)}` runs in time is not told")
     if SEPARATOR not in letter and " " not in letter:
         return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
     return NotYet(f"{letter} is not simulated yet")
@@ -86,17 +86,15 @@ def told_by_others(
         if item.letter in holding or item.letter in used:
             continue
         others = {other.rate: other for other in variables if other is not item and other.letter not in found}
-        place = antiderivative(tape, item.rate, others, letters)
+        place = integrated(tape, item.rate, others, letters)
         if place is not None:
-            start = at_first(tape, place, variables, letters)
+            start = value_at_first(tape, place, variables, letters)
             found[item.letter] = tape.sum([(place, ONE), (tape.number(item.start - start), ONE)])
             holding |= tape.letters_under(place)
     return found
 
 
-def antiderivative(
-    tape: SeriesTape, rate: int, others: Mapping[int, Variable], letters: Mapping[str, int]
-) -> int | None:
+def integrated(tape: SeriesTape, rate: int, others: Mapping[int, Variable], letters: Mapping[str, int]) -> int | None:
     """What has a rate Σ c f(φ) φ̇, f constant, a sine or a cosine; None where it is not of this form."""
     constant, terms = tape.combination(rate)
     if not terms or not vanishes(constant):
@@ -106,14 +104,14 @@ def antiderivative(
         if place in others:
             parts.append((letters[others[place].letter], factor))
             continue
-        found = of_product(tape, place, others, letters)
+        found = integrated_product(tape, place, others, letters)
         if found is None:
             return None
         parts.append((found[0], factor * found[1]))
     return tape.sum(parts)
 
 
-def of_product(
+def integrated_product(
     tape: SeriesTape, place: int, others: Mapping[int, Variable], letters: Mapping[str, int]
 ) -> tuple[int, Exact] | None:
     """The antiderivative of cos φ φ̇ or sin φ φ̇ with its sign."""
@@ -126,7 +124,7 @@ def of_product(
     return None
 
 
-def at_first(tape: SeriesTape, place: int, variables: Sequence[Variable], letters: Mapping[str, int]) -> Exact:
+def value_at_first(tape: SeriesTape, place: int, variables: Sequence[Variable], letters: Mapping[str, int]) -> Exact:
     """What a sum of numbers of the state, of their sines and cosines is worth at first."""
     starts = {letters[item.letter]: item.start for item in variables}
     total, terms = tape.combination(place)
@@ -144,36 +142,36 @@ ASIDE = (0.137, -0.211, 0.093, 0.171, -0.059)  # how far from the first state th
 PAIRS = {"velocity": "acceleration", "angular_velocity": "angular_acceleration"}
 
 
-def check_rules(course: Course) -> None:
+def check_rules(system: System) -> None:
     """Refuse a scene whose speeds do not change as its accelerations say, at a state near the first one."""
-    pairs = [(path(speed), place, course.letters[rate]) for speed, place, rate in speeds_of(course)]
+    pairs = [(path_name(speed), place, system.letters[rate]) for speed, place, rate in dependent_speeds(system)]
     places = [place for _, *both in pairs for place in both]
-    expansion = Expansion(course.tape, [*places, *(item.rate for item in course.variables)], FLOATS)
+    expansion = Expansion(system.tape, [*places, *(item.rate for item in system.variables)], FLOATS)
     lists = expansion.lists
-    state = [nearest(item.start) + ASIDE[k % len(ASIDE)] for k, item in enumerate(course.variables)]
-    letters = [course.letters[item.letter] for item in course.variables]
+    state = [nearest_float(item.start) + ASIDE[k % len(ASIDE)] for k, item in enumerate(system.variables)]
+    letters = [system.letters[item.letter] for item in system.variables]
     try:
-        expansion.begin({**dict(zip(letters, state, strict=True)), course.letters[TIME]: ASIDE[0]})
+        expansion.begin({**dict(zip(letters, state, strict=True)), system.letters[TIME]: ASIDE[0]})
     except (ValueError, ZeroDivisionError, OverflowError):
         return  # beside where it starts it is no state of the scene
-    for item, place in zip(course.variables, letters, strict=True):
+    for item, place in zip(system.variables, letters, strict=True):
         if place in lists:
             lists[place].append(lists[item.rate][0])
-    if course.letters[TIME] in lists:
-        lists[course.letters[TIME]].append(1.0)
+    if system.letters[TIME] in lists:
+        lists[system.letters[TIME]].append(1.0)
     expansion.extend(1)
     largest = max([abs(lists[rate][0]) for *_, rate in pairs], default=0.0)
     for name, speed, rate in pairs:
-        if abs(slope(lists[speed]) - lists[rate][0]) > OFF * largest:
+        if abs(first_rate(lists[speed]) - lists[rate][0]) > OFF * largest:
             raise NotYet(f"the rules tell `{name}` for one moment alone, not how it goes on: not simulated yet")
 
 
-def speeds_of(course: Course) -> Sequence[tuple[str, int, str]]:
+def dependent_speeds(system: System) -> Sequence[tuple[str, int, str]]:
     """The speeds that are told by others, with their places and the letters of their accelerations."""
     found = []
-    accelerations = {tuple(letter.split(SEPARATOR)[:3]): letter for letter in course.letters if SEPARATOR in letter}
-    own = {item.letter for item in course.variables}
-    for letter, place in course.letters.items():
+    accelerations = {tuple(letter.split(SEPARATOR)[:3]): letter for letter in system.letters if SEPARATOR in letter}
+    own = {item.letter for item in system.variables}
+    for letter, place in system.letters.items():
         word, *rest = letter.split(SEPARATOR)
         rate = accelerations.get((PAIRS.get(word, ""), *rest[:2]))
         if rate is not None and letter not in own:
@@ -181,5 +179,5 @@ def speeds_of(course: Course) -> Sequence[tuple[str, int, str]]:
     return found
 
 
-def slope(series: Sequence[float]) -> float:
+def first_rate(series: Sequence[float]) -> float:
     return series[1] if len(series) > 1 else 0.0
