@@ -44,7 +44,7 @@ WORDS = {
     *SAID.split(),
     *(word for table in TABLES for item in table for word in item.word.split()),
     *(word for table in TABLES for item in table for word, _ in keys_of(item)),
-    *(kind.word for kind in QUANTITIES),
+    *(kind.word for kind in QUANTITIES.values()),
 }
 
 

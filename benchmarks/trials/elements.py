@@ -258,7 +258,7 @@ class Builder:
             [kind for kind in (BODY, BODY, BODY, POINT, LINK, LINK, ACTION, EVENT, SYSTEM) if things[kind]]
         )
         choice = self.draw.chance.choice(things[owner])
-        known = [kind for kind in QUANTITIES if owner in kind.owners and not kind.later]
+        known = [kind for kind in QUANTITIES.values() if owner in kind.owners and not kind.later]
         usual = [kind for kind in known if kind.word in USUAL]
         words = self.words(owner, choice)
         fitting = [kind for kind in known if kind.word in words] if words else usual if self.draw.often(0.7) else known

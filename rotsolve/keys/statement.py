@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.letters import greek
 from rotsolve.algebra.notation.letters import parts as letter_parts
 from rotsolve.core.derivation import Answer
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.keys.working import Worked
 from rotsolve.language.problem import Find, Given
@@ -132,7 +132,7 @@ def in_words(phrase: str) -> str:
 def path_in_words(path: str) -> str:
     """`rod.end.speed` as speed of rod end, `pivot.force.x` as x component of force of pivot."""
     words = [re.sub(r"at\((.*)\)", r"at \1", word) for word in re.findall(r"at\([^)]*\)|\w+", path)]
-    place = max((index for index, word in enumerate(words) if word in BY_WORD), default=len(words) - 1)
+    place = max((index for index, word in enumerate(words) if word in QUANTITIES), default=len(words) - 1)
     owner, quantity, part = " ".join(words[:place]), words[place], " ".join(words[place + 1 :])
     told = f"{part} component of {quantity}" if part in AXES else f"{part} {quantity}".strip()
     return f"{told} of {owner}" if owner else told

@@ -10,7 +10,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.drive import TURNING
 from rotsolve.core.equation import GIVEN_MOTION, PERIOD, RULE, RULE_OF_WAYS, STEADY, Equation, Law
 from rotsolve.core.facts import Facts, GivenMotion, Rule, signed
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import flat, is_negative, spoken
 
@@ -73,7 +73,7 @@ def chain(given: GivenMotion, word: str, functions: dict[str, Formula]) -> Words
     said = upto if now != Symbol(TIME) else upto[:-1]
     parts: list[str | Formula] = []
     for name in said:
-        letter = "x" if name == "position" else BY_WORD[name].letter
+        letter = "x" if name == "position" else QUANTITIES[name].letter
         indexed = Symbol(
             "_".join(filter(None, (letter, drive.component))) if name != "position" else drive.component or letter
         )

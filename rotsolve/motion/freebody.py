@@ -26,7 +26,7 @@ from rotsolve.core.facts import (
     square,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import Quantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
@@ -192,7 +192,7 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     label = inertia_label(body, instant, own, [member.name for member in members])
     if letter is None:
         joined = "+".join([body.name, *(member.name for member in members)])
-        kind = BY_WORD["inertia"]
+        kind = QUANTITIES["inertia"]
         since = instant.configuration.since(body.name, instant.state)
         changes = any(instant.configuration.since(body.name, state) for state in instant.configuration.timeline.order)
         name = f"{kind.letter}_total" if members and not changes else kind.letter

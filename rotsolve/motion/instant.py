@@ -10,7 +10,7 @@ from msgspec import Struct, field
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
-from rotsolve.core.quantity import BY_WORD, PLANE
+from rotsolve.core.quantity import PLANE, QUANTITIES
 from rotsolve.core.registry import COURSE, GENERIC, TIME, VIRTUAL, Quantity, Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
@@ -185,7 +185,7 @@ class Instant(Struct, frozen=True, dict=True):
         letter: str = "",
     ) -> Formula:
         """The letter of a quantity at this moment, or its value where the scene fixes it."""
-        kind = BY_WORD[word]
+        kind = QUANTITIES[word]
         moment = self.when if when is None else when
         quantity = Quantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
         return self.registry.ask(quantity)

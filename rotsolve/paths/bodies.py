@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from fractions import Fraction
 from itertools import combinations
 from typing import TYPE_CHECKING
@@ -9,7 +10,7 @@ from typing import TYPE_CHECKING
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, total
 from rotsolve.core.facts import BodyFacts, signed, square
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.rims import rim_radius, shape_of
@@ -18,7 +19,7 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
-from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, NotYet, about_centre, path_text, vector_size
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
 
 if TYPE_CHECKING:
     from rotsolve.paths.inertias import OfInertias
@@ -29,51 +30,36 @@ HALF = Number(Fraction(1, 2))
 class OfBodies(AtInstant, frozen=True):
     """Reads paths of bodies at one instant."""
 
-    def of_body(self, path: Path, term: Term | None) -> Formula | Meaning:
+    def of_body(self, path: Path, term: Term | None) -> Meant:
         """A quantity of a whole body."""
-        instant, name, component = self.instant, path.owner, path.component
-        host = instant.host(name)
-        match path.quantity:
-            case "angle":
-                return instant.ask("angle", host, words=("counterclockwise", "clockwise"))
-            case "angular_velocity" | "angular_acceleration":
-                return self._rate(path.quantity, name)
-            case "velocity" | "acceleration":
-                return self._travel(path, host)
-            case "height":
-                return self._height(name, host)
-            case "speed":
-                return vector_size(instant.motion(name).velocity)
-            case "kinetic_energy":
-                return self._kinetic(name, component)
-            case "mass" if shape_of(instant.body(name)).tabled:
-                return mass_of(instant.body(name))
-            case "radius":
-                return self._radius(name)
-            case "inertia" | "gyration" | "inertia_tensor" | "cm" | "mass":
-                return self._inertias().meaning(path, term)
-            case "angular_momentum" if component is not None:
-                return self._inertias().angular_momentum(path, term)
-            case "angular_momentum":
-                return self._share(path) if path.point else self._angular_momentum(name, term)
-            case "momentum":
-                return self._momentum(name, component)
-            case "torque":
-                return self._torque(name, component, term)
-            case "force":
-                return self._force(name, component)
-            case "power":
-                return self._power(name, component)
-            case "period" | "instantaneous_centre":
-                return instant.ask("period", host) if path.quantity == "period" else self._instantaneous_centre(path)
-        raise NotYet(f"`{path.quantity}` of `{name}` is not solved yet")
+        if path.quantity not in OF_BODIES:
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+        return OF_BODIES[path.quantity](self, path, term)
+
+    def angle(self, path: Path, term: Term | None) -> Formula:
+        return self.instant.ask("angle", self.instant.host(path.owner), words=("counterclockwise", "clockwise"))
+
+    def period(self, path: Path, term: Term | None) -> Formula:
+        return self.instant.ask("period", self.instant.host(path.owner))
+
+    def speed(self, path: Path, term: Term | None) -> Formula:
+        return vector_size(self.instant.motion(path.owner).velocity)
+
+    def mass(self, path: Path, term: Term | None) -> Meant:
+        """The mass of the table of shapes, else by integration."""
+        body = self.instant.body(path.owner)
+        return mass_of(body) if shape_of(body).tabled else self.spread(path, term)
+
+    def spread(self, path: Path, term: Term | None) -> Meant:
+        """How the mass is spread: moment of inertia, radius of gyration, tensor, centre of mass."""
+        return self._inertias().meaning(path, term)
 
     def _inertias(self) -> OfInertias:
         from rotsolve.paths.inertias import OfInertias
 
         return OfInertias(self.instant, self.facts)
 
-    def _instantaneous_centre(self, path: Path) -> Meaning:
+    def instantaneous_centre(self, path: Path, term: Term | None) -> Meaning:
         """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
         body = self.body(path.owner)
         if body.motion.spin == ZERO:
@@ -84,10 +70,11 @@ class OfBodies(AtInstant, frozen=True):
         way = body.motion.velocity.turned(90).along(axis)
         place = (way / body.motion.spin if way != ZERO else ZERO) - body.cm.along(axis)
         label = f"instantaneous centre of {path.owner.replace('_', ' ')}, v + ω × r = 0, from its centre of mass"
-        return Meaning(place, BY_WORD["instantaneous_centre"].dimension, label=label)
+        return Meaning(place, QUANTITIES["instantaneous_centre"].dimension, label=label)
 
-    def _travel(self, path: Path, host: str) -> Formula:
+    def travel(self, path: Path, term: Term | None) -> Formula:
         """Velocity or acceleration along a body's line, a component of it, or its part towards the centre of a circle."""
+        host = self.instant.host(path.owner)
         motion, orbit = self.instant.motion(path.owner), self.instant.orbit(host)
         vector = motion.velocity if path.quantity == "velocity" else motion.acceleration
         if path.component in ("x", "y"):
@@ -101,8 +88,9 @@ class OfBodies(AtInstant, frozen=True):
         line = self.instant.line(host)
         return self.instant.travel(path.quantity, host, line[1] if line else "")
 
-    def _height(self, name: str, host: str) -> Formula:
+    def height_above(self, path: Path, term: Term | None) -> Formula:
         """Height above the level that the scene counts from."""
+        name, host = path.owner, self.instant.host(path.owner)
         above = height(host, self.instant)
         if above is None:
             help = "of what travels along a straight line say how far it goes"
@@ -110,14 +98,16 @@ class OfBodies(AtInstant, frozen=True):
             raise NotYet(f"how high `{name}` is, the scene does not tell", help=help if self.instant.line(host) else "")
         return above
 
-    def _rate(self, word: str, name: str) -> Formula:
+    def rate(self, path: Path, term: Term | None) -> Formula:
         """Angular velocity or acceleration of a body that turns."""
+        name = path.owner
         if not self.instant.motion(name).turns:
             raise NotYet(f"`{name}` does not turn", help="a body turns on an axle or hinge, or where it says `turns`")
-        return self.instant.rate(word, self.instant.host(name))
+        return self.instant.rate(path.quantity, self.instant.host(name))
 
-    def _kinetic(self, name: str, component: str | None) -> Formula:
+    def kinetic_energy(self, path: Path, term: Term | None) -> Formula:
         """½ m v² + ½ I ω²; of a body joined to others, that of its own mass."""
+        name, component = path.owner, path.component
         if self._joined(name) and component is None:
             motion = self.instant.motion(name)
             if motion.kind == "axis":
@@ -156,15 +146,21 @@ class OfBodies(AtInstant, frozen=True):
         arm = self.instant.point(PointRef(name, "cm"))
         return simplify(own + mass_of(self.instant.body(name)) * arm.dot(arm), order=order)
 
-    def _radius(self, name: str) -> Formula:
+    def radius(self, path: Path, term: Term | None) -> Formula:
         """Radius of a round body; of a particle, its distance from the axis."""
-        body = self.instant.body(name)
+        body = self.instant.body(path.owner)
         radius = rim_radius(body, None) or getattr(body.shape, "radius", None)
         if radius is None or radius == ZERO:
-            raise NotYet(f"`{name}` has no radius")
+            raise NotYet(f"`{path.owner}` has no radius")
         return radius
 
-    def _angular_momentum(self, name: str, term: Term | None) -> Formula:
+    def angular_momentum(self, path: Path, term: Term | None) -> Meant:
+        """About the axis or a point; with a component, by the tensor; of a part of a body, its share."""
+        if path.component is not None:
+            return self._inertias().angular_momentum(path, term)
+        return self._share(path) if path.point else self._spin_or_orbital(path.owner, term)
+
+    def _spin_or_orbital(self, name: str, term: Term | None) -> Formula:
         """I ω about the axis or the centre of mass; of a body without spin of its own, r × m v about a named point."""
         body = self.body(name)
         if self._joined(name) and body.motion.kind == "axis":
@@ -197,32 +193,33 @@ class OfBodies(AtInstant, frozen=True):
         orbital = place.cross(body.centre_velocity.scaled(body.mass))
         return total([signed(part, body.motion.sense) for part in (orbital, spin) if part != ZERO])
 
-    def _momentum(self, name: str, component: str | None) -> Formula | Meaning:
+    def momentum(self, path: Path, term: Term | None) -> Meant:
         """m v along the line of travel, a component of it, or its size."""
-        body = self.body(name)
+        body, component = self.body(path.owner), path.component
         if component in ("x", "y"):
             return body.mass * body.centre_velocity.along(RIGHT if component == "x" else UP)
         if body.motion.kind == "line" and body.motion.heading is not None:
             return body.mass * body.motion.velocity.along(body.motion.heading)
         momentum = body.centre_velocity.scaled(body.mass)
-        return Meaning(vector_size(momentum), BY_WORD["momentum"].dimension, momentum)
+        return Meaning(vector_size(momentum), QUANTITIES["momentum"].dimension, momentum)
 
-    def _torque(self, name: str, component: str | None, term: Term | None) -> Formula:
+    def torque(self, path: Path, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
-        body = self.body(name)
+        body, component = self.body(path.owner), path.component
         wanted = [force for force in body.forces if component != "gravity" or force.role.weighs]
         torques = [signed(force.torque, body.motion.sense) for force in wanted]
         if component != "gravity":
             torques += [signed(couple.torque, body.motion.sense) for couple in body.couples]
         return total([torque for torque in torques if torque != ZERO])
 
-    def _force(self, name: str, component: str | None) -> Meaning | Formula:
+    def force(self, path: Path, term: Term | None) -> Meant:
         """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
+        name, component = path.owner, path.component
         body = self.body(name)
         if component == "gravity":
             weight = Vector(tuple(part for force in body.forces if force.role.weighs for part in force.vector.parts))
             size = total([force.size for force in body.forces if force.role.weighs])
-            return Meaning(size, BY_WORD["force"].dimension, tidy(weight))
+            return Meaning(size, QUANTITIES["force"].dimension, tidy(weight))
         vector = Vector()
         for force in body.forces:
             vector = vector + force.vector
@@ -237,19 +234,46 @@ class OfBodies(AtInstant, frozen=True):
                 )
             part = about_centre(pull, body.cm, body.motion.sense, component or "")
             return Meaning(
-                part, BY_WORD["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
+                part, QUANTITIES["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
             )
-        return Meaning(vector_size(pull), BY_WORD["force"].dimension, pull, label=f"resultant force on {spoken(name)}")
+        return Meaning(
+            vector_size(pull), QUANTITIES["force"].dimension, pull, label=f"resultant force on {spoken(name)}"
+        )
 
-    def _power(self, name: str, component: str | None) -> Formula:
+    def power(self, path: Path, term: Term | None) -> Formula:
         """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""
-        body = self.body(name)
+        body, component = self.body(path.owner), path.component
         parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces]
         if component == "gravity":
             parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role.weighs]
         else:
             parts += [couple.torque * body.motion.spin for couple in body.couples]
         return total([part for part in parts if part != ZERO])
+
+
+OF_BODIES: dict[str, Callable[[OfBodies, Path, Term | None], Meant]] = {  # what can be asked of a whole body
+    "angle": OfBodies.angle,
+    "angular_velocity": OfBodies.rate,
+    "angular_acceleration": OfBodies.rate,
+    "velocity": OfBodies.travel,
+    "acceleration": OfBodies.travel,
+    "speed": OfBodies.speed,
+    "height": OfBodies.height_above,
+    "period": OfBodies.period,
+    "instantaneous_centre": OfBodies.instantaneous_centre,
+    "kinetic_energy": OfBodies.kinetic_energy,
+    "momentum": OfBodies.momentum,
+    "angular_momentum": OfBodies.angular_momentum,
+    "torque": OfBodies.torque,
+    "force": OfBodies.force,
+    "power": OfBodies.power,
+    "radius": OfBodies.radius,
+    "mass": OfBodies.mass,
+    "inertia": OfBodies.spread,
+    "gyration": OfBodies.spread,
+    "inertia_tensor": OfBodies.spread,
+    "cm": OfBodies.spread,
+}
 
 
 def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:

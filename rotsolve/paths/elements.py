@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import NamedTuple
+
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.strings import String
@@ -14,82 +17,78 @@ from rotsolve.elements.connections.touch import Touch
 from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Path
 from rotsolve.paths.bodies import OfBodies
-from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, NotYet, about_centre, vector_size
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, vector_size
+
+
+class Acting(NamedTuple):
+    """The forces and couples of one element, each with the body on which it acts."""
+
+    forces: list[tuple[BodyFacts, Force]]
+    couples: list[tuple[BodyFacts, Couple]]
 
 
 class OfElements(AtInstant, frozen=True):
     """Reads paths of connections and actions at one instant."""
 
-    def of_element(self, path: Path) -> Formula | Meaning:
+    def of_element(self, path: Path) -> Meant:
         """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
         bodies = self.facts().bodies
         forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
         couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
         if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
             raise NotYet(f"`{path.owner}` does not act{self._moment()}")
-        found = self._effort(path, forces, couples)
-        found = self._setting(path) if found is None else found
+        reading = OF_ELEMENTS.get(path.quantity)
+        found = None if reading is None else reading(self, path, Acting(forces, couples))
         if found is None:
             raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
         return found
 
-    def _effort(
-        self, path: Path, forces: list[tuple[BodyFacts, Force]], couples: list[tuple[BodyFacts, Couple]]
-    ) -> Formula | Meaning | None:
-        """What an element does to the bodies on which it acts."""
-        match path.quantity:
-            case "tension":
-                return self._tension(path, [force for _, force in forces])
-            case "normal_force" | "friction_force":
-                return self._contact_force(path, forces)
-            case "torque":
-                last = self._last_body(path.owner, [body.name for body, _ in couples]) if couples else ""
-                own = [(body, couple) for body, couple in couples if body.name == last]
-                parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
-                parts += [signed(force.torque, body.motion.sense) for body, force in forces]
-                return total([part for part in parts if part != ZERO])
-            case "force":
-                return self._element_force(path, forces)
-            case "power" if any(couple.role.powered for _, couple in couples):
-                return self._given_power(path.owner)
-            case "power":
-                parts = [couple.torque * body.motion.spin for body, couple in couples]
-                parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in forces]
-                return total([_plain(part) for part in parts if part != ZERO])
+    def torque(self, path: Path, acting: Acting) -> Formula:
+        """The couple on the last-named body, and the torques of its forces."""
+        last = self._last_body(path.owner, [body.name for body, _ in acting.couples]) if acting.couples else ""
+        own = [(body, couple) for body, couple in acting.couples if body.name == last]
+        parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
+        parts += [signed(force.torque, body.motion.sense) for body, force in acting.forces]
+        return total([part for part in parts if part != ZERO])
+
+    def power(self, path: Path, acting: Acting) -> Formula:
+        """Σ F·v + Σ τ ω; of a motor that is told by its power, just that."""
+        if any(couple.role.powered for _, couple in acting.couples):
+            return self._given_power(path.owner)
+        parts = [couple.torque * body.motion.spin for body, couple in acting.couples]
+        parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in acting.forces]
+        return total([_plain(part) for part in parts if part != ZERO])
+
+    def elongation(self, path: Path, acting: Acting) -> Formula:
+        stored = self._stored(path.owner)
+        placed = stored is not None and stored.placed
+        return stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+
+    def length(self, path: Path, acting: Acting) -> Formula | None:
+        """How long a rope is that hangs, whose weight stores energy by that."""
+        stored = self._stored(path.owner)
+        if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
+            return stored.elongation
         return None
 
-    def _setting(self, path: Path) -> Formula | Meaning | None:
-        """How an element stands or moves: its elongation, length, angle, or the angular velocity of what it holds."""
-        match path.quantity:
-            case "elongation":
-                stored = self._stored(path.owner)
-                placed = stored is not None and stored.placed
-                return (
-                    stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
-                )
-            case "length":
-                stored = self._stored(path.owner)
-                if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
-                    return stored.elongation
-            case "angle" if (contact := self._contact(path.owner)) is not None:
-                return contact.angle(self.instant)
-            case "angle" | "angular_velocity" | "angular_acceleration":
-                if path.quantity != "angle" and (pair := self._between(path.owner)):
-                    return self._relative(path.quantity, *pair)
-                name = self._turned_by(path.owner)
-                if name:
-                    return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None)
-        return None
+    def turning(self, path: Path, acting: Acting) -> Meant | None:
+        """Where on a curved surface a body is; else how the two bodies of a connection, or the one that it holds, turn."""
+        if path.quantity == "angle" and (contact := self._contact(path.owner)) is not None:
+            return contact.angle(self.instant)
+        if path.quantity != "angle" and (pair := self._between(path.owner)):
+            return self._relative(path.quantity, *pair)
+        name = self._turned_by(path.owner)
+        return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None) if name else None
 
-    def _contact_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+    def contact_force(self, path: Path, acting: Acting) -> Meant:
         """The push of a surface or its friction, on the body that a contact names first."""
         rubs = path.quantity == "friction_force"
         first = self._first_body(path.owner)
-        forces = sorted(forces, key=lambda pair: pair[0].name != first)
+        forces = sorted(acting.forces, key=lambda pair: pair[0].name != first)
         force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
         if force is None:
             return ZERO
-        return Meaning(force.size, BY_WORD[path.quantity].dimension, words=(force.way if rubs else "", ""))
+        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way if rubs else "", ""))
 
     def _stored(self, owner: str) -> Potential | None:
         """The energy that a spring or wire stores."""
@@ -127,7 +126,7 @@ class OfElements(AtInstant, frozen=True):
         }
         return owner not in acting
 
-    def _tension(self, path: Path, forces: list[Force]) -> Formula:
+    def tension(self, path: Path, acting: Acting) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
         item = next(
             (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
@@ -137,7 +136,7 @@ class OfElements(AtInstant, frozen=True):
             tension = item.tension_at(path.point, self.instant)
             if tension is not None:
                 return tension
-        sizes = {force.size: None for force in forces if force.role.pulls}
+        sizes = {force.size: None for _, force in acting.forces if force.role.pulls}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
         if len(sizes) > 1:
@@ -146,8 +145,9 @@ class OfElements(AtInstant, frozen=True):
             raise NotYet(f"the tension is not the same along `{path.owner}`", help=f"ask for that of one part: {ends}")
         return next(iter(sizes))
 
-    def _element_force(self, path: Path, forces: list[tuple[BodyFacts, Force]]) -> Formula | Meaning:
+    def force(self, path: Path, acting: Acting) -> Meant:
         """The force on the last-named body: its components, or its size."""
+        forces = acting.forces
         if not forces:
             couplings = [
                 couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
@@ -166,8 +166,8 @@ class OfElements(AtInstant, frozen=True):
         if path.component in NATURAL:
             part = self._along_body(last, vector, arm, path.component or "")
             label = f"{path.component} part of the force of {spoken(path.owner)}"
-            return Meaning(part, BY_WORD["force"].dimension, label=label)
-        return Meaning(vector_size(vector), BY_WORD["force"].dimension, vector)
+            return Meaning(part, QUANTITIES["force"].dimension, label=label)
+        return Meaning(vector_size(vector), QUANTITIES["force"].dimension, vector)
 
     def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
         """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""
@@ -195,6 +195,21 @@ class OfElements(AtInstant, frozen=True):
             else []
         )
         return next((name for name in reversed(named) if name in bodies), bodies[-1])
+
+
+OF_ELEMENTS: dict[str, Callable[[OfElements, Path, Acting], Meant | None]] = {  # what can be asked of an element
+    "tension": OfElements.tension,
+    "normal_force": OfElements.contact_force,
+    "friction_force": OfElements.contact_force,
+    "torque": OfElements.torque,
+    "force": OfElements.force,
+    "power": OfElements.power,
+    "elongation": OfElements.elongation,
+    "length": OfElements.length,
+    "angle": OfElements.turning,
+    "angular_velocity": OfElements.turning,
+    "angular_acceleration": OfElements.turning,
+}
 
 
 def _plain(part: Formula) -> Formula:

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, add, multiply, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.vectors.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
@@ -33,7 +33,7 @@ class OfInertias(AtInstant, frozen=True):
     def meaning(self, path: Path, term: Term | None) -> Meaning:
         """The meaning of `inertia`, `gyration`, `inertia_tensor`, `cm` or `mass` of a body."""
         told = self.refused(path, lambda: self._told(path, term))
-        dimension = BY_WORD[path.quantity].dimension
+        dimension = QUANTITIES[path.quantity].dimension
         return Meaning(
             told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
         )
@@ -173,7 +173,7 @@ class OfInertias(AtInstant, frozen=True):
     def angular_momentum(self, path: Path, term: Term | None) -> Meaning:
         """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
         told = self.refused(path, lambda: self._angular_momentum(path, term))
-        dimension = BY_WORD[path.quantity].dimension
+        dimension = QUANTITIES[path.quantity].dimension
         return Meaning(
             told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
         )

@@ -22,8 +22,6 @@ from rotsolve.language.problem import Path, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import tidy
 
-POINT_WORDS = [entry.word for entry in QUANTITIES if POINT in entry.owners]
-
 
 class NotYet(ValueError):
     """A quantity that can be named but not worked out for this owner; `span` where a line of a state speaks of it."""
@@ -97,7 +95,7 @@ def label_of(path: Path, term: Term | None) -> str:
     if path.component in ("rotational", "translational"):
         word = f"{path.component} {word}"
     named = {"gravity": "of the weight", "net": "of all forces"}.get(path.component or "", "")
-    of_point = path.point is not None and path.quantity in POINT_WORDS
+    of_point = path.point is not None and POINT in QUANTITIES[path.quantity].owners
     owner = spoken_point(path) if of_point else spoken(path.owner)
     about = f" about {term.about.owner}" if term is not None and term.about is not None and not term.about.point else ""
     if named and owner:
@@ -116,6 +114,9 @@ def spoken_point(path: Path) -> str:
     at = f"point at {to_text(path.argument)}" if path.argument is not None else path.point
     point = {"cm": "centre of mass", None: ""}.get(path.point, at)
     return f"the {name}'s {point}" if point else name
+
+
+Meant = Formula | Meaning
 
 
 class AtInstant(Struct, frozen=True):

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from rotsolve.algebra.formula import ZERO, add
 from rotsolve.core.facts import Motion, signed, square
-from rotsolve.core.quantity import BY_WORD, INSIDE
+from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.language.problem import Path, PointRef
 from rotsolve.paths.meaning import (
@@ -25,7 +27,7 @@ class OfPoints(AtInstant, frozen=True):
 
     def at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in ("position", "velocity", "speed", "acceleration", *INSIDE) and (
+        return path.quantity in OF_POINTS and (
             path.point is not None or path.component in NATURAL or not self._travels(path)
         )
 
@@ -33,19 +35,14 @@ class OfPoints(AtInstant, frozen=True):
         motion = self.instant.motion(path.owner)
         return motion.kind == "line" and self.instant.host(path.owner) == path.owner
 
-    def of_point(self, path: Path) -> Meaning:
+    def motion_of(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: as a vector with its size, or a component."""
-        if path.quantity in INSIDE:
-            return self._inside(path)
         ride = self.instant.configuration.ride(path.owner, self.instant.state)
         if ride is not None and path.quantity in ("velocity", "speed") and path.point in (None, "cm"):
             return self._of_rider(path)
-        ref = PointRef(path.owner, path.point or "cm", path.argument)
-        motion, arm = self.instant.motion(path.owner), self.instant.point(ref)
-        if path.quantity == "position":
-            return self._place(path, arm)
+        motion, arm = self.instant.motion(path.owner), self._arm(path)
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
-        dimension = BY_WORD[path.quantity].dimension
+        dimension = QUANTITIES[path.quantity].dimension
         label = f"{path.quantity} of {spoken_point(path)}{carrying_words(motion, arm, path.quantity)}"
         if path.component in ("x", "y"):
             side, axis = ("horizontally", RIGHT) if path.component == "x" else ("vertically", UP)
@@ -60,7 +57,11 @@ class OfPoints(AtInstant, frozen=True):
         shown = None if path.quantity == "speed" else vector  # a speed points nowhere
         return Meaning(vector_size(vector), dimension, shown, remark, label)
 
-    def _inside(self, path: Path) -> Meaning:
+    def _arm(self, path: Path) -> Vector:
+        """Where the point is from its body's reference."""
+        return self.instant.point(PointRef(path.owner, path.point or "cm", path.argument))
+
+    def inside(self, path: Path) -> Meaning:
         """What acts at a cut through a rod."""
         same = (path.owner, path.point, path.argument)
         cuts = self.instant.configuration.mentions.cuts.items()
@@ -77,11 +78,11 @@ class OfPoints(AtInstant, frozen=True):
                 help="in a uniform rod whose loads act at named points, certainly on this or that side: give lengths numbers",
             )
         letter = self.instant.ask(path.quantity, path.owner, when=self.instant.span(path.owner), component=index)
-        return Meaning(letter, BY_WORD[path.quantity].dimension)
+        return Meaning(letter, QUANTITIES[path.quantity].dimension)
 
     def _of_rider(self, path: Path) -> Meaning:
         """Velocity of what slides along another body: ω r across, and its speed along that body."""
-        instant, name, dimension = self.instant, path.owner, BY_WORD[path.quantity].dimension
+        instant, name, dimension = self.instant, path.owner, QUANTITIES[path.quantity].dimension
         motion = instant.motion(name)
         along, radius = instant.outward(name), getattr(instant.body(name).shape, "radius", None) or ZERO
         if path.component == "radial":
@@ -94,7 +95,7 @@ class OfPoints(AtInstant, frozen=True):
             return Meaning(vector.along(RIGHT if path.component == "x" else UP), dimension)
         return Meaning(vector_size(vector), dimension, label=f"{path.quantity} of {spoken_point(path)}")
 
-    def _place(self, path: Path, arm: Vector) -> Meaning:
+    def place(self, path: Path) -> Meaning:
         """A component of a point's place: that of the body's reference, and from there to the point."""
         if path.component not in ("x", "y"):
             raise NotYet("a place is asked by its components", help=f"ask for `{path_text(path)}.x` and `.y`")
@@ -102,7 +103,7 @@ class OfPoints(AtInstant, frozen=True):
         if self.instant.motion(name).kind != "plane":
             raise NotYet(f"where `{name}` is in the scene is not told", help="ask for a displacement")
         place = self.instant.component("position", name, path.component)
-        return Meaning(add(place, arm.along(direction)), BY_WORD["position"].dimension)
+        return Meaning(add(place, self._arm(path).along(direction)), QUANTITIES["position"].dimension)
 
     def _on_circle(self, path: Path, motion: Motion, arm: Vector) -> Meaning:
         """About a fixed axis: r α and r ω², r ω and nothing; the tangential part counts along the positive turn."""
@@ -113,7 +114,7 @@ class OfPoints(AtInstant, frozen=True):
             squared = square(motion.spin) if path.quantity == "acceleration" else ZERO
             part, value = arm.turned(180).times(squared), squared
         radius = arm_length(arm) if arm.parts else ZERO
-        return Meaning(radius * value, BY_WORD[path.quantity].dimension, part, "", self._called(path))
+        return Meaning(radius * value, QUANTITIES[path.quantity].dimension, part, "", self._called(path))
 
     def _on_path(self, path: Path, motion: Motion, arm: Vector) -> Meaning:
         """In free motion: along the point's own velocity, and square to it."""
@@ -126,10 +127,17 @@ class OfPoints(AtInstant, frozen=True):
         vector = motion.acceleration_of(arm) if path.quantity == "acceleration" else motion.velocity_of(arm)
         value = along_path(vector, velocity, path.component or "")
         moving = NOWHERE if straight else velocity
-        return Meaning(value, BY_WORD[path.quantity].dimension, label=self._called(path), moving=moving)
+        return Meaning(value, QUANTITIES[path.quantity].dimension, label=self._called(path), moving=moving)
 
     def _called(self, path: Path) -> str:
         return f"{path.component} {path.quantity} of {spoken_point(path)}"
+
+
+OF_POINTS: dict[str, Callable[[OfPoints, Path], Meaning]] = {  # what can be asked of a point
+    "position": OfPoints.place,
+    **dict.fromkeys(("velocity", "speed", "acceleration"), OfPoints.motion_of),
+    **dict.fromkeys(INSIDE, OfPoints.inside),
+}
 
 
 def carrying_words(motion: Motion, arm: Vector, quantity: str) -> str:

@@ -5,12 +5,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, total
 from rotsolve.core.equation import KINETIC_ENERGY
 from rotsolve.core.facts import signed
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.language.problem import Path, Term
@@ -18,8 +20,8 @@ from rotsolve.laws.energy import kinetic
 from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.elements import OfElements
-from rotsolve.paths.meaning import AtInstant, Meaning, NotYet, label_of, vector_size
-from rotsolve.paths.points import OfPoints
+from rotsolve.paths.meaning import AtInstant, Meaning, Meant, NotYet, label_of, vector_size
+from rotsolve.paths.points import OF_POINTS, OfPoints
 
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 
@@ -35,12 +37,12 @@ class PathReader(AtInstant, frozen=True):
         if path.owner in configuration.bodies:
             points = OfPoints(self.instant, self.facts)
             bodies = OfBodies(self.instant, self.facts)
-            found = points.of_point(path) if points.at_point(path) else bodies.of_body(path, term)
+            found = OF_POINTS[path.quantity](points, path) if points.at_point(path) else bodies.of_body(path, term)
         elif not path.owner:
-            found = self._of_system(path)
+            found = self.of_scene(path)
         else:
             found = OfElements(self.instant, self.facts).of_element(path)
-        kind = BY_WORD[path.quantity]
+        kind = QUANTITIES[path.quantity]
         if term is not None and term.by is not None and path.quantity not in BY_INTEGRATION:
             raise NotYet(
                 f"`{path.quantity}` is not asked for `by {term.by}`", help=f"ask so for {', '.join(BY_INTEGRATION)}"
@@ -76,26 +78,43 @@ class PathReader(AtInstant, frozen=True):
         line = self.instant.configuration.line(name, self.instant.state)
         return (line[1], opposite(line[1])) if line and quantity in ("velocity", "acceleration") else ("", "")
 
-    def _of_system(self, path: Path) -> Formula | Meaning:
+    def of_scene(self, path: Path) -> Meant:
         """A quantity of all bodies together."""
-        facts = self.facts()
-        match path.quantity:
-            case "kinetic_energy":
-                return total(kinetic(list(facts.bodies)))
-            case "angular_momentum" if all(body.motion.kind == "axis" for body in facts.bodies):
-                sense = facts.bodies[0].motion.sense
-                turning = [body for body in facts.bodies if body.inertia is not None]
-                return total(
-                    [body.inertia.letter * signed(body.motion.spin, sense) for body in turning if body.inertia]
-                )
-            case "momentum":
-                momenta = [body.centre_velocity.scaled(body.mass) for body in facts.bodies]
-                whole = tidy(Vector(tuple(part for momentum in momenta for part in momentum.parts)))
-                if path.component is not None:
-                    return whole.along(RIGHT if path.component == "x" else UP)
-                return Meaning(vector_size(whole), BY_WORD["momentum"].dimension, whole)
-            case "time":
-                return self.instant.time()
-            case "mass":
-                return total([body.mass for body in facts.bodies])
-        raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")
+        found = OF_SCENE[path.quantity](self, path) if path.quantity in OF_SCENE else None
+        if found is None:
+            raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")
+        return found
+
+    def kinetic_energy(self, path: Path) -> Formula:
+        return total(kinetic(list(self.facts().bodies)))
+
+    def angular_momentum(self, path: Path) -> Formula | None:
+        """Σ I ω of bodies that all turn about fixed axes, along the first one's positive turn."""
+        bodies = self.facts().bodies
+        if any(body.motion.kind != "axis" for body in bodies):
+            return None
+        sense = bodies[0].motion.sense
+        return total([body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia])
+
+    def momentum(self, path: Path) -> Meant:
+        """Σ m v: a component of it, or its size."""
+        momenta = [body.centre_velocity.scaled(body.mass) for body in self.facts().bodies]
+        whole = tidy(Vector(tuple(part for momentum in momenta for part in momentum.parts)))
+        if path.component is not None:
+            return whole.along(RIGHT if path.component == "x" else UP)
+        return Meaning(vector_size(whole), QUANTITIES["momentum"].dimension, whole)
+
+    def time(self, path: Path) -> Formula:
+        return self.instant.time()
+
+    def mass(self, path: Path) -> Formula:
+        return total([body.mass for body in self.facts().bodies])
+
+
+OF_SCENE: dict[str, Callable[[PathReader, Path], Meant | None]] = {  # what can be asked of the whole scene
+    "kinetic_energy": PathReader.kinetic_energy,
+    "angular_momentum": PathReader.angular_momentum,
+    "momentum": PathReader.momentum,
+    "time": PathReader.time,
+    "mass": PathReader.mass,
+}

@@ -21,7 +21,7 @@ from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import PI, ZERO, Formula, add
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import REVERSAL, Equation
-from rotsolve.core.quantity import BY_WORD, SPANNED
+from rotsolve.core.quantity import QUANTITIES, SPANNED
 from rotsolve.core.registry import TIME
 from rotsolve.core.varying import CONSTANT
 from rotsolve.core.writing import spoken
@@ -119,7 +119,7 @@ def meaning_at_any_time(term: Term, scene: SceneEquations) -> tuple[Meaning, str
     start, path = named[0].start, term.path
     if path.quantity in SPANNED:
         middle = scene.instant(start, generic=True)
-        return Meaning(run_up(path, middle), BY_WORD[path.quantity].dimension), named[0].name
+        return Meaning(run_up(path, middle), QUANTITIES[path.quantity].dimension), named[0].name
     return scene.reader(start, generic=True).meaning(path, term), named[0].name
 
 
@@ -188,7 +188,7 @@ def whole_way(term: Term, start: str, end: str, scene: SceneEquations, beside: B
         result, label = arm * result, f"way of a point on {spoken(name)}, s = r φ"
     if path.quantity == "turns":
         result = result / (2 * PI)
-    return Meaning(result, BY_WORD[path.quantity].dimension, label=label, laws=tuple(laws)), intervals[-1].name
+    return Meaning(result, QUANTITIES[path.quantity].dimension, label=label, laws=tuple(laws)), intervals[-1].name
 
 
 def reversed_parts(
@@ -326,6 +326,6 @@ def at_moment_of_extreme(term: Term, best: ExtremeValue, name: str, scene: Scene
     meaning = scene.reader(best.interval.start, generic=True).meaning(term.path, term)
     label = f"{name} of {owner}"
     result = Meaning(
-        value, BY_WORD[term.path.quantity].dimension, label=label, law=meaning.law, words=meaning.words, laws=(law,)
+        value, QUANTITIES[term.path.quantity].dimension, label=label, law=meaning.law, words=meaning.words, laws=(law,)
     )
     return result, best.interval.name

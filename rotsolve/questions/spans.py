@@ -7,7 +7,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol, add, negate, sqrt, total
 from rotsolve.core.facts import BodyFacts, signed
 from rotsolve.core.passage import Meeting, Passage
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.varying import running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
@@ -215,7 +215,7 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
 
 def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[Meaning, str]:
     """A quantity of one or several phases: the sum over them."""
-    timeline, path, kind = scene.configuration.timeline, term.path, BY_WORD[term.path.quantity]
+    timeline, path, kind = scene.configuration.timeline, term.path, QUANTITIES[term.path.quantity]
     start, end = span(term, start, end, scene)
     intervals = timeline.between(start, end)
     if path.quantity == "displacement" and path.point is not None:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Call, Formula, Number
-from rotsolve.core.quantity import BY_WORD, OSCILLATING, SPANNED
+from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import ANY_TIME, Path, Term
@@ -50,7 +50,7 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
     timeline = scene.configuration.timeline
     if term.path.quantity in OSCILLATING:
         swing = scene.swing(term)
-        return Meaning(swing.letters[term.path.quantity], BY_WORD[term.path.quantity].dimension), swing.harmonic
+        return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
     start, end = term.start, term.end
     if term.at == ANY_TIME:
         from rotsolve.questions.functions_of_time import meaning_at_any_time
@@ -116,7 +116,7 @@ def section_of_definition(path: Path, meaning: Meaning, state: str, scene: Scene
     """Where a definition is written: with the accelerations of a phase, or at its state."""
     moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
     if (
-        BY_WORD[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
+        QUANTITIES[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
         or state in moments
     ):
         return state
@@ -139,7 +139,7 @@ def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside
     vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
     return Meaning(
         amount.formula / duration.formula,
-        BY_WORD[term.path.quantity].dimension,
+        QUANTITIES[term.path.quantity].dimension,
         vector,
         label=f"mean {word}",
         laws=amount.laws,

@@ -13,7 +13,7 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.language.grammar import CLAUSES, IS, WHICH
 from rotsolve.language.problem import Choice, Condition, Find, Option, Path
 from rotsolve.language.words import hint, quoted
@@ -223,7 +223,7 @@ class ChoiceReader:
 
 def named_side(find: Find, label: str, number: int) -> Find:
     """A side under the letter that the derivation may print: ω_b for the angular velocity of option b."""
-    letter = BY_WORD[find.terms[0].path.quantity].letter if len(find.terms) == 1 else find.name
+    letter = QUANTITIES[find.terms[0].path.quantity].letter if len(find.terms) == 1 else find.name
     index = label if NAME.fullmatch(label) else str(number)
     return replace(find, name=f"{letter}_{index}")
 

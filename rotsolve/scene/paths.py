@@ -8,7 +8,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import BODY, BY_WORD, POINT, QUANTITIES, SYSTEM, QuantityKind
+from rotsolve.core.quantity import BODY, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.core.varying import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL, Rod
 from rotsolve.language.grammar import SWINGS
@@ -224,7 +224,7 @@ def owner_fault(scope: Scope, node: Text, word: Segment, kind: str | None) -> No
 
 def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | None:
     """A quantity of the whole scene."""
-    entry = BY_WORD.get(word)
+    entry = QUANTITIES.get(word)
     if entry is not None and SYSTEM in entry.owners:
         return Path("", word, span=span)
     kind = scope.kinds.get(word)
@@ -242,7 +242,7 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
             "path",
         )
     else:
-        known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES if SYSTEM in item.owners)]
+        known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
         scope.unknown(span, word, "name", known, "givens, answers and quantities")
     return None
 
@@ -284,7 +284,7 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
     """Whether the next word is a point: `cm.velocity`, but not `cm.x`."""
     if rest[0] not in scope.points[owner]:
         return False
-    entry = BY_WORD.get(rest[0])
+    entry = QUANTITIES.get(rest[0])
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
 
 
@@ -296,7 +296,7 @@ def point_argument(scope: Scope, node: Text, word: Segment, owner: str) -> Formu
 
 
 def words_of(kind: str) -> list[str]:
-    return [entry.word for entry in QUANTITIES if kind in entry.owners]
+    return [entry.word for entry in QUANTITIES.values() if kind in entry.owners]
 
 
 def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
@@ -330,7 +330,7 @@ def finish(
     if word not in allowed:
         scope.fault(place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity")
         return None
-    entry = BY_WORD[word]
+    entry = QUANTITIES[word]
     component = None
     if len(rest) > 1:
         component = component_of(scope, node, entry, rest[1])
@@ -367,5 +367,5 @@ def running_path(scope: Scope, node: Text, piece: Piece) -> Formula | None:
         help = f"write `body.quantity` with one of: {', '.join(WORDS)}"
         scope.fault(path.span, f"a value can't vary with {quoted(piece.text)}", help, "formula")
         return None
-    scope.dimensions[piece.text] = BY_WORD[path.quantity].dimension
+    scope.dimensions[piece.text] = QUANTITIES[path.quantity].dimension
     return Symbol(piece.text)

@@ -17,7 +17,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula, Symbol, call
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS, SWINGS, WHICH
 from rotsolve.language.problem import Condition, Find, Path, Term
 from rotsolve.language.words import hint, quoted
@@ -79,7 +79,7 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
 def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, answers: dict[str, Any]) -> Any:
     """The dimension of the asked formula; None where a letter's is not known."""
     known: dict[str, Any] = {**answers, **scope.dimensions}
-    known |= {f"#{index}": BY_WORD[term.path.quantity].dimension for index, term in enumerate(phrase.terms)}
+    known |= {f"#{index}": QUANTITIES[term.path.quantity].dimension for index, term in enumerate(phrase.terms)}
     found = {name: known.get(name) for name in formula.symbols()}
     if None in found.values():
         return None
@@ -185,7 +185,7 @@ class Reader:
                 return modifier, words[2:]
             span = self.node.part(words[0].start, words[1].end)
             help = f"modifiers: {', '.join(MODIFIERS)}"
-            if first in BY_WORD and len(words) > 2:
+            if first in QUANTITIES and len(words) > 2:
                 help = f"write `{words[2].text}.{first}`"
             self.scope.fault(span, f"unknown modifier `{first} of`", help, "unknown")
             return None, words

@@ -47,7 +47,7 @@ def words() -> Iterator[tuple[str, str]]:
     for kind, table in TABLES.values():
         for cls in table:
             yield cls.word, element(cls, kind)
-    for entry in QUANTITIES:
+    for entry in QUANTITIES.values():
         yield (
             entry.word,
             f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}{owned(entry)}{parts(entry)}",
@@ -73,7 +73,7 @@ def chapters() -> Iterator[tuple[str, str]]:
     yield "marking", chapter("Keys of an answer's marking", rows(MARKING.items()))
     yield "deductions", chapter("Keys of `deduct`", rows(DEDUCT.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
-    lines += [quantity(entry) for entry in QUANTITIES]
+    lines += [quantity(entry) for entry in QUANTITIES.values()]
     yield "quantities", "### Quantities\n\n" + "\n".join(lines)
 
 

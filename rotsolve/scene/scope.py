@@ -9,7 +9,7 @@ from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import Quantity
 from rotsolve.core.faults import Fault, Span
-from rotsolve.core.quantity import BY_WORD, SYSTEM
+from rotsolve.core.quantity import QUANTITIES, SYSTEM
 from rotsolve.language.grammar import RESERVED_WORDS
 from rotsolve.language.problem import Body, Given
 from rotsolve.language.words import an, hint, quoted
@@ -24,7 +24,7 @@ RESERVED = {
     **dict.fromkeys(FUNCTIONS, "a function"),
     **{
         word: "a quantity of the whole scene"
-        for word, entry in BY_WORD.items()
+        for word, entry in QUANTITIES.items()
         if SYSTEM in entry.owners and len(word) > 6
     },
     "ln": "a function",

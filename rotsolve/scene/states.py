@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import PHASE
 from rotsolve.language.problem import Condition, Path, Phase, State
 from rotsolve.language.words import hint, quoted
@@ -79,7 +79,7 @@ def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Conditio
     if (
         isinstance(node, List)
         and len(node.items) == 2
-        and "x" in BY_WORD[path.quantity].components
+        and "x" in QUANTITIES[path.quantity].components
         and not path.component
     ):
         parts = []
@@ -91,7 +91,7 @@ def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Conditio
 
 
 def valued(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
-    kind = BY_WORD[path.quantity]
+    kind = QUANTITIES[path.quantity]
     owner = "_".join(part for part in (path.owner, path.point if path.point != "at" else "", path.component) if part)
     limits = "nonnegative" if path.quantity in POSITIVE else ""
     want = Want(line.value.strip(), dimension_word(path.quantity), kind.letter, owner or state, limits, hint=state)
@@ -103,7 +103,7 @@ def dimension_word(word: str) -> str:
     """The dimension of a path word, by the name that messages use."""
     from rotsolve.core.quantity import DIMENSIONS
 
-    dimension = BY_WORD[word].dimension
+    dimension = QUANTITIES[word].dimension
     return next(name for name, item in DIMENSIONS.items() if item == dimension)
 
 

@@ -14,7 +14,7 @@ from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import BY_WORD, DIMENSIONS
+from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.language.problem import TimeValue
 from rotsolve.language.words import an, hint, quoted
 from rotsolve.scene.literals import (
@@ -124,7 +124,7 @@ def replacement(
 
 def is_path_word(scope: Scope, word: str) -> bool:
     """Whether the word alone is a quantity of the whole scene (`kinetic_energy`), or was meant as a path."""
-    return word in BY_WORD or scope.kinds.get(word) in ("body", "connection", "action", "event")
+    return word in QUANTITIES or scope.kinds.get(word) in ("body", "connection", "action", "event")
 
 
 def formula_fault(

@@ -15,7 +15,7 @@ from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Condition, Find, points_of
@@ -274,7 +274,7 @@ def as_function_of(search: Search, phrase: Find, letter: str) -> Answered:
     )
     if known is not None:
         return known
-    word = BY_WORD[phrase.terms[0].path.quantity].letter if len(phrase.terms) == 1 else "Q"
+    word = QUANTITIES[phrase.terms[0].path.quantity].letter if len(phrase.terms) == 1 else "Q"
     find = replace(phrase, name=fresh(word, search))
     question = question_for(find, search.scene, search.letters())
     settled = letter in search.known

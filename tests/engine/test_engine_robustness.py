@@ -24,7 +24,9 @@ HERE = Path(__file__).resolve().parent
 FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").rglob("*.yaml")])
 MUTANTS, BATCHES = int(os.environ.get("ROTSOLVE_MUTANTS", "300")), 10
 SECONDS = 5.0
-INTERNAL = re.compile(rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES)}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b")
+INTERNAL = re.compile(
+    rf"\b(?:{'|'.join(kind.word for kind in QUANTITIES.values())}|asked)\|[^ ]|~|\^[a-z]|[(\[]'|None\b"
+)
 
 
 def all_texts(solution: Solution) -> dict[str, str]:

@@ -8,7 +8,7 @@ from math import ceil, floor, isfinite, log10
 from rotsolve.algebra.certified.ball import decimal_text, ends
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.units.quantities import unit_for
-from rotsolve.core.quantity import BY_WORD
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.render.layout import Line, paragraph
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.tape import Scalar
@@ -85,12 +85,12 @@ def columns_of(run: Run) -> tuple[str, ...]:
 
 def word_of(name: str) -> str:
     """The quantity in a name: `velocity` of `block.velocity.x`."""
-    return next((part for part in name.split(".")[1:] if part in BY_WORD), "")
+    return next((part for part in name.split(".")[1:] if part in QUANTITIES), "")
 
 
 def unit_of(name: str) -> str:
     """The SI unit of a quantity."""
-    return unit_for(BY_WORD[word_of(name)].dimension).text
+    return unit_for(QUANTITIES[word_of(name)].dimension).text
 
 
 def tables(run: Run, names: Sequence[str], times: Sequence[float], width: int) -> Iterator[Line]:
