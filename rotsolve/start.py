@@ -8,11 +8,13 @@ from __future__ import annotations
 import sys
 from typing import NoReturn
 
+from rotsolve.lean import leave_out
 from rotsolve.process import end_at_once, leave_after, orderly, page_width
 
 
 def process() -> NoReturn:
     """Run the command that this process was started for, and end it."""
+    leave_out()
     try:
         main()
     except SystemExit as leaving:

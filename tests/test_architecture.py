@@ -12,7 +12,7 @@ import pytest
 PACKAGE = Path(__file__).resolve().parent.parent / "rotsolve"
 FILES = sorted(PACKAGE.rglob("*.py"))
 LAYERS = (  # each may import those before it, and itself; names on one line do not import each other
-    ("profile",),
+    ("profile", "lean"),
     ("algebra",),
     ("core",),
     ("language",),

@@ -19,7 +19,7 @@ from rotsolve.scene import traps
 BYTES = 1_000_000
 DEPTH = 40
 NODES = 100_000
-LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+LOADER: Any = yaml.CSafeLoader if hasattr(yaml, "CSafeLoader") else yaml.SafeLoader
 
 
 class Text(Struct, frozen=True):

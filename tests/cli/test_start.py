@@ -70,3 +70,53 @@ def test_an_end_that_fails_is_left_to_python() -> None:
     failing = "import atexit\natexit.register(lambda: sys.stdout.close())\n"
     ran = process("rotsolve.start", "solve", SCENE, main="process", before=failing)
     assert ran.returncode == 0 and ran.stdout.startswith("Block hanging")
+
+
+BAD = (
+    "a: [1",
+    "a: *x",
+    "a: b: c",
+    "\ta: 1",
+    "a: 'x",
+    "a: {b",
+    "- a\nb: 1",
+    "&a b: 1",
+    "a: !!int 1",
+    "? [a]\n: b",
+    "%A\n---\n",
+    "@a: 1",
+)
+
+
+@pytest.mark.parametrize("text", BAD)
+def test_a_process_of_its_own_says_the_same_of_what_is_no_yaml(text: str, tmp_path: Path) -> None:
+    scene = tmp_path / "scene.yaml"
+    scene.write_text(text + "\n", encoding="utf-8")
+    plain, lean = (process("rotsolve.start", "solve", str(scene), main=main, before="") for main in ("main", "process"))
+    assert (plain.returncode, plain.stdout, plain.stderr) == (lean.returncode, lean.stdout, lean.stderr)
+    assert lean.returncode == 2 and "internal" not in lean.stderr
+
+
+ASKED = """\
+import sys
+from rotsolve.lean import CODE_FLAGS, PutOff, leave_out
+leave_out()
+put_off = {name for name, module in sys.modules.items() if isinstance(module, PutOff)}
+assert put_off >= {"inspect", "msgspec.json", "platform", "yaml"}
+assert not {"yaml.reader", "yaml.loader", "msgspec._json_schema"} & sys.modules.keys()
+import inspect, msgspec, platform, yaml
+events = list(yaml.parse("a: 1", Loader=yaml.CSafeLoader))
+assert [event.value for event in events if isinstance(event, yaml.ScalarEvent)] == ["a", "1"]
+assert str(inspect.signature(lambda a, b=1: a)) == "(a, b=1)"
+assert CODE_FLAGS == {name: getattr(sys.modules["inspect"], name) for name in CODE_FLAGS}
+assert msgspec.json.encode([1]) == b"[1]" and msgspec.json.decode("[1]") == [1]
+assert platform.python_version() == ".".join(map(str, sys.version_info[:3]))
+assert yaml.safe_load("a: [1, 2]") == {"a": [1, 2]}
+asked = {"inspect", "msgspec.json", "platform", "yaml"}
+assert not [name for name in asked if isinstance(sys.modules[name], PutOff)]
+"""
+
+
+def test_what_is_put_off_comes_when_it_is_asked_for() -> None:
+    ran = subprocess.run([sys.executable, "-c", ASKED], capture_output=True, text=True, check=False)
+    assert ran.returncode == 0, ran.stderr

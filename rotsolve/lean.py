@@ -1,0 +1,100 @@
+"""Lean: what a process of our own leaves out of the packages that it imports: half a package each, a seventh of a cold run.
+
+Only `start.process` asks for it, where no other program shares the process. A module that is put off is loaded whole as soon as
+something is asked of it that it can't tell yet, so whatever runs finds what it would find without this file:
+
+- PyYAML: its parser in C needs the events and a few errors, but not the loaders in Python, whose patterns take 6 ms to compile;
+- msgspec: records need none of its encoders;
+- inspect: flint's modules ask it for the flags of functions alone, and `platform`, which uuid asks for the name of the system.
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from types import ModuleType, SimpleNamespace
+from typing import Any
+
+CODE_FLAGS = {  # of CPython's functions, as `inspect` has them
+    "CO_OPTIMIZED": 1,
+    "CO_NEWLOCALS": 2,
+    "CO_VARARGS": 4,
+    "CO_VARKEYWORDS": 8,
+    "CO_NESTED": 16,
+    "CO_GENERATOR": 32,
+    "CO_NOFREE": 64,
+    "CO_COROUTINE": 128,
+    "CO_ITERABLE_COROUTINE": 256,
+    "CO_ASYNC_GENERATOR": 512,
+}
+ENCODERS = ("inspect", "json", "msgpack", "toml", "yaml")  # of msgspec
+ERRORS = {  # of PyYAML, by the modules that its parser in C has them from; whether they tell a place
+    "reader": ("ReaderError", False),
+    "scanner": ("ScannerError", True),
+    "parser": ("ParserError", True),
+    "composer": ("ComposerError", True),
+    "constructor": ("ConstructorError", True),
+    "emitter": ("EmitterError", False),
+    "serializer": ("SerializerError", False),
+    "representer": ("RepresenterError", False),
+}
+
+
+class PutOff(ModuleType):
+    """Stands for a module of which a few things are known, until another one is asked for: then the module takes its place."""
+
+    def __init__(self, name: str, **known: Any) -> None:
+        super().__init__(name)
+        self.__dict__.update(known)
+        sys.modules[name] = self
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("__"):
+            raise AttributeError(name)
+        from importlib import import_module
+
+        if sys.modules.get(self.__name__) is self:
+            del sys.modules[self.__name__]
+        return getattr(import_module(self.__name__), name)
+
+
+def leave_out() -> None:
+    """Put off what no scene needs; what is imported already stays."""
+    for name in ENCODERS:
+        if "msgspec" not in sys.modules:
+            PutOff(f"msgspec.{name}")
+    if "inspect" not in sys.modules:
+        PutOff("inspect", **CODE_FLAGS)
+    if "platform" not in sys.modules and hasattr(os, "uname"):
+        PutOff("platform", system=lambda: os.uname().sysname)
+    if "yaml" not in sys.modules:
+        put_off_yaml()
+
+
+def put_off_yaml() -> None:
+    """PyYAML with its parser in C alone; the whole package where there is none."""
+    from importlib import import_module
+    from importlib.machinery import PathFinder
+
+    spec = PathFinder.find_spec("yaml")
+    if spec is None or spec.submodule_search_locations is None:
+        return
+    package = PutOff("yaml", __path__=list(spec.submodule_search_locations), __spec__=spec)
+    error, events, *_ = (import_module(f"yaml.{name}") for name in ("error", "events", "nodes", "tokens"))
+    for module, (name, marked) in ERRORS.items():
+        base = error.MarkedYAMLError if marked else error.YAMLError
+        setattr(package, module, SimpleNamespace(**{name: type(name, (base,), {})}))
+    try:
+        from yaml._yaml import CParser
+    except ImportError:
+        del sys.modules["yaml"]
+        return
+
+    def parse(source: str, Loader: Any) -> Iterator[Any]:
+        loader = Loader(source)
+        while loader.check_event():
+            yield loader.get_event()
+
+    own = {name: item for module in (error, events) for name, item in vars(module).items() if not name.startswith("__")}
+    package.__dict__.update(own, CSafeLoader=CParser, parse=parse)
