@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 import subprocess
 import sys
+from collections.abc import Iterator
 from functools import cache
 from pathlib import Path
 
@@ -17,7 +18,7 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer
 from rotsolve.grading.mistakes.mistake import Mistake
 from rotsolve.grading.mistakes.scene import Scene
-from rotsolve.grading.mistakes.table import MISTAKES, mistakes_in, with_mistake, wrong_answers
+from rotsolve.grading.mistakes.table import MISTAKES, WrongAnswers
 from rotsolve.motion.positive import positive_letters
 from rotsolve.scene.read import read_file, read_source
 
@@ -85,6 +86,10 @@ def scene_of(name: str) -> Scene:
     return Scene(problem)
 
 
+def all_mistakes(scene: Scene) -> Iterator[Mistake]:
+    return (mistake for kind in MISTAKES for mistake in kind.mistakes(scene))
+
+
 @cache
 def made(name: str, kind: str) -> tuple[Mistake, ...]:
     """The mistakes of one kind in a scene."""
@@ -124,7 +129,7 @@ def test_no_mistake_gives_the_published_answer(file: Path) -> None:
     problem = read_file(file)
     positive = positive_letters(problem.givens)
     right = {entry.name: entry for entry in problem.answers}
-    for mistake, answers in wrong_answers(problem):
+    for mistake, answers in WrongAnswers.of(problem):
         for name, answer in answers.items():
             published = right[name]
             if published.formula is not None and answer.closed is not None:
@@ -146,7 +151,7 @@ def test_places_are_named_one_by_one_and_together() -> None:
 
 def test_places_that_give_the_same_answers_are_named_once() -> None:
     """A rod on a hinge has ½ I ω² alone: its half and that of all kinetic energy are one."""
-    found = [one.words for one, _ in wrong_answers(scene_of("hinged/rod-30").whole) if one.name == "half left out"]
+    found = [one.words for one, _ in WrongAnswers.of(scene_of("hinged/rod-30").whole) if one.name == "half left out"]
     assert found == ["the half was left out in the kinetic energy"]
 
 
@@ -161,8 +166,8 @@ def test_what_is_right_all_the_same_is_left_out() -> None:
         find: {a: block.acceleration, W: block.force.gravity}
     """
     scene = Scene(read_source(source))
-    (mistake,) = (mistake for mistake in mistakes_in(scene) if mistake.name == "sine for cosine")
-    answers = with_mistake(scene.whole, mistake)
+    (mistake,) = (mistake for mistake in all_mistakes(scene) if mistake.name == "sine for cosine")
+    answers = scene.with_mistake(mistake)
     assert answers is not None and set(answers) == {"a"}
     assert answers["a"].closed == parse("g*cos(theta)", {"g", "theta"}) and answers["a"].value is None
 
@@ -181,7 +186,7 @@ def test_other_numbers_need_no_other_solving(name: str) -> None:
     doubled = {"m2": "6 kg", "R": "23 cm", "theta": "31 deg", "v": "37 m/s"}
     settings = {given.name: doubled[given.name] for given in scene.problem.givens if given.name in doubled}
     other = Scene(read_file(ROOT / "problems" / f"{name}.yaml", settings))
-    for mistake, same in zip(mistakes_in(scene), mistakes_in(other), strict=True):
+    for mistake, same in zip(all_mistakes(scene), all_mistakes(other), strict=True):
         answers, anew = scene.with_mistake(mistake), other.with_mistake(same)
         quick = scene.with_values(mistake, answers or {}, other.problem.values)
         assert {key: number_of(one) for key, one in (quick or {}).items()} == {

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 import re
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
 from typing import TYPE_CHECKING, Protocol, TypeVar
 
@@ -19,9 +19,7 @@ from rotsolve.run.attempt import internal_error
 from rotsolve.scene.read import read_source
 
 if TYPE_CHECKING:
-    from rotsolve.core.derivation import Answer
     from rotsolve.grading.marking.explaining import Wrong
-    from rotsolve.grading.mistakes.mistake import Mistake
     from rotsolve.grading.mistakes.table import WrongAnswers
     from rotsolve.keys.variants import Variant
     from rotsolve.keys.working import Worked
@@ -134,11 +132,11 @@ class Judges:
     def wrong_for(self, solution: Solution) -> Wrong:
         """The answers to a variant with a mistake; the scene is solved with each mistake once for all variants."""
 
-        def wrong() -> Iterator[tuple[Mistake, Mapping[str, Answer]]]:
+        def wrong() -> WrongAnswers:
             if self._wrong is None:
                 from rotsolve.grading.mistakes.table import WrongAnswers
 
-                self._wrong = WrongAnswers(self.problem)
+                self._wrong = WrongAnswers.of(self.problem)
             return self._wrong.with_values(solution.problem.values)
 
         return wrong

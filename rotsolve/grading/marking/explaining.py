@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import partial
+from functools import cached_property, partial
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -27,6 +27,7 @@ from rotsolve.language.problem import Given
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.mistake import Mistake
+    from rotsolve.grading.mistakes.table import WrongAnswers
 
 FEWER = (1, 2, 3)  # figures to which a given may have been rounded
 PIS = ("3.14", "22/7", "3.1", "3")
@@ -116,14 +117,7 @@ MOST_TERMS = 12  # of a formula whose signs are turned
 ENOUGH = 3  # figures of a number that may be the answer to another question
 
 
-Wrong = Callable[[], "Iterator[tuple[Mistake, Mapping[str, Answer]]]"]
-
-
-class Mistaken(Struct, frozen=True):
-    """The answers of the scene with one mistake in it."""
-
-    mistake: Mistake
-    answers: Mapping[str, Answer]
+Wrong = Callable[[], "WrongAnswers"]
 
 
 class Explaining:
@@ -132,21 +126,15 @@ class Explaining:
     def __init__(self, letters: SceneLetters, wrong: Wrong | None = None) -> None:
         self.letters = letters
         self._wrong = wrong  # where the mistakes of the scene are solved for other numbers already
-        self._rest: Iterator[tuple[Mistake, Mapping[str, Answer]]] | None = None
-        self._solved: list[Mistaken] = []
         self._roundings: dict[Formula, tuple[Rounded, ...]] = {}
         self._spreads: dict[Formula, float] = {}
 
-    def mistaken(self) -> Iterator[Mistaken]:
-        """The scene with each mistake in it, the commonest first."""
-        yield from self._solved
-        if self._rest is None:
-            from rotsolve.grading.mistakes.table import wrong_answers  # a right answer needs none of them
+    @cached_property
+    def wrong_answers(self) -> WrongAnswers:
+        """The answers of the scene with each mistake in it, the commonest first."""
+        from rotsolve.grading.mistakes.table import WrongAnswers  # a right answer needs none of them
 
-            self._rest = iter(wrong_answers(self.letters.problem) if self._wrong is None else self._wrong())
-        for mistake, answers in self._rest:
-            self._solved.append(Mistaken(mistake, answers))
-            yield self._solved[-1]
+        return WrongAnswers.of(self.letters.problem) if self._wrong is None else self._wrong()
 
     def number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """What a wrong number comes of; None where nothing tells. Its unit is the one that is asked for where it has none."""
@@ -190,14 +178,14 @@ class Explaining:
         number = Typed(typed.value * (typed.unit or asked.unit).factor / asked.unit.factor, typed.figures)
         same_unit = typed.unit is None or typed.unit.factor == asked.unit.factor
         rough = certified_number(number.value, {})
-        for one in self.mistaken():
-            answer = one.answers.get(name)
+        for mistake, answers in self.wrong_answers:
+            answer = answers.get(name)
             if answer is None or answer.value is None or answer.unit != asked.unit or rough is None:
                 continue
             if abs(answer.value.float - rough.float) > FAR * abs(rough.float):
                 continue  # most are told apart by their size
             if (same_unit and rounds_to(typed, answer.value)) or is_near(number, answer.value, share=ALIKE):
-                return mistake_finding(one.mistake)
+                return mistake_finding(mistake)
         return None
 
     def roughly(self, typed: Typed, asked: Scalar) -> Finding | None:
@@ -235,8 +223,8 @@ class Explaining:
     def mistake_of_formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """The mistake that gives a formula; None where none does."""
         number = certified_number(formula, asked.values)
-        for one in self.mistaken():
-            answer = one.answers.get(name)
+        for mistake, answers in self.wrong_answers:
+            answer = answers.get(name)
             if answer is None or answer.closed is None:
                 continue
             rough = si_value(answer)
@@ -247,7 +235,7 @@ class Explaining:
                 continue  # what is 1 can be left out of any formula
             fits = not of_other_dimension(formula, asked) or numbers_stand(formula, both.missing, asked.numbers)
             if fits and asked.same(both.typed, both.closed):
-                return mistake_finding(one.mistake)
+                return mistake_finding(mistake)
         return None
 
 

@@ -218,14 +218,14 @@ class WorkingJudge:
         names = (left.symbols() | right.symbols()) - self.letters.givens
         if not names or not names <= self.letters.closed.keys():
             return None
-        for one in self.explaining.mistaken():
-            forms = {name: answer.closed for name, answer in one.answers.items() if name in names}
+        for mistake, answers in self.explaining.wrong_answers:
+            forms = {name: answer.closed for name, answer in answers.items() if name in names}
             if not forms or any(form is None or form == ZERO for form in forms.values()):
                 continue  # where a force is nothing, many a line holds
             put = {name: form for name, form in forms.items() if form is not None}
             sides = [self.told(side.substitute(put)) for side in (left, right)]
             if self.same(*sides):
-                return mistake_finding(one.mistake)
+                return mistake_finding(mistake)
         return None
 
 

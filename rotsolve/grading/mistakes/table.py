@@ -1,8 +1,13 @@
-"""The table of mistakes that are recognised, the commonest first, and the mistakes that can be made in one scene."""
+"""The table of mistakes that are recognised, the commonest first, and the wrong answers that they give in one scene.
+
+To add a mistake: a function from a scene to the words and changes with which it can be made there, and a row in MISTAKES, by how common it
+is. docs/mistakes.md has the same rows; a test holds them together.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from itertools import count
 
 from msgspec import Struct
 
@@ -26,7 +31,7 @@ class MistakeKind(Struct, frozen=True):
         return (Mistake(self.name, words, change) for words, change in self.made(scene))
 
 
-MISTAKES: tuple[MistakeKind, ...] = (
+MISTAKES: list[MistakeKind] = [
     MistakeKind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
     MistakeKind(
         "equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions
@@ -80,63 +85,49 @@ MISTAKES: tuple[MistakeKind, ...] = (
     MistakeKind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
     MistakeKind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
     MistakeKind("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
-)
-
-
-def mistakes_in(scene: Scene) -> Iterator[Mistake]:
-    """All mistakes that can be made in a scene, in the order of the table."""
-    return (mistake for kind in MISTAKES for mistake in kind.mistakes(scene))
+]
 
 
 Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
 
 
 class WrongAnswers:
-    """The mistakes of a problem with the answers that they give, solved one after the other as they are asked for, each once.
+    """The mistakes of a scene with the answers that they give, found one after the other as they are asked for, each once.
 
     Of mistakes of one kind that give the same answers, only the first.
     """
 
-    def __init__(self, problem: Problem) -> None:
-        self.scene = Scene(problem)
+    def __init__(self, scene: Scene, rest: Iterator[Wrong]) -> None:
+        self.scene = scene
         self._found: list[Wrong] = []
-        self._rest = self._solved()
+        self._rest = rest
+
+    @classmethod
+    def of(cls, problem: Problem) -> WrongAnswers:
+        """Those of a problem, which is solved with each mistake in it."""
+        scene = Scene(problem)
+        return cls(scene, solved_with_mistakes(scene))
 
     def __iter__(self) -> Iterator[Wrong]:
-        place = 0
-        while place < len(self._found) or self._another():
+        for place in count():
+            if place == len(self._found):
+                following = next(self._rest, None)
+                if following is None:
+                    return
+                self._found.append(following)
             yield self._found[place]
-            place += 1
 
-    def with_values(self, values: Mapping[str, Formula]) -> Iterator[Wrong]:
+    def with_values(self, values: Mapping[str, Formula]) -> WrongAnswers:
         """The same for other numbers of the givens; nothing is solved again."""
-        for mistake, answers in self:
-            changed = self.scene.with_values(mistake, answers, values)
-            if changed is not None:
-                yield mistake, changed
-
-    def _another(self) -> bool:
-        """Find one more, if there is one."""
-        following = next(self._rest, None)
-        if following is not None:
-            self._found.append(following)
-        return following is not None
-
-    def _solved(self) -> Iterator[Wrong]:
-        for kind in MISTAKES:
-            given: list[Mapping[str, Answer]] = []
-            for mistake in kind.mistakes(self.scene):
-                answers = self.scene.with_mistake(mistake)
-                if answers is not None and not any(same_answers(answers, other) for other in given):
-                    given.append(answers)
-                    yield mistake, answers
+        changed = ((mistake, self.scene.with_values(mistake, answers, values)) for mistake, answers in self)
+        return WrongAnswers(self.scene, ((mistake, answers) for mistake, answers in changed if answers is not None))
 
 
-def wrong_answers(problem: Problem) -> Iterator[Wrong]:
-    """Every mistake that changes an answer of a problem, with the answers that it gives."""
-    return iter(WrongAnswers(problem))
-
-
-def with_mistake(problem: Problem, mistake: Mistake) -> Mapping[str, Answer] | None:
-    """The answers that a mistake changes; None where it changes none, or the scene has no answer then."""
-    return Scene(problem).with_mistake(mistake)
+def solved_with_mistakes(scene: Scene) -> Iterator[Wrong]:
+    for kind in MISTAKES:
+        given: list[Mapping[str, Answer]] = []
+        for mistake in kind.mistakes(scene):
+            answers = scene.with_mistake(mistake)
+            if answers is not None and not any(same_answers(answers, other) for other in given):
+                given.append(answers)
+                yield mistake, answers

@@ -111,13 +111,13 @@ def test_mistakes_of_a_variant_are_those_of_the_scene_with_its_numbers(
     """They are solved once for all variants; solving each anew says the same."""
     Path("scene.yaml").write_text(scene, encoding="utf-8")
     from rotsolve.grading.course.examiner import Judges
-    from rotsolve.grading.mistakes.table import wrong_answers
+    from rotsolve.grading.mistakes.table import WrongAnswers
     from rotsolve.keys.variants import worked_variants
     from rotsolve.scene.read import read_file
 
     rows = []
     for variant, worked in worked_variants(read_file("scene.yaml"), 30, 7):
-        wrong = [answers["a"].value for _, answers in wrong_answers(worked.problem) if "a" in answers]
+        wrong = [answers["a"].value for _, answers in WrongAnswers.of(worked.problem) if "a" in answers]
         numbers = [value.float for value in wrong if value is not None]
         rows += [
             [f"S{variant.number}", str(variant.number), f"{numbers[place % len(numbers)]:.5g} m/s²"]
