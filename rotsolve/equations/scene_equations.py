@@ -7,11 +7,12 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.equation import STRETCH, Equation
-from rotsolve.core.facts import Facts
+from rotsolve.core.equation import Equation
+from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
@@ -20,7 +21,21 @@ from rotsolve.elements.connections.rubbing import Rubbing
 from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
-from rotsolve.laws import energy, groups, newton, rules
+from rotsolve.laws.table import (
+    BETWEEN,
+    EVENT,
+    GROUP,
+    HELD,
+    MIDST,
+    PHASE,
+    RUNNING,
+    STATE,
+    AtMoment,
+    OfGroup,
+    OverPhase,
+    ThroughEvent,
+    equations_for,
+)
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -152,86 +167,74 @@ class SceneEquations(Struct, dict=True):
         """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
         for state in self.configuration.timeline.states:
-            yield from self._at(state.name)
+            yield from self._at(state)
         for interval in self.configuration.timeline.intervals:
             if interval.name in self.passages:
-                yield from self._during(interval, self.passages[interval.name])
+                yield from self._during(interval)
             elif interval.name in self.encounters:
-                from rotsolve.laws import momentum
-
-                altered = self.configuration.alteration
-                laws = momentum.through_event if altered is None or altered.event is None else altered.event
-                yield from laws(self.encounters[interval.name], interval.name)
-        yield from self._elongations()
-        yield from self._grips()
+                yield from self._through(self.encounters[interval.name], interval.name)
+        for over in self._phases.values():
+            yield from equations_for(BETWEEN, over)
+        for state in self.configuration.timeline.states:
+            facts = replace(self.facts(state.name), rules=tuple(self._held(state)))
+            yield from equations_for(HELD, AtMoment(facts, state.name, state.name))
         for swing in self.swings.values():
             yield from swing.equations()
 
-    def _grips(self) -> Iterator[Equation]:
+    def _held(self, state: State) -> Iterator[Rule]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
-        for state in self.configuration.timeline.states:
-            said = {
-                line.path.owner
-                for line in state.conditions
-                if line.path is not None and line.word in ("rolls", "sticks")
-            }
-            for item in self.configuration.connections(state.name):
-                if item.name in said and isinstance(item, (Touch, Rubbing)):
-                    rule = item.grip_rule(self.instant(state.name))
-                    if rule is not None:
-                        yield rules.rule_equation(rule, rule.velocity, state.name)
+        said = {
+            line.path.owner for line in state.conditions if line.path is not None and line.word in ("rolls", "sticks")
+        }
+        for item in self.configuration.connections(state.name):
+            if item.name in said and isinstance(item, (Touch, Rubbing)):
+                rule = item.grip_rule(self.instant(state.name))
+                if rule is not None:
+                    yield rule
 
     def section(self, state: str) -> str:
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""
         spans = {self.configuration.span(body.name, state) for body in self.configuration.present(state)}
         return spans.pop() if len(spans) == 1 else state
 
-    def _at(self, state: str) -> Iterator[Equation]:
-        """Newton's laws, the rules and the definitions at a state, and the rates of energy and angular momentum."""
-        facts, section = self.facts(state), self.section(state)
-        yield from newton.moments_of_inertia(facts, section)
-        yield from newton.second_law(facts, section)
-        yield from newton.law_of_rotation(facts, section)
-        yield from newton.balance_of_torques(facts, section)
-        if facts.cuts:
-            yield from newton.of_pieces(facts, section)
-        yield from rules.for_accelerations(facts, section)
-        yield from rules.for_velocities(facts, state)
-        yield from rules.rates(facts, state)
-        yield from rules.steady_rotation(facts, state)
-        virtual = self.facts(state, virtual=True)
-        for group in groups_of(self.configuration, facts, state):
-            yield from groups.rate_of_angular_momentum(facts, group, section)
-            yield from groups.rate(virtual, group, section)
+    def _at(self, state: State) -> Iterator[Equation]:
+        """What the laws say at a state, and there of all tied bodies together."""
+        facts, virtual = self.facts(state.name), self.facts(state.name, virtual=True)
+        section = self.section(state.name)
+        yield from equations_for(STATE, AtMoment(facts, section, state.name))
+        for group in groups_of(self.configuration, facts, state.name):
+            yield from equations_for(GROUP, OfGroup(facts, virtual, group, section))
 
-    def _during(self, interval: Interval, passage: Passage) -> Iterator[Equation]:
-        """Energy, kinematics, impulses and rules over a phase, and the laws at any moment in it where they matter."""
-        from rotsolve.laws import kinematics, momentum
+    @cached_property
+    def _phases(self) -> dict[str, OverPhase]:
+        """All phases by name, as laws see them."""
+        found = {}
+        for name, over in self.passages.items():
+            start = over.start.state
+            thought = self.facts(start, generic=True, virtual=True)
+            found[name] = OverPhase(over, name, tuple(self.leading_to(start)), thought, self.changes(over))
+        return found
 
-        section = interval.name
-        yield from energy.conservation(passage, section, self.leading_to(interval))
-        yield from energy.works(passage, section)
-        yield from kinematics.kinematics(passage, section)
-        yield from kinematics.separation(passage, section)
-        yield from momentum.impulses_over(passage, section)
-        yield from momentum.kept_over(passage, section)
-        yield from momentum.about_common_axes(passage, section)
-        yield from rules.for_displacements(self.thought(interval.start), self.changes(passage), section)
-        if self.varies(interval) or self.configuration.mentions.runs:
-            yield from newton.moments_of_inertia(passage.midst, section)
-            yield from newton.second_law(passage.midst, section)
-            yield from newton.law_of_rotation(passage.midst, section)
-            yield from rules.for_accelerations(passage.midst, section)
-            yield from rules.for_velocities(passage.midst, section)
-            yield from rules.rates(passage.midst, section)
-        if self.configuration.mentions.runs:
-            changes = self.changes(passage, running=True)
-            yield from rules.for_displacements(self.thought(interval.start), changes, section)
+    def _during(self, interval: Interval) -> Iterator[Equation]:
+        """What they say over a phase, and at any moment in it where that matters."""
+        over, runs = self._phases[interval.name], self.configuration.mentions.runs
+        yield from equations_for(PHASE, over)
+        if runs or self.varies(interval):
+            yield from equations_for(MIDST, AtMoment(over.passage.midst, interval.name, interval.name))
+        if runs:
+            yield from equations_for(RUNNING, replace(over, changes=self.changes(over.passage, running=True)))
 
-    def leading_to(self, interval: Interval) -> list[Passage]:
-        """The phases before one, back to the last event."""
+    def _through(self, encounter: Encounter, section: str) -> Iterator[Equation]:
+        """What they say of an event, or what is said instead by mistake."""
+        altered = self.configuration.alteration
+        if altered is not None and altered.event is not None:
+            return iter(altered.event(encounter, section))
+        return equations_for(EVENT, ThroughEvent(encounter, section))
+
+    def leading_to(self, state: str) -> list[Passage]:
+        """The phases before a state, back to the last event."""
         timeline, found = self.configuration.timeline, list[Passage]()
-        before = timeline.before(interval.start)
+        before = timeline.before(state)
         while before is not None and before.event is None:
             found.insert(0, self.passages[before.name])
             before = timeline.before(before.start)
@@ -251,20 +254,6 @@ class SceneEquations(Struct, dict=True):
             if change is not None and isinstance(rate, Symbol):
                 result[rate.name] = change
         return result
-
-    def thought(self, state: str) -> Facts:
-        """Facts in the midst of the phase that starts at a state, with velocities that are only thought of."""
-        return self.facts(state, generic=True, virtual=True)
-
-    def _elongations(self) -> Iterator[Equation]:
-        """A spring's elongation grows by what its ends move apart."""
-        for name, phase in self.passages.items():
-            thought = self.thought(phase.start.state).potentials
-            for first, last, midst in zip(phase.start.potentials, phase.end.potentials, thought, strict=False):
-                grown = midst.rate.substitute(self.changes(phase))
-                left = last.elongation - first.elongation
-                if left != grown and not midst.placed:
-                    yield STRETCH.equation(left, grown, name, midst.bodies, words=midst.label)
 
 
 def observed(state: State) -> Iterator[tuple[Condition, Term]]:

@@ -18,7 +18,8 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, heading
 from rotsolve.core.writing import spoken
-from rotsolve.laws import groups, newton, rules
+from rotsolve.laws.rules import rule_equation
+from rotsolve.laws.table import NEAR, REST, SWINGING, AtMoment, OfGroup, equations_for
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
@@ -160,25 +161,19 @@ class Swing(Struct, frozen=True, dict=True):
         """Σ F = 0 and Σ τ = 0 at an equilibrium that is no state of the scene."""
         if self.found:
             facts = self.within(free_bodies(self.rest))
-            yield from newton.second_law(facts, self.balanced)
-            yield from newton.law_of_rotation(facts, self.balanced)
-            yield from groups.rate_of_angular_momentum(facts, self.group, self.balanced)
-            yield from groups.power(self.still, self.group, self.balanced)
+            yield from equations_for(REST, AtMoment(facts, self.balanced, self.balanced))
+            yield from equations_for(SWINGING, OfGroup(facts, self.still, self.group, self.balanced))
 
     def equations(self) -> Iterator[Equation]:
         """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
         yield from self.balance()
         facts, section = self.within(free_bodies(self.near)), self.section
-        yield from newton.moments_of_inertia(facts, section)
-        yield from newton.second_law(facts, section)
-        yield from newton.law_of_rotation(facts, section)
-        yield from rules.for_accelerations(facts, section)
+        yield from equations_for(NEAR, AtMoment(facts, section, section))
         changes = displacements(self.rest, self.near)
         for rule in self.within(self.still).rules:
             left, right = (side.substitute(changes) for side in rule.velocity)
-            yield rules.rule_equation(rule, (left, right), section)
-        yield from groups.rate_of_angular_momentum(facts, self.group, section)
-        yield from groups.power(free_bodies(moving(self.near)), self.group, section)
+            yield rule_equation(rule, (left, right), section)
+        yield from equations_for(SWINGING, OfGroup(facts, free_bodies(moving(self.near)), self.group, section))
 
     def within(self, facts: Facts) -> Facts:
         """The facts of the bodies that swing together."""

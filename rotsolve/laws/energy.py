@@ -12,15 +12,17 @@ from rotsolve.core.facts import BodyFacts, square
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
+from rotsolve.laws.table import OverPhase
 
 HALF = Number(Fraction(1, 2))
 
 
-def conservation(passage: Passage, section: str, earlier: Sequence[Passage] = ()) -> Iterator[Equation]:
+def conservation(over: OverPhase) -> Iterator[Equation]:
     """K₁ + U₁ + W = K₂ + U₂ for every group of connected bodies whose heights are known.
 
-    `earlier` are the phases that lead to this one, with no event between: where they start at rest, that is state 1 as well.
+    Where the phases that lead to this one, with no event between, start at rest, that is state 1 as well.
     """
+    passage, earlier = over.passage, over.earlier
     for group in passage.groups:
         if any(passage.heights.get(name) is None for name in group):
             continue
@@ -37,7 +39,7 @@ def conservation(passage: Passage, section: str, earlier: Sequence[Passage] = ()
             since = "" if start is passage else f" since {spoken(start.start.state)}"
             law, names = WORK_AND_ENERGY if works else CONSERVATION, tuple(sorted(group))
             remark = reason(passage, group, bool(works))
-            yield law.equation(*arranged(left, right), section, names, remark, since=since)
+            yield law.equation(*arranged(left, right), over.section, names, remark, since=since)
 
 
 def at_rest_before(passage: Passage, group: frozenset[str], earlier: Sequence[Passage]) -> Passage | None:
@@ -60,11 +62,11 @@ def energy(passage: Passage, group: frozenset[str], end: int) -> list[Formula]:
     return [*kinetic(body for body in bodies if body.name in group), *potential(passage, group, end)]
 
 
-def works(passage: Passage, section: str) -> Iterator[Equation]:
+def works_spelled(over: OverPhase) -> Iterator[Equation]:
     """W = F s, W = τ θ or ∫ of them, for each work that has a letter of its own."""
-    for work in passage.works:
+    for work in over.passage.works:
         if work.spelled is not None and work.spelled != work.amount:
-            yield WORK.equation(work.amount, work.spelled, section, work.bodies, owner=spoken(work.owner))
+            yield WORK.equation(work.amount, work.spelled, over.section, work.bodies, owner=spoken(work.owner))
 
 
 def arranged(left: list[Formula], right: list[Formula]) -> tuple[Formula, Formula]:

@@ -14,18 +14,19 @@ from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import flat, positive_first, spoken
 from rotsolve.laws.newton import response
+from rotsolve.laws.table import OfGroup
 
 
-def rate_of_angular_momentum(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+def rate_of_angular_momentum(at: OfGroup) -> Iterator[Equation]:
     """dL/dt = τ of a group: about the axis of its one wheel, or about the point where a rolling or unwinding body is held."""
-    bodies = [body for body in facts.bodies if body.name in group]
+    bodies = [body for body in at.facts.bodies if body.name in at.group]
     if any(body.changing for body in bodies):
         return
     turning = [body for body in bodies if body.motion.kind == "axis"]
     if len(turning) == 1:
-        yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], section)
+        yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], at.section)
     elif len(bodies) == 1 and bodies[0].motion.kind == "line" and bodies[0].motion.turns:
-        yield from about_contact(bodies[0], section)
+        yield from about_contact(bodies[0], at.section)
 
 
 def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Iterator[Equation]:
@@ -77,9 +78,9 @@ ACCELERATIONS = ("acceleration|", "angular_acceleration|")
 HALF = Number(Fraction(1, 2))
 
 
-def rate(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+def rate_of_energy(at: OfGroup) -> Iterator[Equation]:
     """The derivative of the energy where it tells the one acceleration of a linkage, else the power of all forces."""
-    yield from list(differentiated(facts, group, section)) or power(facts, group, section)
+    yield from list(differentiated(at.virtual, at.group, at.section)) or power_of_forces(at)
 
 
 def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
@@ -127,21 +128,21 @@ def with_free(names: list[str], others: dict[str, Formula], value: Formula) -> d
     return {free: value} | {name: told.substitute({free: value}) for name, told in others.items()}
 
 
-def power(facts: Facts, group: frozenset[str], section: str) -> Iterator[Equation]:
+def power_of_forces(at: OfGroup) -> Iterator[Equation]:
     """Rate of K = power of the forces, for one group that can move in one way only, divided by its one free rate.
 
-    `facts` are of a virtual moment: positions and accelerations as they are, velocities of any motion that the rules allow. Ideal
-    connections give no power, so their forces do not occur.
+    The moment is virtual: positions and accelerations as they are, velocities of any motion that the rules allow. Ideal connections
+    give no power, so their forces do not occur.
     """
-    bodies = [body for body in facts.bodies if body.name in group]
+    bodies = [body for body in at.virtual.bodies if body.name in at.group]
     if any(body.changing or body.sweep is not None for body in bodies):
         return  # inner forces, or the shaft, give energy too
-    balance = drive(facts, group)
+    balance = drive(at.virtual, at.group)
     if balance is not None and balance != (ZERO, ZERO):
         words: Words = (
             "Power of all forces = rate of change of the kinetic energy, divided by the rate of the motion.",
         )
-        yield POWER.equation(positive_first([balance[0]]), balance[1], section, tuple(sorted(group)), words)
+        yield POWER.equation(positive_first([balance[0]]), balance[1], at.section, tuple(sorted(at.group)), words)
 
 
 def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:

@@ -24,14 +24,16 @@ from rotsolve.core.equation import (
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.registry import TIME
+from rotsolve.laws.table import OverPhase
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
 LETTERS = {"turn": ("ω", "α", "θ"), "line": ("v", "a", "x")}
 CHANGE = {"turn": "angle turned", "line": "displacement"}
 
 
-def kinematics(passage: Passage, section: str) -> Iterator[Equation]:
+def motion_over_phase(over: OverPhase) -> Iterator[Equation]:
     """The equations of motion of every coordinate, by how its acceleration varies."""
+    passage, section = over.passage, over.section
     for travel in passage.travels:
         if travel.given == 0:
             pass  # the change of a given coordinate is told by its values at both ends
@@ -117,13 +119,13 @@ def by_place(travel: Travel, section: str) -> Iterator[Equation]:
         yield SUMMED_OVER_WAY.equation(gained, integral, section, (travel.body,), over=over)
 
 
-def separation(passage: Passage, section: str) -> Iterator[Equation]:
+def separated(over: OverPhase) -> Iterator[Equation]:
     """The separated equations of every travel with whose rate or place the forces of its group vary."""
-    for travel in passage.travels:
+    for travel in over.passage.travels:
         if travel.leads and travel.pace == "rate" and isinstance(travel.moving, Symbol):
-            yield from by_rate(travel, travel.moving.name, passage, section)
+            yield from by_rate(travel, travel.moving.name, over.passage, over.section)
         elif travel.leads and travel.pace == "position" and isinstance(travel.coordinate, Symbol):
-            yield from along_the_way(travel, travel.coordinate.name, passage, section)
+            yield from along_the_way(travel, travel.coordinate.name, over.passage, over.section)
 
 
 def by_rate(travel: Travel, rate: str, passage: Passage, section: str) -> Iterator[Equation]:

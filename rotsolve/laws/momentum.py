@@ -15,11 +15,13 @@ from rotsolve.core.varying import at_any_time
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
+from rotsolve.laws.table import OverPhase, ThroughEvent
 from rotsolve.motion.rigid import tidy
 
 
-def impulses_over(passage: Passage, section: str) -> Iterator[Equation]:
+def impulses_over(over: OverPhase) -> Iterator[Equation]:
     """I (ω₂ − ω₁) = τ t for each body on an axis while its torques are constant, ∫ τ dt where they vary in time; so for m v."""
+    passage, section = over.passage, over.section
     for travel in passage.travels:
         first, body = passage.start.body(travel.body), passage.midst.body(travel.body)
         if first is None or body is None or travel.pace not in ("constant", TIME):
@@ -66,8 +68,9 @@ def of_phase(effort: Formula, name: str) -> bool:
     return all(letter.rpartition(SEPARATOR)[2] in (name, "") for letter in effort.symbols() if SEPARATOR in letter)
 
 
-def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
+def momentum_kept(over: OverPhase) -> Iterator[Equation]:
     """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
+    passage = over.passage
     for body in passage.midst.bodies:
         first, last = passage.start.body(body.name), passage.end.body(body.name)
         if first is None or last is None or body.motion.kind != "plane":
@@ -76,11 +79,12 @@ def kept_over(passage: Passage, section: str) -> Iterator[Equation]:
             if all(force.vector.along(axis) == ZERO for force in body.forces):
                 before, after = (item.mass * item.centre_velocity.along(axis) for item in (first, last))
                 label = f"no {words} force: momentum is conserved, {spoken(body.name)}"
-                yield MOMENTUM.equation(before, after, section, (body.name,), words=label)
+                yield MOMENTUM.equation(before, after, over.section, (body.name,), words=label)
 
 
-def about_common_axes(passage: Passage, section: str) -> Iterator[Equation]:
+def about_common_axes(over: OverPhase) -> Iterator[Equation]:
     """L₁ + τ t = L₂ of all bodies on one axis: what they do to each other cancels, also what changes their moments of inertia."""
+    passage, section = over.passage, over.section
     turning = [body for body in passage.midst.bodies if body.motion.turns]
     for axis in dict.fromkeys(body.axis or body.name for body in turning):
         members = [body for body in turning if (body.axis or body.name) == axis]
@@ -149,24 +153,29 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     ]
 
 
-def through_event(encounter: Encounter, section: str) -> Iterator[Equation]:
-    """All that an event keeps or changes: groups as wholes first, then each body with the blows on it."""
-    for group in encounter.groups:
-        members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
-        yield from whole(encounter, group, members, section)
-    for meeting in encounter.meetings:
-        yield from single(meeting, section)
-    yield from rebound(encounter, section)
+def groups_through_event(at: ThroughEvent) -> Iterator[Equation]:
+    """What an event keeps or changes of groups as wholes."""
+    for group in at.encounter.groups:
+        members = [meeting for meeting in at.encounter.meetings if meeting.body.name in group]
+        yield from group_through_event(at.encounter, group, members, at.section)
 
 
-def rebound(encounter: Encounter, section: str) -> Iterator[Equation]:
+def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
+    """Each body with the blows on it."""
+    for meeting in at.encounter.meetings:
+        yield from body_through_event(meeting, at.section)
+
+
+def restitution(at: ThroughEvent) -> Iterator[Equation]:
     """Speed of separation = e · speed of approach, where the scene tells e."""
-    if encounter.restitution is not None:
-        coefficient, approach, separation = encounter.restitution
-        yield RESTITUTION.equation(separation, coefficient * approach, section)
+    if at.encounter.restitution is not None:
+        coefficient, approach, separation = at.encounter.restitution
+        yield RESTITUTION.equation(separation, coefficient * approach, at.section)
 
 
-def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], section: str) -> Iterator[Equation]:
+def group_through_event(
+    encounter: Encounter, group: frozenset[str], members: list[Meeting], section: str
+) -> Iterator[Equation]:
     """Angular momentum of a group about its support, or momentum and angular momentum of a free one."""
     names = tuple(sorted(group))
     pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
@@ -192,7 +201,7 @@ def whole(encounter: Encounter, group: frozenset[str], members: list[Meeting], s
         if flat(before) or flat(after):
             yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
     if pivot is None:
-        yield from linear(members, outside, section, names)
+        yield from linear_momentum(members, outside, section, names)
 
 
 def why_none(members: list[Meeting]) -> str:
@@ -203,7 +212,9 @@ def why_none(members: list[Meeting]) -> str:
     return "the blow at the support has no arm"
 
 
-def linear(members: list[Meeting], outside: list[Force], section: str, names: tuple[str, ...]) -> Iterator[Equation]:
+def linear_momentum(
+    members: list[Meeting], outside: list[Force], section: str, names: tuple[str, ...]
+) -> Iterator[Equation]:
     """Σ m v of a free group, along the one line of travel or right and up."""
     headings = {item.body.motion.heading for item in members}
     first = next(iter(headings))
@@ -235,7 +246,7 @@ def arm_from_point(item: Meeting, blow: Force) -> Vector:
     return tidy(item.place + blow.arm - item.body.cm)
 
 
-def single(item: Meeting, section: str) -> Iterator[Equation]:
+def body_through_event(item: Meeting, section: str) -> Iterator[Equation]:
     """m Δv = ΣJ and I Δω = Σ r × J of one body."""
     body = item.body
     for axis in body.axes:

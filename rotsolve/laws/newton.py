@@ -10,22 +10,23 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Sum, add, multiply, negate, sqrt
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CUT_TORQUES, INERTIA, ROTATION, SECOND_LAW, TORQUES, Equation
-from rotsolve.core.facts import BodyFacts, Cut, Facts, Force, Inertia, signed, square
+from rotsolve.core.facts import BodyFacts, Cut, Force, Inertia, signed, square
 from rotsolve.core.vectors.heading import Heading, Vector
 from rotsolve.core.writing import flat, is_negative, law, multiplied_out, positive_first, spoken
+from rotsolve.laws.table import AtMoment
 from rotsolve.motion.rigid import tidy
 
 
-def second_law(facts: Facts, section: str) -> Iterator[Equation]:
+def second_law(at: AtMoment) -> Iterator[Equation]:
     """Σ F = m a of the centre of mass, component by component; equilibrium where it does not accelerate."""
-    for body in facts.bodies:
+    for body in at.facts.bodies:
         for axis in body.axes if not body.changing else ():  # what moves within it has an acceleration of its own
-            equation = along(body, axis, section)
+            equation = component_equation(body, axis, at.section)
             if equation is not None:
                 yield equation
 
 
-def along(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
+def component_equation(body: BodyFacts, axis: Heading, section: str) -> Equation | None:
     """The component along one axis; None where nothing acts along it."""
     if (
         body.motion.kind == "line"
@@ -72,11 +73,11 @@ def net_force(body: BodyFacts, axis: Heading) -> Formula:
     return multiply(body.mass, body.centre_acceleration.along(axis))
 
 
-def law_of_rotation(facts: Facts, section: str) -> Iterator[Equation]:
+def law_of_rotation(at: AtMoment) -> Iterator[Equation]:
     """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
-    for body in facts.bodies:
+    for body in at.facts.bodies:
         if body.motion.turns and not body.changing:
-            yield from rotation_of(body, section)
+            yield from rotation_of(body, at.section)
 
 
 def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
@@ -86,9 +87,9 @@ def rotation_of(body: BodyFacts, section: str) -> Iterator[Equation]:
         yield ROTATION.equation(left, right, section, (body.name,), carried(body), about=about(body))
 
 
-def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
+def balance_of_torques(at: AtMoment) -> Iterator[Equation]:
     """Σ τ = 0 of a free body in equilibrium about each point where a contact acts: its force then has no arm."""
-    for body in facts.bodies:
+    for body in at.facts.bodies:
         rates = [size for size, _ in body.centre_acceleration.parts]
         if (
             body.motion.kind == "axis"
@@ -104,7 +105,7 @@ def balance_of_torques(facts: Facts, section: str) -> Iterator[Equation]:
             left, right = law([*pushes, *(couple.torque for couple in body.couples)], ZERO)
             geometry = next(filter(None, (by_triangle(point, force) for force in body.forces)), ())
             where = f"its point of contact at {spoken(owner)}"
-            yield TORQUES.equation(left, right, section, (body.name,), geometry, point=where)
+            yield TORQUES.equation(left, right, at.section, (body.name,), geometry, point=where)
 
 
 def by_triangle(point: Vector, force: Force) -> Words:
@@ -174,34 +175,36 @@ def about(body: BodyFacts) -> str:
     return " about the centre of mass"
 
 
-def moments_of_inertia(facts: Facts, section: str) -> Iterator[Equation]:
+def moments_of_inertia(at: AtMoment) -> Iterator[Equation]:
     """I = …, for every body whose moment of inertia is not given as such."""
-    for body in facts.bodies:
+    for body in at.facts.bodies:
         inertia = body.inertia
         if inertia is not None and inertia.letter not in (ZERO, inertia.formula):
-            yield definition(inertia, body.name, section)
+            yield inertia_defined(inertia, body.name, at.section)
 
 
 COST = 4  # above the laws for the whole rod, so that what is found at a cut stands where its diagram is
 
 
-def of_pieces(facts: Facts, section: str) -> Iterator[Equation]:
+def laws_of_pieces(at: AtMoment) -> Iterator[Equation]:
     """m and I of every piece, Σ F = m a along and across the rod, and Σ τ = I α."""
-    for cut in facts.cuts:
+    for cut in at.facts.cuts:
         body = cut.body
         definitions = [cut.mass] if body.inertia is None else [cut.mass, body.inertia]
         yield from (
-            definition(item, body.name, section) for item in definitions if item.letter not in (ZERO, item.formula)
+            inertia_defined(item, body.name, at.section)
+            for item in definitions
+            if item.letter not in (ZERO, item.formula)
         )
         for axis in body.axes:
-            equation = along(body, axis, section)
+            equation = component_equation(body, axis, at.section)
             if equation is not None:
                 yield replace(equation, cost=COST)
-        turning = about_cut(cut, section) if still(cut) else rotation_of(body, section)
+        turning = about_cut(cut, at.section) if still(cut) else rotation_of(body, at.section)
         yield from (replace(equation, cost=COST) for equation in turning)
 
 
-def definition(item: Inertia, name: str, section: str) -> Equation:
+def inertia_defined(item: Inertia, name: str, section: str) -> Equation:
     defines = next(iter(item.letter.symbols()), "")
     return INERTIA.equation(item.letter, item.formula, section, (name,), item.remark, defines=defines, words=item.label)
 

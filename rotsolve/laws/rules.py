@@ -2,38 +2,48 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Symbol, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.drive import TURNING
-from rotsolve.core.equation import GIVEN_MOTION, PERIOD, RULE, RULE_OF_WAYS, STEADY, Equation, Law
-from rotsolve.core.facts import Facts, GivenMotion, Rule, signed
+from rotsolve.core.equation import GIVEN_MOTION, PERIOD, RULE, RULE_OF_WAYS, STEADY, STRETCH, Equation, Law
+from rotsolve.core.facts import GivenMotion, Rule, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.writing import flat, is_negative, spoken
+from rotsolve.laws.table import AtMoment, OverPhase
 
 
-def for_accelerations(facts: Facts, section: str) -> Iterator[Equation]:
+def rules_for_accelerations(at: AtMoment) -> Iterator[Equation]:
     """The rules for accelerations."""
-    for rule in facts.rules:
+    for rule in at.facts.rules:
         if rule.acceleration is not None:
-            yield rule_equation(rule, rule.acceleration, section)
+            yield rule_equation(rule, rule.acceleration, at.section)
 
 
-def for_velocities(facts: Facts, section: str) -> Iterator[Equation]:
+def rules_for_velocities(at: AtMoment) -> Iterator[Equation]:
     """The rules for velocities."""
-    for rule in facts.rules:
-        yield rule_equation(rule, rule.velocity, section)
+    for rule in at.facts.rules:
+        yield rule_equation(rule, rule.velocity, at.state)
 
 
-def for_displacements(facts: Facts, changes: Mapping[str, Formula], section: str) -> Iterator[Equation]:
-    """The rules for displacements and angles turned, with `changes` put in for the rates; only where their coefficients never change."""
-    for rule in facts.rules:
+def rules_for_displacements(over: OverPhase) -> Iterator[Equation]:
+    """The rules for displacements and angles turned, put in for the rates; only where their coefficients never change."""
+    for rule in over.thought.rules:
         if rule.linear:
-            left, right = (side.substitute(dict(changes)) for side in rule.velocity)
-            yield rule_equation(rule, (left, right), section, RULE_OF_WAYS)
+            left, right = (side.substitute(dict(over.changes)) for side in rule.velocity)
+            yield rule_equation(rule, (left, right), over.section, RULE_OF_WAYS)
+
+
+def elongations(over: OverPhase) -> Iterator[Equation]:
+    """A spring's elongation grows by what its ends move apart."""
+    start, end = over.passage.start.potentials, over.passage.end.potentials
+    for first, last, midst in zip(start, end, over.thought.potentials, strict=False):
+        grown, left = midst.rate.substitute(dict(over.changes)), last.elongation - first.elongation
+        if left != grown and not midst.placed:
+            yield STRETCH.equation(left, grown, over.section, midst.bodies, words=midst.label)
 
 
 def rule_equation(rule: Rule, sides: tuple[Formula, Formula], section: str, law: Law = RULE) -> Equation:
@@ -43,10 +53,10 @@ def rule_equation(rule: Rule, sides: tuple[Formula, Formula], section: str, law:
     return law.equation(*sides, section, rule.bodies, rule.remark, words=rule.label)
 
 
-def rates(facts: Facts, section: str) -> Iterator[Equation]:
+def rates_of_given_motion(at: AtMoment) -> Iterator[Equation]:
     """Rate and acceleration of every given motion, as derivatives in time."""
-    told = {(given.drive.body, given.drive.component, given.drive.word) for given in facts.given}
-    for given in facts.given:
+    told = {(given.drive.body, given.drive.component, given.drive.word) for given in at.facts.given}
+    for given in at.facts.given:
         functions = given.drive.rates()
         for word, function in functions.items():
             if (given.drive.body, given.drive.component, word) in told:
@@ -55,7 +65,7 @@ def rates(facts: Facts, section: str) -> Iterator[Equation]:
             if left != right and not is_zero(left - right):
                 words, remark = in_letters(given, word), chain(given, word, functions)
                 bodies, quantity = (given.drive.body,), spoken(word)
-                yield GIVEN_MOTION.equation(left, right, section, bodies, remark, quantity=quantity, letters=words)
+                yield GIVEN_MOTION.equation(left, right, at.state, bodies, remark, quantity=quantity, letters=words)
 
 
 def in_letters(given: GivenMotion, word: str) -> str:
@@ -83,14 +93,14 @@ def chain(given: GivenMotion, word: str, functions: dict[str, Formula]) -> Words
     return tuple(part for part in parts if part != "")
 
 
-def steady_rotation(facts: Facts, section: str) -> Iterator[Equation]:
+def steady_rotation(at: AtMoment) -> Iterator[Equation]:
     """T = 2π/ω of every body whose period is spoken of; where it is given, the body turns along its positive sense."""
-    for body in facts.bodies:
+    for body in at.facts.bodies:
         period, motion = body.period, body.motion
         if period is None:
             continue
         spin = signed(motion.spin, motion.sense)
         asked = isinstance(period, Symbol) and SEPARATOR in period.name
         rate: Formula = Call("abs", (spin,)) if asked else spin
-        yield PERIOD.equation(period, 2 * PI / rate, section, (body.name,))
-        yield STEADY.equation(motion.spin_rate, ZERO, section, (body.name,))
+        yield PERIOD.equation(period, 2 * PI / rate, at.state, (body.name,))
+        yield STEADY.equation(motion.spin_rate, ZERO, at.state, (body.name,))

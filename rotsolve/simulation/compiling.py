@@ -22,7 +22,7 @@ from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
 from rotsolve.equations.states import Fixed, prescribe
 from rotsolve.equations.swing import rates_of_body
-from rotsolve.laws import newton, rules
+from rotsolve.laws.table import FOLLOWED, SPEEDS, AtMoment, equations_for
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -271,7 +271,7 @@ class Compiler(Struct, dict=True):
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
         letters = [speed for name in bodies for speed, _ in self._pairs(moment, name)]
         names = {letter.name for letter in letters if isinstance(letter, Symbol) and SEPARATOR in letter.name}
-        equations = (*rules.for_velocities(facts, ""), *rules.rates(facts, ""))
+        equations = list(equations_for(SPEEDS, AtMoment(facts, "", "")))
         rows = self._rows((item.left - item.right for item in equations), names)
         free: list[str] = []
 
@@ -327,14 +327,8 @@ class Compiler(Struct, dict=True):
             for name, formula in inertias.items()
             if formula.symbols() <= set(self.letters)
         }
-        written = [
-            *newton.second_law(facts, ""),
-            *newton.law_of_rotation(facts, ""),
-            *rules.for_accelerations(facts, ""),
-            *rules.rates(facts, ""),
-        ]
         laws = []
-        for law in written:
+        for law in equations_for(FOLLOWED, AtMoment(facts, "", "")):
             formula = (law.left - law.right).substitute(inertias)
             open_ = formula.symbols() - set(self.letters)
             self._check_places(open_)

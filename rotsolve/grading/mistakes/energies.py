@@ -18,6 +18,7 @@ from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.mistake import Change, Made
 from rotsolve.laws import momentum
+from rotsolve.laws.table import EVENT, ThroughEvent, equations_for
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
@@ -142,7 +143,9 @@ def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
     if encounter.restitution is not None:
         _, approach, separation = encounter.restitution
-        yield from momentum.through_event(replace(encounter, restitution=(ONE, approach, separation)), section)
+        yield from equations_for(
+            EVENT, ThroughEvent(replace(encounter, restitution=(ONE, approach, separation)), section)
+        )
         return
     before = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=False)]
     after = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=True)]
@@ -173,9 +176,9 @@ def unsupported_momenta(encounter: Encounter, section: str) -> Iterator[Equation
     """The momenta of an event without the impulse of the support."""
     for group in encounter.groups:
         members = [meeting for meeting in encounter.meetings if meeting.body.name in group]
-        momenta = momentum.linear(members, blows_from_outside(encounter), section, tuple(sorted(group)))
+        momenta = momentum.linear_momentum(members, blows_from_outside(encounter), section, tuple(sorted(group)))
         yield from (momentum for momentum in momenta if ZERO not in (momentum.left, momentum.right))
-    yield from momentum.rebound(encounter, section)
+    yield from momentum.restitution(ThroughEvent(encounter, section))
 
 
 def blows_from_outside(encounter: Encounter) -> list[Force]:
@@ -187,6 +190,6 @@ def in_event(name: str, laws: Laws) -> Laws:
     """Other laws for one event of a scene."""
 
     def changed(encounter: Encounter, section: str) -> Iterator[Equation]:
-        return laws(encounter, section) if section == name else momentum.through_event(encounter, section)
+        return laws(encounter, section) if section == name else equations_for(EVENT, ThroughEvent(encounter, section))
 
     return changed

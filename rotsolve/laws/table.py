@@ -1,0 +1,172 @@
+"""The table of laws: what is written for which part of a scene. The scene's equations are a loop over it.
+
+To add a law from anywhere: a `Law` (rotsolve/core/equation.py) with a name, the words of its label, its family and its cost; a function
+that takes what its scope holds (one of the records below) and yields `LAW.equation(left, right, section, bodies, …)`; and a row
+
+    Principle((LAW,), (PHASE,), function)
+
+in `LAWS`. The place in the table is the order in which the equations of one scope are written, which only decides between plans that cost
+the same. Nothing else is to be touched: `--law`, the plan, the derivation, the confirmation of answers and the mistakes go by the law that
+an equation knows. A row may name its function as "module:function" of this room; it is loaded when its scope is met first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
+from importlib import import_module
+from typing import Any
+
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.equation import (
+    ANGLES_TURNED,
+    BLOWS,
+    BY_PLACE,
+    COMMON_AXIS,
+    CONSERVATION,
+    COORDINATE,
+    CUT_TORQUES,
+    DERIVATIVE,
+    GIVEN_MOTION,
+    IN_TIME,
+    INERTIA,
+    MOMENTUM,
+    PERIOD,
+    POWER,
+    RATE,
+    RESTITUTION,
+    ROTATION,
+    RULE,
+    RULE_OF_WAYS,
+    SECOND_LAW,
+    SEPARATED_BY_PLACE,
+    SEPARATED_BY_RATE,
+    SPEED_AT_PLACE,
+    STEADY,
+    STEADY_TRAVEL,
+    STEADY_TURN,
+    STRETCH,
+    SUMMED_OVER_WAY,
+    TIME_ELAPSED,
+    TORQUES,
+    TRAVEL_AT_ANY_TIME,
+    TURN_AT_ANY_TIME,
+    TWISTS,
+    WORK,
+    WORK_AND_ENERGY,
+    Equation,
+    Law,
+)
+from rotsolve.core.facts import Facts
+from rotsolve.core.passage import Encounter, Passage
+
+STATE = "state"  # AtMoment: each state
+GROUP = "group"  # OfGroup: tied bodies at a state
+PHASE = "phase"  # OverPhase
+MIDST = "midst"  # AtMoment: any moment of a phase in which accelerations vary, or of which a function of time is asked
+RUNNING = "running"  # OverPhase: up to any moment of a phase of which a function of time is asked
+EVENT = "event"  # ThroughEvent
+BETWEEN = "between"  # OverPhase: each phase, behind all states, phases and events
+HELD = "held"  # AtMoment: each state, behind all phases, with how contacts that it says to roll or stick tie the speeds for rules
+REST = "rest"  # AtMoment: an equilibrium about which bodies swing
+NEAR = "near"  # AtMoment: these bodies displaced from it
+SWINGING = "swinging"  # OfGroup: these bodies, at rest and displaced
+FOLLOWED = "followed"  # AtMoment: a moment of a simulation, for its forces and accelerations
+SPEEDS = "speeds"  # AtMoment: a moment of a simulation, for its speeds
+
+
+class AtMoment(Struct, frozen=True):
+    """One moment: its facts, and the sections for what holds in its whole phase and for what holds at its state alone."""
+
+    facts: Facts
+    section: str
+    state: str
+
+
+class OfGroup(Struct, frozen=True):
+    """Bodies that are tied, at one moment; `virtual` are the facts with the velocities of any motion that the rules allow."""
+
+    facts: Facts
+    virtual: Facts
+    group: frozenset[str]
+    section: str
+
+
+class OverPhase(Struct, frozen=True):
+    """A phase; `earlier` are those that lead to it with no event between.
+
+    `thought` are facts in its midst with velocities that are only thought of, for whose letters `changes` has displacements and angles
+    turned: in the whole phase, or up to any moment.
+    """
+
+    passage: Passage
+    section: str
+    earlier: tuple[Passage, ...]
+    thought: Facts
+    changes: Mapping[str, Formula]
+
+
+class ThroughEvent(Struct, frozen=True):
+    """An event that takes no time."""
+
+    encounter: Encounter
+    section: str
+
+
+class Principle(Struct, frozen=True):
+    """One row: the laws that a function writes, and for what: `scopes` are of one kind of record."""
+
+    laws: tuple[Law, ...]
+    scopes: tuple[str, ...]
+    function: str | Callable[[Any], Iterator[Equation]]
+
+
+@cache
+def loaded(name: str) -> Callable[[Any], Iterator[Equation]]:
+    """A function of this room by its module and name."""
+    module, _, function = name.partition(":")
+    found: Callable[[Any], Iterator[Equation]] = getattr(import_module(f"rotsolve.laws.{module}"), function)
+    return found
+
+
+def equations_for(scope: str, at: AtMoment | OfGroup | OverPhase | ThroughEvent) -> Iterator[Equation]:
+    """All that the laws write for one part of a scene."""
+    for row in LAWS:
+        if scope in row.scopes:
+            yield from (loaded(row.function) if isinstance(row.function, str) else row.function)(at)
+
+
+STEADY_ACCELERATION = (STEADY_TRAVEL, STEADY_TURN, TRAVEL_AT_ANY_TIME, TURN_AT_ANY_TIME)
+
+LAWS = (
+    Principle((INERTIA,), (STATE, MIDST, NEAR), "newton:moments_of_inertia"),
+    Principle((SECOND_LAW,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:second_law"),
+    Principle((ROTATION,), (STATE, MIDST, REST, NEAR, FOLLOWED), "newton:law_of_rotation"),
+    Principle((TORQUES,), (STATE,), "newton:balance_of_torques"),
+    Principle((INERTIA, SECOND_LAW, ROTATION, CUT_TORQUES), (STATE,), "newton:laws_of_pieces"),
+    Principle((RULE,), (STATE, MIDST, NEAR, FOLLOWED), "rules:rules_for_accelerations"),
+    Principle((RULE,), (STATE, MIDST, HELD, SPEEDS), "rules:rules_for_velocities"),
+    Principle((GIVEN_MOTION,), (STATE, MIDST, SPEEDS, FOLLOWED), "rules:rates_of_given_motion"),
+    Principle((PERIOD, STEADY), (STATE,), "rules:steady_rotation"),
+    Principle((RATE,), (GROUP, SWINGING), "groups:rate_of_angular_momentum"),
+    Principle((DERIVATIVE, POWER), (GROUP,), "groups:rate_of_energy"),
+    Principle((POWER,), (SWINGING,), "groups:power_of_forces"),
+    Principle((CONSERVATION, WORK_AND_ENERGY), (PHASE,), "energy:conservation"),
+    Principle((WORK,), (PHASE,), "energy:works_spelled"),
+    Principle(
+        (*STEADY_ACCELERATION, IN_TIME, BY_PLACE, SUMMED_OVER_WAY, COORDINATE, TIME_ELAPSED),
+        (PHASE,),
+        "kinematics:motion_over_phase",
+    ),
+    Principle((SEPARATED_BY_RATE, SEPARATED_BY_PLACE, SPEED_AT_PLACE), (PHASE,), "kinematics:separated"),
+    Principle((TWISTS, BLOWS), (PHASE,), "momentum:impulses_over"),
+    Principle((MOMENTUM,), (PHASE,), "momentum:momentum_kept"),
+    Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
+    Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
+    Principle((STRETCH,), (BETWEEN,), "rules:elongations"),
+    Principle((COMMON_AXIS, MOMENTUM), (EVENT,), "momentum:groups_through_event"),
+    Principle((BLOWS, TWISTS), (EVENT,), "momentum:bodies_through_event"),
+    Principle((RESTITUTION,), (EVENT,), "momentum:restitution"),
+)
