@@ -149,8 +149,9 @@ class Solution(Struct, frozen=True, dict=True):
     ) -> dict[str, Any]:
         """The answers for many sets of givens at once, by NumPy: `values` are numbers or arrays in SI units, by the givens' names.
 
-        Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack or a contact
-        open. `certified` gives pairs of arrays, values and bounds on their errors. Where the numbers of the scene have decided more
+        Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack, a contact
+        open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
+        numbers of the scene have decided more
         (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
         """
         from rotsolve.arrays import NotForMany, evaluate_many

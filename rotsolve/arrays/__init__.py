@@ -31,11 +31,12 @@ def evaluate_many(
     if strange:
         raise NotForMany(f"no given `{strange[0]}`; there are {', '.join(given.name for given in givens)}")
     forms = {answer.name: in_its_unit(answer) for answer in answers}
-    work = program([*forms.values(), *valid.bounds], values, known)
+    bounds = [*valid.bounds, *valid.sides]
+    work = program([*forms.values(), *bounds], values, known)
     for name in sorted(values.keys() & valid.positive):
         if not all_positive(values[name]):
             raise NotForMany(f"`{name}` has to be positive")
-    found = (ball_results if certified else float_results)(work, values, len(valid.bounds))
+    found = (ball_results if certified else float_results)(work, values, len(bounds))
     return dict(zip(forms, found, strict=True))
 
 

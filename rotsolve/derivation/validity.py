@@ -18,12 +18,13 @@ SLIPS, ROOT = "what slips and which way", "which root of an equation is meant"
 
 
 class Validity(Struct, frozen=True):
-    """The closed forms hold for `positive` letters that are so, where none of the `bounds` is negative, and while what was `decided` by
-    numbers would be decided alike."""
+    """The closed forms hold for `positive` letters that are so, where none of the `bounds` is negative, none of the `sides` on which the
+    scene's own numbers lie, and while what else was `decided` by numbers would be decided alike."""
 
     positive: frozenset[str]
     bounds: tuple[Formula, ...]
     decided: tuple[str, ...]
+    sides: tuple[Formula, ...] = ()
 
 
 def validity(search: Search) -> Validity:
@@ -32,6 +33,7 @@ def validity(search: Search) -> Validity:
     aside = Search(search.scene, families_for(None))
     by_letters = SignOracle({}, positive)
     bounds: dict[Formula, None] = {}
+    sides: dict[Formula, None] = {}
     decided: dict[str, None] = {}
     for _, needs in requirements_by_state(search):
         for need in needs:
@@ -49,7 +51,7 @@ def validity(search: Search) -> Validity:
         if by_letters.by_letters(value) is not None:
             continue
         if sign:
-            bounds[simplify(value * sign, positive=positive)] = None
+            sides[simplify(value * sign, positive=positive)] = None
         else:
             decided[f"that {to_text(value)} vanishes"] = None
-    return Validity(positive, tuple(bounds), tuple(decided))
+    return Validity(positive, tuple(bounds), tuple(decided), tuple(sides))

@@ -232,7 +232,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
     bare = (
         found == NUMBER
         and want.dimension == "angle"
-        and re.search("pi|π", number) is None
+        and re.search("pi|π|deg|rad|rev|°", number) is None
         and LITERAL.fullmatch(number) is not None
     )
     if found.matches(wanted) and not bare:

@@ -138,7 +138,7 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Search) -
     """Small swings need an equilibrium, and one to which the bodies are driven back."""
     name, state = spoken(swing.body), spoken(swing.rest.state) if not swing.found else "the equilibrium"
     at_rest = exact.substitute({swing.coordinate.name: ZERO})
-    if not is_zero(at_rest, search.solver.positive):
+    if search.signs.decide(at_rest) != 0:
         raise NotYet(f"`{name}` is not in equilibrium at {state}: it speeds up there")
     known = set(search.givens) | set(search.values)
     if slope.symbols() - known:

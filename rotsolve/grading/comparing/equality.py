@@ -87,7 +87,7 @@ def region_of(solution: Solution) -> Region:
     told |= {name: form for name, form in answer_forms(solution.derivation.answers) if name not in givens}
     told = {name: in_givens(form, told) for name, form in told.items()}
     free = [_free_letter(given, values, positive) for name, given in givens.items() if name not in told]
-    bounds = valid.bounds if valid is not None else ()
+    bounds = (*valid.bounds, *valid.sides) if valid is not None else ()
     others = {TIME, *(name for bound in bounds for name in bound.symbols())} - givens.keys() - told.keys()
     free += [FreeLetter(name, TYPICAL, name not in positive | {TIME}, False, None) for name in sorted(others)]
     return Region(tuple(free), told, positive | {TIME}, bounds)

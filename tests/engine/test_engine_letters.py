@@ -1,0 +1,253 @@
+"""A letter with a value is that value: the same numbers and words whichever of both stands in a scene, and for many values at once.
+
+Where a sign decides how a scene is meant (which side of a wheel a pull leaves, which way a string runs), it is that of the scene's
+own numbers; where nothing tells it, the scene is refused by the name of the letter that lacks a value.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from decimal import Decimal
+from pathlib import Path
+
+import pytest
+
+from rotsolve import Solution, Unsolvable, solve
+from rotsolve.arrays.program import NotForMany
+from rotsolve.core.derivation import Answer
+from rotsolve.keys.working import Working
+from rotsolve.scene.read import read_text
+
+ROOT = Path(__file__).resolve().parents[2]
+FILES = sorted((ROOT / "problems").rglob("*.yaml")) + sorted((ROOT / "tests" / "engine" / "scenes").glob("*.yaml"))
+LITERAL = re.compile(r"(?<![\w.*/^+-])(?<![*/^+-] )(-?\d+(?:\.\d+)?) (deg|rad|mm|cm|m|km)\b(?!\s*[\^/*\w])")
+GIVEN = re.compile(r"(\w+): *(-?\d+(?:\.\d+)? (?:deg|rad|mm|cm|m|km))(?=\s*[,}\n#])")
+ASIDE = ("answers", "marking", "vary", "text", "source", "title")  # what does not tell what a scene is
+ONE_LETTER = {  # where a length has to be one letter, however often it stands there
+    "plank-on-trestles",
+    "rod-swings-fastest",
+    "cut-beam-in-balance",
+    "cut-rod-with-loads",
+}
+
+WHEEL = """\
+given: {{M: 2 kg, R: 20 cm, F: 3 N{given}}}
+bodies: {{wheel: {{shape: disc, mass: M, radius: R}}}}
+connections: {{axle: {{axle: wheel}}}}
+actions: {{pull: {{force: F, on: wheel.rim, direction: {value}, {side}: true}}}}
+find: {{alpha: wheel.angular_acceleration}}
+"""
+SPOOL = """\
+given: {{M: 2 kg, I: 0.05 kg m^2, r: 10 cm, R: 20 cm, F: 3 N{given}}}
+surfaces: {{floor: level}}
+bodies: {{spool: {{mass: M, inertia: I, radii: {{core: r, rims: R}}, moves: right}}}}
+connections: {{touch: {{rolls: [spool.rims, floor]}}}}
+actions: {{pull: {{force: F, on: spool.core, direction: {value}, {side}: true}}}}
+find: {{a: spool.acceleration, f: touch.friction_force, N: touch.normal_force}}
+"""
+ROD = """\
+given: {{M: 2 kg, L: 80 cm, F: 3 N{given}}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+actions: {{push: {{force: F, on: {side}, direction: {value}}}}}
+states: {{start: {{rod.angle: 40 deg, at rest: all}}}}
+find: {{alpha: rod.angular_acceleration at start, P: pin.force at start}}
+"""
+TURNED = """\
+given: {{M: 2 kg, L: 80 cm, F: 3 N{given}}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{hinge: rod.start}}}}
+actions: {{push: {{force: F, on: rod.end, direction: {side}}}}}
+states: {{start: {{rod.angle: {value}, at rest: all}}}}
+find: {{alpha: rod.angular_acceleration at start, P: pin.force at start}}
+"""
+SPRING = """\
+given: {{M: 2 kg, L: 80 cm, k: 40 N/m, l: 50 cm{given}}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections:
+  pin: {{hinge: rod.start}}
+  coil: {{spring: {side}, stiffness: k, rest_length: l}}
+states: {{start: {{rod.angle: {value}, at rest: all}}}}
+find: {{alpha: rod.angular_acceleration at start, S: coil.force at start}}
+"""
+CABLE = """\
+given: {{M: 20 kg, L: 2 m{given}}}
+bodies: {{boom: {{shape: rod, mass: M, length: L}}}}
+connections:
+  pin: {{hinge: boom.start}}
+  stay: {{string: {side}}}
+states: {{now: {{boom.angle: {value}, balance: true}}}}
+find: {{T: stay.tension}}
+"""
+SLOPE = """\
+given: {{m: 2 kg, n: 1 kg, M: 1 kg, R: 10 cm{given}}}
+surfaces: {{ramp: {{slope: {value}, down: {side}}}}}
+bodies: {{block: {{mass: m}}, load: {{mass: n}}, wheel: {{shape: disc, mass: M, radius: R}}}}
+connections:
+  glide: {{contact: [block, ramp], friction: none}}
+  axle: {{axle: wheel}}
+  cord: {{string: [block, wheel, load]}}
+find: {{a: block.acceleration, T: cord.block.tension, alpha: wheel.angular_acceleration}}
+"""
+COIL = """\
+given: {{m: 2 kg, k: 40 N/m, s: 20 cm{given}}}
+surfaces: {{ramp: {{slope: {value}, down: {side}}}}}
+bodies: {{block: {{mass: m}}}}
+connections:
+  glide: {{contact: [block, ramp], friction: none}}
+  coil: {{spring: [ground, block], stiffness: k}}
+states: {{now: {{coil.elongation: s, at rest: all}}}}
+find: {{a: block.acceleration, F: coil.force}}
+"""
+ROUND = (20, 75, 90, 100, 120, 200, 270, 290, 350)
+STEEP = (0, 10, 30, 65)
+OWN = [  # a scene, what else it is made with, and angles for it
+    *((WHEEL, side, ROUND) for side in ("over", "under")),
+    *((SPOOL, side, (20, 75, 90, 120, 170)) for side in ("over", "under")),
+    *((ROD, point, ROUND) for point in ("rod.end", "rod.at(L/4)")),
+    *((TURNED, way, ROUND) for way in ("right", "tangential", "[1, -2]")),
+    *((SPRING, ends, (20, 75, 120, 200, 290)) for ends in ("[rod.end, [0, 1.5 m]]", "[[1 m, -1 m], rod.center]")),
+    *((CABLE, ends, (20, 75, 120)) for ends in ("[boom.end, [0, 3 m]]", "[[0, 2.5 m], boom.end]")),
+    *((SLOPE, side, STEEP) for side in ("left", "right")),
+    *((COIL, side, STEEP) for side in ("left", "right")),
+]
+
+
+def numbers_of(solution: Solution) -> dict[str, list[object]]:
+    """By answer: its numbers, its words and its direction."""
+    return {answer.name: list(told_by(answer)) for answer in solution.derivation.answers}
+
+
+def told_by(answer: Answer) -> list[object]:
+    found: list[object] = [None if answer.value is None else answer.value.float, answer.direction, answer.word]
+    found.append(None if answer.angle is None else answer.angle.float)
+    return found + [item for part in answer.components for item in told_by(part)]
+
+
+def alike(one: dict[str, list[object]], other: dict[str, list[object]]) -> bool:
+    """Whether all numbers agree to nine figures, and all words."""
+    return one.keys() == other.keys() and all(
+        len(one[name]) == len(other[name]) and all(map(near, one[name], other[name])) for name in one
+    )
+
+
+def near(one: object, other: object) -> bool:
+    if isinstance(one, float) and isinstance(other, float):
+        return math.isclose(one, other, rel_tol=1e-9, abs_tol=1e-12)
+    return one == other
+
+
+def sections(text: str) -> list[tuple[str, str]]:
+    """The entries of a scene with their names, those that do not tell what it is left out."""
+    starts = [match.start() for match in re.finditer(r"^[a-z][a-z ]*:", text, re.MULTILINE)]
+    parts = [text[start:end] for start, end in zip(starts, [*starts[1:], len(text)], strict=True)]
+    named = [(part.partition(":")[0], part.rstrip() + "\n") for part in parts]
+    return [(name, part) for name, part in named if name not in ASIDE]
+
+
+def with_letters(parts: list[tuple[str, str]]) -> str:
+    """The scene with a letter for each literal; empty where there is none."""
+    entries: list[str] = []
+
+    def letter(match: re.Match[str]) -> str:
+        entries.append(f"qq{len(entries)}: {match[0]}")
+        return f"qq{len(entries) - 1}"
+
+    made = [(name, part if name in ("given", "unknown") else LITERAL.sub(letter, part)) for name, part in parts]
+    if not entries:
+        return ""
+    own = next((part for name, part in made if name == "given"), "")
+    block = re.match(r"given: *(?:#.*)?\n( +)", own)
+    if block:
+        given = own + "".join(f"{block[1]}{entry}\n" for entry in entries)
+    else:
+        given = own.replace("{", "{" + ", ".join(entries) + ", ", 1) or "given: {" + ", ".join(entries) + "}\n"
+    return given + "".join(part for name, part in made if name != "given")
+
+
+def with_literals(parts: list[tuple[str, str]]) -> str:
+    """The scene with the values of all given angles and lengths in place of their letters; empty where there is none."""
+    values = {name: value for key, part in parts if key == "given" for name, value in GIVEN.findall(part)}
+    if not values:
+        return ""
+    made = []
+    for key, part in parts:
+        if key == "given":
+            part = re.sub(r"\0 *, *|, *\0|\n *\0[^\n]*|\0", "", GIVEN.sub("\0", part))
+            part = "" if re.fullmatch(r"given: *(\{\s*\})?\s*", part) else part
+        elif key != "unknown":
+            head, _, body = part.partition(":")
+            for name, value in values.items():
+                body = re.sub(rf"(?<![\w.]){name}(?![\w.]*\s*:)(?!\w)", f"({in_cm(value)})", body)
+            part = f"{head}:{body}"
+        made.append(part)
+    return "".join(made)
+
+
+def in_cm(value: str) -> str:
+    """A length in a unit that is no letter of a scene."""
+    number, unit = value.split()
+    return f"{(Decimal(number) * 100).normalize():f} cm" if unit == "m" else value
+
+
+@pytest.mark.parametrize("part", range(8))
+def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
+    for file in FILES[part::8]:
+        parts = sections(file.read_text(encoding="utf-8"))
+        lettered, literal = with_letters(parts), "" if file.stem in ONE_LETTER else with_literals(parts)
+        if lettered or literal:
+            own = "".join(part for _, part in parts)
+            found = [numbers_of(solve(text)) for text in (lettered or own, literal or own)]
+            assert alike(*found), f"{file.stem}:\n{lettered}{literal}"
+
+
+@pytest.mark.parametrize(("template", "side", "angles"), OWN)
+def test_a_letter_is_its_value_in_all_quadrants(template: str, side: str, angles: tuple[int, ...]) -> None:
+    lettered = {
+        angle: solve(template.format(side=side, value="theta", given=f", theta: {angle} deg")) for angle in angles
+    }
+    for angle, solution in lettered.items():
+        literal = solve(template.format(side=side, value=f"{angle} deg", given=""))
+        assert alike(numbers_of(solution), numbers_of(literal)), angle
+    first = lettered[angles[1]]
+    try:
+        many = first.evaluate_many({"theta": [math.radians(angle) for angle in angles]})
+    except NotForMany:
+        return
+    assert not any(math.isnan(found[1]) for found in many.values())
+    for index, angle in enumerate(angles):
+        for name, (number, *_) in numbers_of(lettered[angle]).items():
+            if not math.isnan(many[name][index]) and angle % 90:  # a right angle is no number of computers
+                assert near(float(many[name][index]), number), (angle, name)
+
+
+@pytest.mark.parametrize(("template", "side"), [(WHEEL, "under"), (SPOOL, "over"), (SPRING, "[rod.end, [0, 1.5 m]]")])
+def test_variants_know_which_side_their_numbers_mean(template: str, side: str) -> None:
+    """What is evaluated for other numbers is what a new solution says, in each quadrant."""
+    working = Working(read_text(template.format(side=side, value="theta", given=", theta: 20 deg")))
+    for angle in (30, 75, 110, 120, 165):
+        worked = working.work({"theta": f"{angle} deg"})
+        found = {answer.name: told_by(answer) for answer in worked.answers}
+        literal = solve(template.format(side=side, value=f"{angle} deg", given=""))
+        assert alike(found, numbers_of(literal)), angle
+
+
+@pytest.mark.parametrize("side", ["over", "under"])
+def test_a_side_that_nothing_tells_is_refused_by_name(side: str) -> None:
+    """Whether a pull leaves the wheel on its upper or lower side hangs on the sign of cos θ, of which a pure letter says nothing."""
+    with pytest.raises(Unsolvable, match="give a number to `theta`"):
+        solve(WHEEL.format(side=side, value="theta", given=", theta: rad"))
+
+
+@pytest.mark.parametrize(("acceleration", "angle"), [("0", 60), ("0.2 m/s^2", 44.22), ("-0.7 m/s^2", None)])
+def test_a_side_that_an_answer_tells_is_held_against_it(acceleration: str, angle: float | None) -> None:
+    """An unknown angle is taken to be acute; where the answer is another one, the question is refused."""
+    text = SPOOL.format(side="under", value="theta", given="").replace("find: {", "find: {theta: theta in deg, ")
+    text += f"unknown: [theta]\nstates: {{now: {{spool.velocity: 0, spool.acceleration: {acceleration}}}}}\n"
+    text = text.replace("a: spool.acceleration, ", "")
+    if angle is None:
+        with pytest.raises(Unsolvable, match="can not be told"):
+            solve(text)
+    else:
+        assert solve(text).answers["theta"].float == pytest.approx(angle, rel=1e-3)
