@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
-from rotsolve.render import format_named
-from rotsolve.render.options import Options
+from rotsolve.page.derivation import DerivationPage
+from rotsolve.page.formats import WIDTH, format_named
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
@@ -57,9 +57,9 @@ class AnswerView(Struct, frozen=True):
     @property
     def value(self) -> str | None:
         """The number as text, every digit of it certified, as `-4.5e-05` where it is small; None without one."""
-        from rotsolve.render.voice import certified, machine_number
+        from rotsolve.page.values import certified_digits, machine_number
 
-        return machine_number(certified(self.answer, self.digits)[0]) or None
+        return machine_number(certified_digits(self.answer.value, self.digits)[0]) or None
 
     @property
     def float(self) -> builtins.float | None:
@@ -102,11 +102,10 @@ class AnswerView(Struct, frozen=True):
         return f"<AnswerView {self}>"
 
     def __str__(self) -> str:
-        from rotsolve.render.layout import release
-        from rotsolve.render.text import answer_rows
+        from rotsolve.page.text import answer_text
+        from rotsolve.page.values import answer_row
 
-        rows = answer_rows(self.answer, self.digits)
-        return "\n".join(release(f"{row.left} {row.middle}") for row in rows)
+        return answer_text(answer_row(self.answer, self.digits))
 
 
 class Solution(Struct, frozen=True, dict=True):
@@ -164,14 +163,14 @@ class Solution(Struct, frozen=True, dict=True):
             )
         return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
 
-    def options(self, width: int | None = None) -> Options:
-        """How this solution is printed."""
-        standard = Options(digits=self.digits, file=getattr(self.problem, "file", ""))
-        return standard if width is None else Options(standard.digits, width, standard.file)
+    @property
+    def page(self) -> DerivationPage:
+        """The derivation as blocks that a format prints."""
+        return DerivationPage(self.derivation, self.digits, getattr(self.problem, "file", ""))
 
     def body(self, format: str = "text", *, width: int | None = None) -> str:
         """The derivation as it stands within a larger document: 'text', 'markdown', 'latex', 'html' or 'json'."""
-        return format_named(format).body(self.derivation, self.options(width))
+        return format_named(format).body(self.page, width or WIDTH)
 
     def to(self, format: str = "text", *, width: int | None = None) -> str:
         """The derivation as a complete document: 'text', 'markdown', 'latex', 'html' or 'json'."""

@@ -26,7 +26,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("questions",),
     ("search",),
     ("derivation",),
-    ("render",),
+    ("page",),
     ("arrays",),
     ("solution",),
     ("scene",),
@@ -47,7 +47,7 @@ FUNCTION_LINES, FILE_LINES, FOLDER_FILES = 40, 300, 12
 
 
 def name(path: Path) -> str:
-    """`render.text` for rotsolve/render/text.py."""
+    """`page.text` for rotsolve/page/text.py."""
     parts = path.relative_to(PACKAGE).with_suffix("").parts
     return ".".join(parts[:-1] if parts[-1] == "__init__" else parts)
 
@@ -121,7 +121,7 @@ def test_heavy_packages_are_imported_by_the_step_that_needs_them(path: Path) -> 
     at_start = {module.partition(".")[0]: line for module, line in imports(tree(path), late=False)}
     arrays = {"numpy"} if name(path).startswith("arrays.") else set()  # which are imported late as a whole
     assert not (HEAVY - arrays) & at_start.keys(), at_start
-    if name(path) != "render.terminal":
+    if name(path) != "page.terminal":
         ever = {module.partition(".")[0] for module, _ in imports(tree(path), late=True)}
         assert "rich" not in ever
 

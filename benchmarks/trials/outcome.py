@@ -9,8 +9,8 @@ from fractions import Fraction
 from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.core.derivation import Answer
 from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.page.values import certified_digits, machine_number
 from rotsolve.pipeline import solve
-from rotsolve.render.voice import certified, machine_number
 from rotsolve.solution import Solution
 
 SOLVED, OBJECTED, NOT_YET, UNSOLVABLE, BAD, INTERNAL = "solved", "objected", "not yet", "unsolvable", "bad", "internal"
@@ -64,7 +64,7 @@ def printed_answers(solution: Solution, digits: int) -> dict[str, Printed]:
     found: dict[str, Printed] = {}
 
     def take(name: str, answer: Answer) -> None:
-        text, note = certified(answer, digits)
+        text, note = certified_digits(answer.value, digits)
         said = " ".join(part for part in (answer.direction, answer.word) if part)
         found[name] = Printed(machine_number(text), note, said, answer.dimension or NONE)
         for part in answer.components:

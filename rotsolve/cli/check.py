@@ -7,13 +7,12 @@ from typing import Annotated
 import typer
 
 from rotsolve.cli.options import Seed, Width, one_of
+from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly, page_width
-
-PAGES = ("text", "markdown", "html", "json")  # of marked answers
 
 
 def pages_checked(value: str | None) -> str | None:
-    return one_of(PAGES, value)
+    return one_of(tuple(FORMATS), value)
 
 
 Problem = Annotated[
@@ -34,7 +33,7 @@ Report = Annotated[
 Pages = Annotated[
     str | None,
     typer.Option(
-        "--format", "-f", metavar="|".join(PAGES), callback=pages_checked, help="[default: text; of a report, html]"
+        "--format", "-f", metavar="|".join(FORMATS), callback=pages_checked, help="[default: text; of a report, html]"
     ),
 ]
 Number = Annotated[

@@ -7,9 +7,9 @@ from typing import Annotated
 import typer
 
 from rotsolve.cli.options import Digits, Seed, one_of
+from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly
 
-KEYS = ("html", "markdown", "latex", "json", "csv")
 MOST_VARIANTS = 100_000
 
 Problems = Annotated[
@@ -23,8 +23,8 @@ Sheets = Annotated[
     typer.Option(
         "--format",
         "-f",
-        metavar="|".join(KEYS),
-        callback=lambda names: [one_of(KEYS, name) for name in names or ()],
+        metavar="|".join((*FORMATS, "csv")),
+        callback=lambda names: [one_of((*FORMATS, "csv"), name) for name in names or ()],
         help="Output format; may be repeated. [default: html]",
     ),
 ]
@@ -55,9 +55,9 @@ def key_command(
     sheet.html holds the statements, key.html the answers, solutions.html the derivations; with variants there are
     sheet-01.html and so on, and all of them in sheets.html. A problem that can't be solved is left out and said.
     """
-    from rotsolve.keys.command import Request, run
+    from rotsolve.keys.command import KeyRequest, run_key
 
     formats = tuple(dict.fromkeys(format or ("html",)))
     with orderly():
-        code = run(Request(tuple(problems), output, formats, variants or 0, seed, solutions, digits))
+        code = run_key(KeyRequest(tuple(problems), output, formats, variants or 0, seed, solutions, digits))
     raise typer.Exit(code)

@@ -7,12 +7,11 @@ from typing import Annotated
 import typer
 
 from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings
+from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
-from rotsolve.render import FORMATS, format_of_file
 
 LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
-NAMES = tuple(item.name for item in FORMATS)
 
 
 def law_checked(value: str | None) -> str | None:
@@ -20,7 +19,7 @@ def law_checked(value: str | None) -> str | None:
 
 
 def format_checked(value: str | None) -> str | None:
-    return one_of(NAMES, value)
+    return one_of(tuple(FORMATS), value)
 
 
 def stage_checked(value: str | None) -> str | None:
@@ -62,7 +61,7 @@ Layout = Annotated[
     typer.Option(
         "--format",
         "-f",
-        metavar="|".join(NAMES),
+        metavar="|".join(FORMATS),
         callback=format_checked,
         help="Output format. [default: by the name of -o, or text]",
     ),

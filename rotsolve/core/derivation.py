@@ -1,4 +1,4 @@
-"""Derivation: what a solution says, as data. Printing it is the business of rotsolve.render.
+"""Derivation: what a solution says, as data. Its page is made by rotsolve.page.
 
 `Words` mix prose and formulas, so that every output format sets the formulas in its own way.
 """

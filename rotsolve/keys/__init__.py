@@ -1,1 +1,1 @@
-"""keys: answer keys, sheets of problems, and their variants."""
+"""Keys: answer keys, sheets of problems, and their variants."""

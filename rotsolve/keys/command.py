@@ -10,10 +10,10 @@ from pathlib import Path
 from msgspec import Struct
 from msgspec.structs import replace
 
+from rotsolve.keys.files import NamedText, sheet_files
 from rotsolve.keys.sheets import Sheet
 from rotsolve.keys.variants import worked_variants
 from rotsolve.keys.working import Worked
-from rotsolve.keys.writers import WRITERS, File
 from rotsolve.language.problem import Problem
 from rotsolve.run import advancing
 from rotsolve.run.attempt import BAD, PIPED, SOLVED, failure_outcome, scenes
@@ -21,7 +21,7 @@ from rotsolve.run.delivery import say, summary, write_file
 from rotsolve.scene.read import read_file
 
 
-class Request(Struct, frozen=True):
+class KeyRequest(Struct, frozen=True):
     """What the command line asked for; without variants the problems are taken as they stand."""
 
     files: tuple[str, ...]
@@ -33,24 +33,24 @@ class Request(Struct, frozen=True):
     digits: int = 4
 
 
-def run(request: Request) -> int:
+def run_key(request: KeyRequest) -> int:
     """Write the files of all problems that can be solved, and say which can not; the exit code is the worst one."""
     files = scenes(request.files)
     if PIPED in files:
-        return refused("keys are made of files, and standard input is none")
+        return refuse_key("keys are made of files, and standard input is none")
     if request.solutions and set(request.formats) == {"csv"}:
-        return refused("derivations have no place in CSV; ask for another format beside it, as -f csv -f html")
+        return refuse_key("derivations have no place in CSV; ask for another format beside it, as -f csv -f html")
     chosen = Problems(files, request)
     if request.variants and chosen.problems and not any(problem.vary for problem in chosen.problems.values()):
-        return refused("none of these problems says under `vary` what may vary; leave --variants out")
+        return refuse_key("none of these problems says under `vary` what may vary; leave --variants out")
     with advancing("sheets") as tell:
-        code = write(made(chosen.sheets(tell), request), request.folder)
+        code = write_files(named_texts(chosen.sheets(tell), request), request.folder)
     if chosen.failed and len(files) > 1:
         say(summary(chosen.failed, len(files)), follows=True)
     return max(code, chosen.code)
 
 
-def refused(message: str) -> int:
+def refuse_key(message: str) -> int:
     print(f"error: {message}", file=sys.stderr)
     return BAD
 
@@ -58,12 +58,12 @@ def refused(message: str) -> int:
 class Problems:
     """The problems of one command by their names; one that fails is said and left out, and loses no other."""
 
-    def __init__(self, files: Sequence[str], request: Request) -> None:
+    def __init__(self, files: Sequence[str], request: KeyRequest) -> None:
         self.request = request
         self.code = SOLVED
         self.failed: list[str] = []
         self.problems: dict[str, Problem] = {}
-        self.files = dict(zip(names(files), files, strict=True))
+        self.files = dict(zip(problem_names(files), files, strict=True))
         for name, file in self.files.items():
             try:
                 problem = read_file(file)
@@ -101,16 +101,16 @@ class Problems:
                 yield Sheet(number if self.request.variants else 0, tuple(found), self.request.seed)
 
 
-def names(files: Sequence[str]) -> list[str]:
+def problem_names(files: Sequence[str]) -> list[str]:
     """The names of the problems: those of their files, with their folders where two files have one name."""
     count = Counter(Path(file).stem for file in files)
     return [Path(file).stem if count[Path(file).stem] == 1 else str(Path(file).with_suffix("")) for file in files]
 
 
-def made(sheets: Iterable[Sheet], request: Request) -> Iterator[File]:
+def named_texts(sheets: Iterable[Sheet], request: KeyRequest) -> Iterator[NamedText]:
     """All files, those of a variant as soon as it is there; none where nothing was solved."""
     places = len(str(request.variants)) if request.variants else 0
-    writers = [WRITERS[name](name, places, request.digits, request.solutions) for name in request.formats]
+    writers = [sheet_files(name, places, request.digits, solved=request.solutions) for name in request.formats]
     empty = True
     for sheet in sheets:
         empty = False
@@ -120,13 +120,13 @@ def made(sheets: Iterable[Sheet], request: Request) -> Iterator[File]:
         yield from writer.close()
 
 
-def write(files: Iterable[File], folder: str) -> int:
+def write_files(files: Iterable[NamedText], folder: str) -> int:
     """Write the files one by one, each whole or not at all; a run that was interrupted can be run again."""
     for name, text in files:
         try:
             Path(folder).mkdir(parents=True, exist_ok=True)
         except OSError as error:
-            return refused(f"cannot make the folder {folder}: {error.strerror or error}")
+            return refuse_key(f"cannot make the folder {folder}: {error.strerror or error}")
         code = write_file(str(Path(folder, name)), text)
         if code != SOLVED:
             return code

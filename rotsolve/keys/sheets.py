@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import Any
 
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.keys.layouts import Layout
 from rotsolve.keys.statement import statement
 from rotsolve.keys.working import Worked
-from rotsolve.render import Format
-from rotsolve.render.options import Options
+from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Phrase, Title
+from rotsolve.page.derivation import DerivationPage
+from rotsolve.page.text import plain_text
+from rotsolve.page.values import answer_row, given_equation
 
 
 class Sheet(Struct, frozen=True):
@@ -27,43 +29,83 @@ class Sheet(Struct, frozen=True):
         return f", variant {self.variant} (seed {self.seed})" if self.variant else ""
 
 
-def problem_sheet(sheet: Sheet, layout: Layout) -> str:
-    """The statements, without answers."""
-    return layout.sheet(statement_lines(sheet, layout))
+class SheetPage(Page, frozen=True):
+    """The statements of one variant, without answers."""
+
+    sheet: Sheet
+
+    def blocks(self) -> Iterator[PageBlock]:
+        yield Title(1, (f"Problems{self.sheet.mark}",))
+        for number, (_, worked) in enumerate(self.sheet.problems, 1):
+            said = statement(worked)
+            yield Title(2, (f"{number}. {said.title}",))
+            yield from map(Paragraph, said.text)
+            rows = (
+                Labelled("Given", said.givens, ", "),
+                Labelled("Find", said.finds),
+                Labelled("Positive", said.positive),
+            )
+            yield Labels(tuple(row for row in rows if row.items))
+
+    def data(self) -> dict[str, Any]:
+        return with_variant(self.sheet, [statement_data(name, worked) for name, worked in self.sheet.problems])
 
 
-def statement_lines(sheet: Sheet, layout: Layout) -> Iterator[str]:
-    yield layout.heading(1, f"Problems{sheet.mark}")
-    for number, (_, worked) in enumerate(sheet.problems, 1):
-        said = statement(worked, layout.voice)
-        yield layout.heading(2, f"{number}. {said.title}")
-        yield from (layout.paragraph("", text) for text in said.text)
-        if said.givens:
-            yield layout.paragraph("Given", ", ".join(said.givens))
-        yield layout.paragraph("Find", "; ".join(said.finds))
-        if said.positive:
-            yield layout.paragraph("Positive", "; ".join(said.positive))
+def statement_data(name: str, worked: Worked) -> dict[str, Any]:
+    """What a problem says, as plain text."""
+    said = statement(worked)
+    lists = {"given": said.givens, "find": said.finds, "positive": said.positive}
+    return {
+        "problem": name,
+        "title": plain_text((said.title,)),
+        "text": "\n".join(map(plain_text, said.text)),
+        **{key: [*map(plain_text, items)] for key, items in lists.items()},
+    }
 
 
-def key_lines(sheet: Sheet, layout: Layout, digits: int) -> Iterator[str]:
+def with_variant(sheet: Sheet, problems: list[dict[str, Any]]) -> dict[str, Any]:
+    """The data of problems with the number of their variant."""
+    return {**({"variant": sheet.variant, "seed": sheet.seed} if sheet.variant else {}), "problems": problems}
+
+
+def given_phrases(worked: Worked) -> tuple[Phrase, ...]:
+    """The givens of a problem that its derivation speaks of."""
+    return tuple((given_equation(given),) for given in worked.shown())
+
+
+def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
     """The answers of one variant."""
     level = 2
     if sheet.variant:
-        yield layout.heading(level, f"Variant {sheet.variant}")
+        yield Title(level, (f"Variant {sheet.variant}",))
         level += 1
     for number, (_, worked) in enumerate(sheet.problems, 1):
-        yield layout.heading(level, f"{number}. {layout.voice.prose(worked.problem.title)}")
-        givens = [layout.voice.math(layout.voice.given(given)) for given in worked.shown()]
-        if givens:
-            yield layout.paragraph("Given", ", ".join(givens))
-        yield from layout.answers(worked.answers, digits)
+        yield Title(level, (f"{number}. {worked.problem.title}",))
+        givens = given_phrases(worked)
+        yield Labels((Labelled("Given", givens, ", "),) if givens else ())
+        yield Answers(tuple(answer_row(answer, digits) for answer in worked.answers))
 
 
-def solutions(sheet: Sheet, format: Format, digits: int) -> list[str]:
+def key_data(sheet: Sheet, digits: int) -> dict[str, Any]:
+    """The answers of one variant, as `rotsolve solve --format json` gives them."""
+    from rotsolve.page.data import answer_data, given_data
+
+    return with_variant(
+        sheet,
+        [
+            {
+                "problem": name,
+                "title": worked.problem.title,
+                "given": [given_data(given) for given in worked.shown()],
+                "answers": [answer_data(answer, digits) for answer in worked.answers],
+            }
+            for name, worked in sheet.problems
+        ],
+    )
+
+
+def solution_pages(sheet: Sheet, digits: int) -> Iterator[DerivationPage]:
     """The derivations, one after the other."""
-    bodies = []
     for name, worked in sheet.problems:
         derivation = worked.derivation()
-        told = replace(derivation, title=f"{derivation.title}{sheet.mark}")
-        bodies.append(format.body(told, Options(digits=digits, file=name)))
-    return bodies
+        yield DerivationPage(replace(derivation, title=f"{derivation.title}{sheet.mark}"), digits, name)

@@ -7,15 +7,15 @@ from collections.abc import Collection, Iterator, Mapping
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Symbol
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import greek
 from rotsolve.algebra.notation.letters import parts as letter_parts
-from rotsolve.core.derivation import Answer
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.writing import spoken
 from rotsolve.keys.working import Worked
 from rotsolve.language.problem import Find, Given
-from rotsolve.render.voice import Voice
+from rotsolve.page.blocks import Math, Phrase, Styled
+from rotsolve.page.values import given_equation, given_value
 from rotsolve.scene.statement import parts, slots
 
 PATH = re.compile(r"[^\W\d]\w*(?:\.at\([^)]*\)|\.\w+)+")  # rod.end.speed
@@ -25,17 +25,16 @@ AXES = ("x", "y", "z", "xx", "yy", "zz", "xy", "yz", "zx")
 
 
 class Statement(Struct, frozen=True):
-    """The title, the paragraphs of the text, the givens that it does not name, what is asked, and which way answers are positive, as one
-    format sets them."""
+    """The title, the paragraphs of the text, the givens that it does not name, what is asked, and which way answers are positive."""
 
     title: str
-    text: tuple[str, ...]
-    givens: tuple[str, ...]
-    finds: tuple[str, ...]
-    positive: tuple[str, ...]
+    text: tuple[Phrase, ...]
+    givens: tuple[Phrase, ...]
+    finds: tuple[Phrase, ...]
+    positive: tuple[Phrase, ...]
 
 
-def statement(worked: Worked, voice: Voice) -> Statement:
+def statement(worked: Worked) -> Statement:
     """What a problem says."""
     problem = worked.problem
     givens = {given.name: given for given in problem.givens}
@@ -47,11 +46,11 @@ def statement(worked: Worked, voice: Voice) -> Statement:
         if not given.asked and given.name not in named and (not given.automatic or given.name in worked.told)
     ]
     return Statement(
-        voice.prose(problem.title),
-        tuple(filled(paragraph, givens, letters, voice) for paragraph in paragraphs(problem.text)),
-        tuple(voice.math(voice.given(given)) for given in others),
-        tuple(asked(problem.finds, voice)),
-        tuple(directions(worked.answers, voice)),
+        problem.title,
+        tuple(filled_text(paragraph, givens, letters) for paragraph in paragraphs(problem.text)),
+        tuple((given_equation(given),) for given in others),
+        tuple(asked_phrases(problem.finds)),
+        tuple((answer.symbol, f": {answer.positive}") for answer in worked.answers if answer.positive),
     )
 
 
@@ -67,51 +66,40 @@ def is_letter(name: str) -> bool:
     return letter is not None and len(greek(letter.head)) == 1 and name not in ENGLISH
 
 
-def filled(text: str, givens: Mapping[str, Given], letters: Collection[str], voice: Voice) -> str:
+def filled_text(text: str, givens: Mapping[str, Given], letters: Collection[str]) -> Phrase:
     """A paragraph with its givens."""
-    said: list[str] = []
+    said: list[str | Formula | Math | Styled] = []
     for part in parts(text):
         if isinstance(part, str):
-            said += lettered(part, letters, voice)
+            said += with_letters(part, letters)
         else:
-            given = givens[part.name]
-            alone = part.alone and given.value is not None
-            said.append(voice.math(voice.given_value(given) if alone else voice.given(given)))
-    return "".join(said)
+            value = given_value(givens[part.name]) if part.alone else None
+            said.append(given_equation(givens[part.name]) if value is None else Math((value,)))
+    return tuple(said)
 
 
-def lettered(prose: str, letters: Collection[str], voice: Voice) -> Iterator[str]:
-    """Prose in which words that are letters of the scene, such as `m2` and `theta`, are set as such."""
+def with_letters(prose: str, letters: Collection[str]) -> Iterator[str | Symbol]:
+    """Prose in which words that are letters of the scene, such as `m2` and `theta`, are letters."""
     position = 0
     for match in WORD.finditer(prose):
         if match[0] in letters:
-            yield voice.prose(prose[position : match.start()])
-            yield voice.math(voice.formula(Symbol(match[0])))
+            yield from (prose[position : match.start()], Symbol(match[0]))
             position = match.end()
-    yield voice.prose(prose[position:])
+    yield prose[position:]
 
 
-def asked(finds: tuple[Find, ...], voice: Voice) -> Iterator[str]:
+def asked_phrases(finds: tuple[Find, ...]) -> Iterator[Phrase]:
     """What is asked, by letters and in words: a (acceleration of block); of a choice its options."""
-    seen: set[str] = set()
+    first: dict[str, Find] = {}
     for find in finds:
-        if find.group in seen:
-            continue
-        seen.add(find.group)
-        letter = voice.math(voice.formula(Symbol(find.group)))
-        said = options(find) if find.choice is not None else in_words(find.text)
-        plain = not said or said.split()[0] == find.group  # a letter of the scene, which the text speaks of
-        yield letter if plain else f"{letter} ({voice.prose(said)})"
+        first.setdefault(find.group, find)
+    for group, find in first.items():
+        said = choice_options(find) if find.choice is not None else in_words(find.text)
+        plain = not said or said.split()[0] == group  # a letter of the scene, which the text speaks of
+        yield (Symbol(group),) if plain else (Symbol(group), f" ({said})")
 
 
-def directions(answers: tuple[Answer, ...], voice: Voice) -> Iterator[str]:
-    """Which way answers are positive: a: down the slope."""
-    for answer in answers:
-        if answer.positive:
-            yield f"{voice.math(voice.formula(answer.symbol))}: {voice.prose(answer.positive)}"
-
-
-def options(find: Find) -> str:
+def choice_options(find: Find) -> str:
     """The options of a choice: which is largest: a: speed of rod; b: speed of disc."""
     assert find.choice is not None
     said = []

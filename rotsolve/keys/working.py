@@ -22,8 +22,8 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.registry import TIME
 from rotsolve.derivation.validity import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
+from rotsolve.page.values import certified_digits
 from rotsolve.pipeline import solve_problem
-from rotsolve.render.voice import figures
 from rotsolve.scene.read import read_tree
 from rotsolve.scene.tree import Map, Node, compose
 from rotsolve.solution import Solution
@@ -66,7 +66,7 @@ class Branch:
         self.bounds = valid.bounds if valid is not None else ()
         asked = [item for item in witness.asked if item.symbols() and item not in self.bounds]
         self.asked = tuple(item for item in asked if item.symbols() <= problem.values.keys())
-        self.signs = [side(item, problem.values) for item in self.asked]
+        self.signs = [sign_at(item, problem.values) for item in self.asked]
         self.probed = False
         derivation = self.solution.derivation
         self.trusted = (
@@ -82,10 +82,10 @@ class Branch:
         """The answers by their formulas; None where the numbers may decide otherwise than they did. Unsuited where a bound is broken."""
         values = problem.values
         if not self.trusted or any(
-            side(item, values) != sign for item, sign in zip(self.asked, self.signs, strict=True)
+            sign_at(item, values) != sign for item, sign in zip(self.asked, self.signs, strict=True)
         ):
             return None
-        if any(side(bound, values) < 0 for bound in self.bounds):
+        if any(sign_at(bound, values) < 0 for bound in self.bounds):
             raise Unsuited("a string would go slack, or a contact open or slip")
         found = [revalued(answer, values) for answer in self.solution.derivation.answers]
         answers = tuple(answer for answer in found if answer is not None)
@@ -94,10 +94,10 @@ class Branch:
     def probe(self, answers: tuple[Answer, ...], worked: Worked) -> None:
         """Trust the formulas no more where a new solution with the same signs says something else."""
         self.probed = True
-        self.trusted = all(agree(*pair) for pair in zip(answers, worked.answers, strict=True))
+        self.trusted = all(answers_agree(*pair) for pair in zip(answers, worked.answers, strict=True))
 
 
-class Reading:
+class VariantReader:
     """One file read for many settings: only the givens change, as long as the limits of its values hold as they did."""
 
     def __init__(self, problem: Problem) -> None:
@@ -106,7 +106,7 @@ class Reading:
         with witnessed() as witness:
             read_tree(self.tree, problem.lines, problem.file)
         asked = tuple(item for item in witness.asked if item.symbols() <= problem.values.keys())
-        self.signs = {item: side(item, problem.values) for item in asked}
+        self.signs = {item: sign_at(item, problem.values) for item in asked}
         self.by_size = witness.by_size
 
     def read(self, settings: Mapping[str, str]) -> Problem:
@@ -115,7 +115,7 @@ class Reading:
             givens = tuple(with_value(given, settings.get(given.name)) for given in self.problem.givens)
             problem = replace(self.problem, givens=givens)
             values = problem.values
-            if all(side(item, values) == sign for item, sign in self.signs.items()):
+            if all(sign_at(item, values) == sign for item, sign in self.signs.items()):
                 return problem
         try:
             return read_tree(self.tree, self.problem.lines, self.problem.file, settings)
@@ -139,31 +139,31 @@ def scene_of(problem: Problem) -> Node:
     return Map(tuple(entry for entry in root.entries if entry[0].value not in ASIDE), root.span)
 
 
-class Working:
+class VariantSolver:
     """Answers one problem for many settings of its givens."""
 
     def __init__(self, problem: Problem) -> None:
         self.problem = problem
-        self.reading = Reading(problem)
+        self.reading = VariantReader(problem)
         self.branches = [Branch(problem)]
 
     def work(self, settings: Mapping[str, str]) -> Worked:
         """The problem with these settings; Unsuited where it can not be used so."""
         if not settings:
-            return solved(self.problem, self.branches[0].solution)
+            return worked_anew(self.problem, self.branches[0].solution)
         problem = self.reading.read(settings)
         for branch in self.branches:
             answers = branch.evaluated(problem)
             if answers is not None and branch.probed:
-                return Worked(problem, answers, told(branch.solution), branch.solution)
+                return Worked(problem, answers, told_givens(branch.solution), branch.solution)
             if answers is not None:
-                worked = solved(problem, self.found(problem).solution)
+                worked = worked_anew(problem, self.found(problem).solution)
                 branch.probe(answers, worked)
                 return worked
         branch = self.found(problem)
         if branch.trusted and len(self.branches) < MOST:
             self.branches.append(branch)
-        return solved(problem, branch.solution)
+        return worked_anew(problem, branch.solution)
 
     def found(self, problem: Problem) -> Branch:
         """A new solution; Unsuited where there is none."""
@@ -175,19 +175,19 @@ class Working:
             raise Unsuited(error.faults[0].message) from None
 
 
-def solved(problem: Problem, solution: Solution) -> Worked:
+def worked_anew(problem: Problem, solution: Solution) -> Worked:
     """What a new solution says, unless a check objects."""
     if any(check.holds is False for check in solution.derivation.checks):
         raise Unsuited("a check objects to its answers")
-    return Worked(problem, solution.derivation.answers, told(solution), solution, solution)
+    return Worked(problem, solution.derivation.answers, told_givens(solution), solution, solution)
 
 
-def told(solution: Solution) -> frozenset[str]:
+def told_givens(solution: Solution) -> frozenset[str]:
     """The givens that the derivation speaks of."""
     return frozenset(given.name for given in solution.derivation.givens)
 
 
-def side(value: Formula, values: Values) -> int:
+def sign_at(value: Formula, values: Values) -> int:
     """The sign of a formula, 0 where nothing tells it from 0 or it has no number."""
     try:
         return evaluate(value, values, digits=6).sign or 0
@@ -206,10 +206,10 @@ def revalued(answer: Answer, values: Values) -> Answer | None:
     if answer.closed is None or answer.value is None:
         return None
     factor = answer.unit.factor if answer.unit is not None else None
-    value = number(answer.closed / factor if factor is not None else answer.closed, values)
+    value = number_at(answer.closed / factor if factor is not None else answer.closed, values)
     if value is None or value.sign is None or value.sign != answer.value.sign:
         return None
-    angle = slope(parts, values) if answer.angle is not None else None
+    angle = angle_to_horizontal(parts, values) if answer.angle is not None else None
     return (
         None
         if (angle is None) != (answer.angle is None)
@@ -217,27 +217,27 @@ def revalued(answer: Answer, values: Values) -> Answer | None:
     )
 
 
-def number(value: Formula, values: Values) -> Certified | None:
+def number_at(value: Formula, values: Values) -> Certified | None:
     try:
         return evaluate(value, values)
     except (Undefined, ValueError, ZeroDivisionError):
         return None
 
 
-def slope(parts: Sequence[Answer], values: Values) -> Certified | None:
+def angle_to_horizontal(parts: Sequence[Answer], values: Values) -> Certified | None:
     """The angle of a slanted vector to the horizontal, in degrees: tan φ = |y|/|x|."""
     x, y = (part.closed for part in parts) if len(parts) == 2 else (None, None)
-    return None if x is None or y is None else number(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI, values)
+    return None if x is None or y is None else number_at(Call("atan", (Call("abs", (y / x,)),)) * 180 / PI, values)
 
 
-def agree(one: Answer, other: Answer) -> bool:
+def answers_agree(one: Answer, other: Answer) -> bool:
     """Whether two answers say the same."""
     same = (one.name, one.direction, one.word) == (other.name, other.direction, other.word)
-    numbers = [(figures(item.value, PROBE), figures(item.angle, PROBE)) for item in (one, other)]
+    numbers = [(certified_digits(item.value, PROBE), certified_digits(item.angle, PROBE)) for item in (one, other)]
     parts = len(one.components) == len(other.components)
     return (
         same
         and parts
         and numbers[0] == numbers[1]
-        and all(agree(*pair) for pair in zip(one.components, other.components, strict=True))
+        and all(answers_agree(*pair) for pair in zip(one.components, other.components, strict=True))
     )

@@ -64,7 +64,7 @@ def with_progress(outcomes: Iterator[Outcome], total: int) -> Generator[Outcome]
             yield outcome
             if done < total - (bar is None) and monotonic() - start > PATIENCE and sys.stderr.isatty():
                 if bar is None:
-                    from rotsolve.render.terminal import Bar
+                    from rotsolve.page.terminal import Bar
 
                     bar = Bar(total, sys.stderr)
                 bar.show(done)
@@ -96,7 +96,7 @@ def advancing(name: str) -> Iterator[Callable[[float], None]]:
 
     def tell(part: float) -> None:
         if not bars and monotonic() - start > PATIENCE:
-            from rotsolve.render.terminal import Advance
+            from rotsolve.page.terminal import Advance
 
             bars.append(Advance(name, sys.stderr))
         if bars:

@@ -9,10 +9,9 @@ from typing import TYPE_CHECKING
 from msgspec import Struct, field
 
 from rotsolve.profile import stage
-from rotsolve.render.options import Options
 
 if TYPE_CHECKING:
-    from rotsolve.render.layout import Line
+    from rotsolve.page.columns import TextLine
     from rotsolve.solution import Solution
 
 SOLVED, UNSOLVED, BAD = 0, 1, 2
@@ -48,7 +47,7 @@ class Outcome(Struct, frozen=True):
 
     file: str
     code: int
-    page: str | tuple[Line, ...] | None = None
+    page: str | tuple[TextLine, ...] | None = None
     message: str = ""
     kind: str = ""
 
@@ -129,15 +128,15 @@ def failure_outcome(file: str, error: Exception) -> Outcome:
     return Outcome(file, UNSOLVED, None, internal_error(name, error), "internal")
 
 
-def page_of(solution: Solution, request: SolveRequest) -> str | tuple[Line, ...]:
+def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, ...]:
     """The derivation, or the earlier stage that was asked for."""
     if request.show is not None:
         texts = {"facts": solution.facts_text, "equations": solution.equations_text, "plan": solution.plan_text}
         return texts[request.show]().rstrip("\n") + "\n"
     if request.coloured:
-        from rotsolve.render.text import lines
+        from rotsolve.page.text import PRINTER
 
-        return tuple(lines(solution.derivation, Options(solution.digits, request.width)))
+        return tuple(PRINTER.lines(solution.page, request.width))
     return solution.body(request.format, width=request.width)
 
 

@@ -9,11 +9,11 @@ from collections.abc import Iterable, Sequence
 from contextlib import suppress
 from typing import TYPE_CHECKING
 
-from rotsolve.render import format_named
+from rotsolve.page.formats import DATA, format_named
 from rotsolve.run.attempt import BAD, SOLVED, Outcome, SolveRequest
 
 if TYPE_CHECKING:
-    from rotsolve.render.layout import Line
+    from rotsolve.page.columns import TextLine
 
 NAMED = 10  # files that were not solved, at the end of a long run
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
@@ -41,17 +41,16 @@ def deliver(outcomes: Iterable[Outcome], request: SolveRequest) -> int:
     return code
 
 
-def write_page(page: str | tuple[Line, ...], *, follows: bool) -> None:
+def write_page(page: str | tuple[TextLine, ...], *, follows: bool) -> None:
     """One page of text, with a rule before it where it follows another."""
-    from rotsolve.render.text import SEPARATOR
+    from rotsolve.page.columns import SEPARATOR, TextLine
 
     if isinstance(page, str):
         sys.stdout.write(f"\n{SEPARATOR}\n\n{page}" if follows else page)
     else:
-        from rotsolve.render.layout import Line
-        from rotsolve.render.terminal import show
+        from rotsolve.page.terminal import show
 
-        rule = (Line(""), Line(SEPARATOR, "rule"), Line(""))
+        rule = (TextLine(""), TextLine(SEPARATOR, "rule"), TextLine(""))
         show((*rule, *page) if follows else page, sys.stdout)
     sys.stdout.flush()
 
@@ -70,7 +69,7 @@ def summary(failed: Sequence[str], total: int) -> str:
 
 def write_document(outcomes: Sequence[Outcome], request: SolveRequest) -> int:
     """All that was solved as one document, to the file or to standard output; nothing where nothing was solved."""
-    if not any(outcome.page for outcome in outcomes) and (request.format != "json" or len(outcomes) == 1):
+    if not any(outcome.page for outcome in outcomes) and (not for_programs(request) or len(outcomes) == 1):
         return SOLVED
     text = joined_document(outcomes, request)
     if request.output:
@@ -79,17 +78,23 @@ def write_document(outcomes: Sequence[Outcome], request: SolveRequest) -> int:
     return SOLVED
 
 
+def for_programs(request: SolveRequest) -> bool:
+    """Whether programs read what is written, which want to know of failures too."""
+    return format_named(request.format).use == DATA
+
+
 def joined_document(outcomes: Sequence[Outcome], request: SolveRequest) -> str:
-    """All that was solved as one document; among several in JSON, also what was not."""
-    bodies = []
+    """All that was solved as one document; for programs, among several, also what was not."""
+    chosen, bodies = format_named(request.format), []
     for outcome in outcomes:
         if isinstance(outcome.page, str):
             bodies.append(outcome.page)
-        elif request.format == "json":
-            from rotsolve.render.json import failure
+        elif for_programs(request):
+            from rotsolve.page.blocks import FixedPage
 
-            bodies.append(failure(outcome.file, outcome.kind, outcome.message))
-    return format_named(request.format).document(bodies)
+            failed = {"file": outcome.file, "solved": False, "kind": outcome.kind, "error": outcome.message}
+            bodies.append(chosen.body(FixedPage(values=failed)))
+    return chosen.document(bodies)
 
 
 def write_file(name: str, text: str) -> int:

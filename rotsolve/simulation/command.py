@@ -6,12 +6,12 @@ import sys
 
 from msgspec import Struct, field
 
-from rotsolve.render.layout import page
+from rotsolve.page.columns import page_text
 from rotsolve.run import advancing, coloured
 from rotsolve.run.attempt import BAD, SOLVED, failure_outcome, name_of, piped, scene_source
 from rotsolve.run.delivery import write_file
+from rotsolve.simulation.report import csv_lines, run_lines, times_of
 from rotsolve.simulation.run import Run
-from rotsolve.simulation.showing.report import csv, lines, times_of
 from rotsolve.simulation.simulating import simulate
 
 
@@ -57,28 +57,28 @@ def fail(message: str, code: int) -> int:
 def write_run(found: Run, request: SimulationRequest) -> int:
     """The picture into its file, the numbers or the table to standard output."""
     if request.plot is not None:
-        from rotsolve.simulation.showing.plot import NoPlots, plot
+        from rotsolve.simulation.plot import NoPlots, plot_run
 
         try:
-            plot(found, request.plot)
+            plot_run(found, request.plot)
         except NoPlots as error:
             return fail(f"error: {error}", BAD)
         except OSError as error:
             return fail(f"error: cannot write {request.plot}: {error.strerror or error}", BAD)
         return fail(f"wrote {request.plot}: {drawn(found)}", SOLVED)
     if request.csv:
-        numbers = csv(found, times_of(found, request.step))
+        numbers = csv_lines(found, times_of(found, request.step))
         if request.output is not None:
             code = write_file(request.output, "".join(f"{line}\n" for line in numbers))
             return fail(f"wrote {request.output}: {drawn(found)}", SOLVED) if code == SOLVED else code
         for line in numbers:
             print(line)
         return SOLVED
-    written = list(lines(found, request.width, request.step))
+    written = list(run_lines(found, request.width, request.step))
     if coloured():
-        from rotsolve.render.terminal import show
+        from rotsolve.page.terminal import show
 
         show(written, sys.stdout)
     else:
-        sys.stdout.write(page(written))
+        sys.stdout.write(page_text(written))
     return SOLVED

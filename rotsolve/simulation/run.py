@@ -11,7 +11,7 @@ from msgspec import Struct, field
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.language.problem import Problem
-from rotsolve.render.layout import page
+from rotsolve.page.columns import page_text
 from rotsolve.simulation.balance import Drift, drift
 from rotsolve.simulation.bounded import Readout, Regime
 from rotsolve.simulation.following import READING_BITS, Occurrence
@@ -62,9 +62,9 @@ class Run(Struct, dict=True):
 
     def __str__(self) -> str:
         """The table, what happened on the way, and how accurate it is: what the command prints."""
-        from rotsolve.simulation.showing.report import lines
+        from rotsolve.simulation.report import run_lines
 
-        return page(list(lines(self, WIDTH))).rstrip()
+        return page_text(list(run_lines(self, WIDTH))).rstrip()
 
     @cached_property
     def drift(self) -> Drift:

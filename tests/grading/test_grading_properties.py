@@ -20,8 +20,10 @@ from rotsolve.grading.comparing.numbers import Typed, is_near, within_tolerance
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Paper
 from rotsolve.language.marks import Tolerance
+from rotsolve.page.blocks import Amount
+from rotsolve.page.text import PRINTER
+from rotsolve.page.values import certified_digits
 from rotsolve.pipeline import solve
-from rotsolve.render.voice import TEXT
 
 PROBLEMS = Path(__file__).parent.parent.parent / "problems"
 FILES = sorted(PROBLEMS.glob("*/*.yaml"))
@@ -144,6 +146,11 @@ def test_figures(number: str, sought: str, figures: int, holds: bool) -> None:
     assert within_tolerance(typed, value, Tolerance("", figures=figures), parse_unit("m")) is holds
 
 
+def number_text(answer: Answer) -> str:
+    """The number of an answer with its unit."""
+    return PRINTER.part(Amount(certified_digits(answer.value, 6)[0], answer.unit))
+
+
 def printed(answer: Answer) -> list[str]:
     """An answer as the program prints it: its exact form in three notations, its number with its unit, its word."""
     found = [answer.word] if answer.word else []
@@ -153,14 +160,14 @@ def printed(answer: Answer) -> list[str]:
             [] if answer.formula.holds(Integral) else [to_latex(answer.formula)]
         )  # an integral sign of LaTeX is not read
     if answer.value is not None:
-        found.append(TEXT.amount(answer, 6))
-        found += [f"{TEXT.amount(answer, 6)}, {answer.direction}"] if answer.direction else []
+        found.append(number_text(answer))
+        found += [f"{number_text(answer)}, {answer.direction}"] if answer.direction else []
     if len(answer.rows) == 1:
         (row,) = answer.rows
-        found += [f"({', '.join(TEXT.amount(part, 6) for part in row)})"]
+        found += [f"({', '.join(number_text(part) for part in row)})"]
         found += [f"({', '.join(to_text(part.formula) for part in row if part.formula is not None)})"]
     elif answer.rows:
-        numbers = [", ".join(TEXT.amount(part, 6) for part in row) for row in answer.rows]
+        numbers = [", ".join(number_text(part) for part in row) for row in answer.rows]
         forms = [", ".join(to_text(part.formula) for part in row if part.formula is not None) for row in answer.rows]
         found += [f"[[{'], ['.join(rows)}]]" for rows in (numbers, forms)]
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from rotsolve.core.derivation import Answer
-from rotsolve.render.voice import figures
+from rotsolve.page.values import certified_digits
 
 ROOT = Path(__file__).resolve().parents[2]
 FALL = """\
@@ -41,5 +41,5 @@ find: {v: block.velocity}
 
 def said(answer: Answer) -> tuple[object, ...]:
     """All that an answer tells: its words, its digits, its components."""
-    numbers = figures(answer.value, 12), figures(answer.angle, 12)
+    numbers = certified_digits(answer.value, 12), certified_digits(answer.angle, 12)
     return (answer.name, answer.direction, answer.word, numbers, tuple(map(said, answer.components)))

@@ -19,11 +19,12 @@ import pytest
 
 from pages import FALL, ROOT
 from rotsolve.keys import command
+from rotsolve.page import formats
 from rotsolve.run.delivery import harmless
 
 EXPECTED = Path(__file__).parent / "expected"
-FORMATS = ("html", "markdown", "latex", "json", "csv")
-SUFFIX = {"html": "html", "markdown": "md", "latex": "tex", "json": "json", "csv": "csv"}
+FORMATS = (*formats.FORMATS, "csv")
+SUFFIX = {"csv": "csv"} | {name: item.suffixes[0].removeprefix(".") for name, item in formats.FORMATS.items()}
 Key = Callable[..., tuple[int, str]]
 
 

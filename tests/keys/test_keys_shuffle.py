@@ -7,7 +7,7 @@ from itertools import islice
 
 import pytest
 
-from rotsolve.keys.shuffle import shuffled
+from rotsolve.keys.variants import shuffled
 
 
 @pytest.mark.parametrize("size", [1, 2, 3, 10, 257])

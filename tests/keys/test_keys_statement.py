@@ -6,9 +6,8 @@ import pytest
 
 from rotsolve.keys.statement import Statement, in_words, paragraphs, statement
 from rotsolve.keys.variants import worked_variants
-from rotsolve.render.layout import release
-from rotsolve.render.prose import HTML
-from rotsolve.render.voice import TEXT, Voice
+from rotsolve.page.formats import format_named
+from rotsolve.page.text import plain_text
 from rotsolve.scene.read import read_text
 
 SCENE = """\
@@ -21,9 +20,9 @@ find: {{a: block.acceleration, omega1: disc.angular_acceleration}}
 """
 
 
-def told(text: str, voice: Voice = TEXT) -> Statement:
+def told(text: str) -> Statement:
     ((_, worked),) = worked_variants(read_text(SCENE.format(text=text)), 1, 1)
-    return statement(worked, voice)
+    return statement(worked)
 
 
 @pytest.mark.parametrize(
@@ -42,21 +41,22 @@ def told(text: str, voice: Voice = TEXT) -> Statement:
     ],
 )
 def test_texts(text: str, seen: str) -> None:
-    assert [release(item) for item in told(text).text] == [seen]
+    assert [plain_text(item) for item in told(text).text] == [seen]
 
 
 def test_letters_are_set_as_such_and_units_are_not() -> None:
-    assert told("'m falls 3 m'", HTML).text == ("<math><mi>m</mi></math> falls 3 m",)
-    assert told("'{value of m} <b>'", HTML).text[0].endswith("</math> &lt;b&gt;")
+    html = format_named("html").printer
+    assert [*map(html.words, told("'m falls 3 m'").text)] == ["<math><mi>m</mi></math> falls 3 m"]
+    assert html.words(told("'{value of m} <b>'").text[0]).endswith("</math> &lt;b&gt;")
 
 
 def test_givens_that_the_text_does_not_name_are_listed() -> None:
-    said = [release(item) for item in told("'{m}, {M}, {d} and {waste}'").givens]
+    said = [plain_text(item) for item in told("'{m}, {M}, {d} and {waste}'").givens]
     assert said == ["R = 20 cm", "θ₀ = 30°", "k", "g = 9.8 m/s²"]
 
 
 def test_what_is_asked_is_told_in_words() -> None:
-    assert told("x").finds == ("a (acceleration of block)", "ω₁ (angular acceleration of disc)")
+    assert [*map(plain_text, told("x").finds)] == ["a (acceleration of block)", "ω₁ (angular acceleration of disc)"]
 
 
 @pytest.mark.parametrize(
@@ -86,10 +86,10 @@ def test_choices_list_their_options() -> None:
         "w: {which of: {one: block.acceleration, other: g/2}, is: largest}, s: {which of: {slow: a < g/2, fast: a > g/2}}}",
     )
     ((_, worked),) = worked_variants(read_text(scene), 1, 1)
-    assert statement(worked, TEXT).finds[1:] == (
+    assert [*map(plain_text, statement(worked).finds[1:])] == [
         "w (which is largest: one: acceleration of block; other: g/2)",
         "s (which holds: slow: a < g/2; fast: a > g/2)",
-    )
+    ]
 
 
 def test_paragraphs() -> None:

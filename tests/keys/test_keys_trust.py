@@ -13,7 +13,7 @@ from pages import ROOT, said
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.units.quantities import in_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT
-from rotsolve.keys.working import Unsuited, Working
+from rotsolve.keys.working import Unsuited, VariantSolver
 from rotsolve.language.problem import Problem
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_file
@@ -40,7 +40,7 @@ def changed(problem: Problem, random: Random) -> dict[str, str]:
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
 def test_what_is_evaluated_is_what_is_solved(file: Path) -> None:
     problem = read_file(file)
-    working = Working(problem)
+    working = VariantSolver(problem)
     if not working.branches[0].trusted:
         pytest.skip("every variant of it is solved anew")
     random, evaluated = Random(file.stem), 0

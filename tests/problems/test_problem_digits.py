@@ -12,8 +12,8 @@ import pytest
 from mpmath import mpf
 
 from rotsolve.core.derivation import Answer
+from rotsolve.page.values import certified_digits, machine_number
 from rotsolve.pipeline import solve
-from rotsolve.render.voice import certified, machine_number
 from rotsolve.solution import Solution
 from trials.evaluate import Unknown, value
 from trials.figures import wrong
@@ -60,7 +60,7 @@ def rounded(text: str, digits: int) -> Fraction:
 def test_fewer_digits_are_the_rounded_ones_of_more(problem_file: Path) -> None:
     for solution in moments(problem_file):
         for answer in numbers(solution):
-            printed = {digits: certified(answer, digits) for digits in (4, 50, 100)}
+            printed = {digits: certified_digits(answer.value, digits) for digits in (4, 50, 100)}
             assert all(note == "" for _, note in printed.values()), printed
             long = machine_number(printed[100][0])
             for digits in (4, 50):
@@ -79,7 +79,7 @@ def test_fifty_digits_are_those_of_the_formula_by_another_arithmetic(problem_fil
         except Unknown:
             continue
         if true is not None:
-            printed = Printed(machine_number(certified(answer.answer, 50)[0]))
+            printed = Printed(machine_number(certified_digits(answer.answer.value, 50)[0]))
             assert not wrong(printed, mpf(true), 50), f"{entry.name}: {wrong(printed, mpf(true), 50)}"
 
 
@@ -91,7 +91,7 @@ def test_all_formats_print_the_same_digits(name: str) -> None:
     solution = solve(file, digits=50)
     texts = {form: re.sub(r"\s", "", solution.to(form, width=400)) for form in FORMATS}
     for answer in numbers(solution):
-        figures = max(re.findall(r"\d+", machine_number(certified(answer, 50)[0]).split("e")[0]), key=len)
+        figures = max(re.findall(r"\d+", machine_number(certified_digits(answer.value, 50)[0]).split("e")[0]), key=len)
         assert all(figures in text for text in texts.values()), figures
 
 

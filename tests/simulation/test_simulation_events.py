@@ -10,7 +10,7 @@ import pytest
 from rotsolve import Unsolvable, simulate
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.simulation.showing.report import lines
+from rotsolve.simulation.report import run_lines
 from scenes import DRIVEN_PULLEY, PENDULUM, SHAKEN, SLIDING, TWO_RODS
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
@@ -145,7 +145,7 @@ def test_numbers_beyond_floats_hold_what_follows_from_the_state() -> None:
 
 def test_what_stands_says_so() -> None:
     run = simulate(PROBLEMS / "inside-a-body" / "falling-chimney.yaml", 2)
-    assert "where nothing pushes it" in " ".join(line.text for line in lines(run, 120))
+    assert "where nothing pushes it" in " ".join(line.text for line in run_lines(run, 120))
 
 
 def test_states_that_are_not_reached_are_named() -> None:

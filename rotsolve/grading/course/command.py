@@ -4,26 +4,23 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
-from pathlib import Path
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.grading.course.examiner import Judges, NotMarked, variant_of
-from rotsolve.grading.course.report.page import Task
-from rotsolve.grading.course.report.student import student_page
+from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import HandedInError, content_of, from_answers, read_sheet
 from rotsolve.grading.verdict import RIGHT, WRONG, Marked, Paper
-from rotsolve.render.layout import release
-from rotsolve.render.voice import TEXT
+from rotsolve.page.blocks import Page
+from rotsolve.page.formats import TERMINAL, format_named, format_of_file
+from rotsolve.page.text import PRINTER, plain_text
 from rotsolve.run import coloured
 from rotsolve.run.attempt import PIPED, failure_outcome, name_of, piped, scene_source
 
 ALL_RIGHT, NOT_ALL_RIGHT, BAD = 0, 1, 2
 TABLES = (".csv", ".tsv", ".tab")
-SUFFIXES = {".md": "markdown", ".markdown": "markdown", ".html": "html", ".htm": "html", ".json": "json"}
-FORMATS = ("text", "markdown", "html", "json")
 SEED = 1
 
 
@@ -48,8 +45,8 @@ class CheckRequest(Struct, frozen=True):
     @property
     def shown_as(self) -> str:
         """The format that was asked for, else that of the output file's name, else text."""
-        named_so = SUFFIXES.get(Path(self.output).suffix.lower()) if self.output and not self.of_class else None
-        return self.format or named_so or "text"
+        by_name = format_of_file(self.output) if self.output and not self.of_class else None
+        return self.format or (by_name.name if by_name else "text")
 
 
 def run_check(request: CheckRequest) -> int:
@@ -63,7 +60,7 @@ def run_check(request: CheckRequest) -> int:
         return refuse_check(failure_outcome(request.problem, error).message)
     for found in judges.solution.checks:
         if found.holds is False:
-            said = release(TEXT.words(found.words))
+            said = plain_text(found.words)
             return refuse_check(f"error: the answers of {name_of(request.problem)} do not hold: {said}")
     try:
         if request.of_class:
@@ -97,7 +94,7 @@ def check_one(request: CheckRequest, judges: Judges) -> int:
         marked = answered(marked)
     elif judges.problem.vary is not None and not paper.variant:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
-    failed = show_paper(request, judges.task, marked, paper.variant)
+    failed = show_page(StudentPage(judges.task, marked, paper.variant), request, request.output)
     return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
 
 
@@ -120,31 +117,15 @@ def all_right(marked: Marked) -> bool:
     return answers and not any(line.verdict.outcome == WRONG for line in marked.lines)
 
 
-def show_paper(request: CheckRequest, task: Task, marked: Marked, variant: str) -> int:
-    """Write the page to the file or to standard output; the exit code of a failure_outcome, else 0."""
-    if request.shown_as == "json":
-        from rotsolve.grading.course.showing.json import paper
+def show_page(page: Page, request: CheckRequest, output: str | None) -> int:
+    """Write a page to a file, whole or not at all, or to standard output; the exit code of a failure, else 0."""
+    chosen = format_named(request.shown_as)
+    if output is None and chosen.use == TERMINAL and coloured():
+        from rotsolve.page.terminal import show
 
-        return deliver_page(paper(task.title, marked, variant), request.output)
-    page = student_page(task, marked, variant)
-    if request.shown_as != "text":
-        from rotsolve.grading.course.showing import layout_named
-
-        return deliver_page(layout_named(request.shown_as).document(page), request.output)
-    from rotsolve.grading.course.showing.text import lines
-    from rotsolve.render import layout
-
-    found = lines(page, request.width)
-    if request.output is None and coloured():
-        from rotsolve.render.terminal import show as show_coloured
-
-        show_coloured(found, sys.stdout)
+        show(PRINTER.lines(page, request.width), sys.stdout)
         return ALL_RIGHT
-    return deliver_page(layout.page(found), request.output)
-
-
-def deliver_page(text: str, output: str | None) -> int:
-    """Write the text to a file, whole or not at all, or to standard output."""
+    text = chosen.document([chosen.body(page, request.width)])
     if output is not None:
         from rotsolve.run.delivery import write_file
 

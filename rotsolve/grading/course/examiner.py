@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.derivation.validity import ROOT
-from rotsolve.grading.course.report.page import Task
+from rotsolve.grading.course.report.student import Task
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.pipeline import solve_problem
 from rotsolve.run.attempt import internal_error

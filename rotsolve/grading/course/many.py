@@ -7,21 +7,25 @@ from pathlib import Path
 
 from msgspec.structs import replace
 
-from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, deliver_page
+from rotsolve.grading.course.command import ALL_RIGHT, BAD, NOT_ALL_RIGHT, CheckRequest, all_right, show_page
 from rotsolve.grading.course.examiner import Judges, mark_papers
 from rotsolve.grading.course.report.folder import MARKS, SUMMARY, write_report
-from rotsolve.grading.course.report.results import Course, Result
-from rotsolve.grading.course.report.summary import doubtful_variants, overview, summary_page, without_column
+from rotsolve.grading.course.report.summary import (
+    MarkedClass,
+    Result,
+    SummaryPage,
+    doubtful_variants,
+    overview,
+    without_column,
+)
 from rotsolve.grading.course.sheet import content_of
-from rotsolve.grading.course.showing import layout_named
-from rotsolve.grading.course.showing.text import lines
 from rotsolve.grading.course.table import Entry, read_table
 from rotsolve.grading.verdict import Marked, Paper
-from rotsolve.render import layout
-from rotsolve.render.voice import TEXT
-from rotsolve.run import advancing, coloured, same_file
+from rotsolve.page.formats import FORMATS, PAGES, format_named
+from rotsolve.page.text import plain_text
+from rotsolve.run import advancing, same_file
 
-PAGES = "html"  # of a report, where nothing else is asked for
+HTML = "html"  # the pages of a report, where nothing else is asked for
 
 
 def check_class(request: CheckRequest, judges: Judges) -> int:
@@ -31,7 +35,7 @@ def check_class(request: CheckRequest, judges: Judges) -> int:
         print(f"error: {fault}", file=sys.stderr)
         return BAD
     course = marked_course(request, judges)
-    failed = report_class(course, request) if request.output else show_class(course, request)
+    failed = report_class(course, request) if request.output else show_page(SummaryPage(course), request, None)
     right = all(result.marked is not None and all_right(result.marked) for result in course.results)
     return failed or (ALL_RIGHT if right else NOT_ALL_RIGHT)
 
@@ -42,15 +46,16 @@ def report_objection(request: CheckRequest) -> str:
         return ""
     if Path(request.output).exists() and not Path(request.output).is_dir():
         return f"{request.output} is a file; the report of a class is a folder"
-    if request.format in ("text", "json"):
-        return f"the pages of a report are HTML or Markdown; leave out -f {request.format}, or -o"
+    if request.format is not None and format_named(request.format).use != PAGES:
+        *pages, last = (item.name for item in FORMATS.values() if item.use == PAGES)
+        return f"the pages of a report are {', '.join(pages)} or {last}; leave out -f {request.format}, or -o"
     for name in (request.answers, request.problem):
         if same_file(str(Path(request.output, MARKS)), name):
             return f"{name} would be overwritten"
     return ""
 
 
-def marked_course(request: CheckRequest, judges: Judges) -> Course:
+def marked_course(request: CheckRequest, judges: Judges) -> MarkedClass:
     """All rows of the table, marked."""
     task = judges.task
     handed = read_table(content_of(request.answers), request.answers, tuple(task.letters))
@@ -66,7 +71,7 @@ def marked_course(request: CheckRequest, judges: Judges) -> Course:
     rows = zip(handed.entries, papers, found, strict=True)
     results = tuple(result_of_row(*row) for row in rows)
     seed = judges.seed if judges.problem.vary is not None else None
-    return Course(task, handed.columns, results, handed.byte_order_mark, seed)
+    return MarkedClass(task, handed.columns, results, handed.byte_order_mark, seed)
 
 
 def result_of_row(entry: Entry, paper: Paper | None, marked: Marked | str) -> Result:
@@ -76,32 +81,13 @@ def result_of_row(entry: Entry, paper: Paper | None, marked: Marked | str) -> Re
     return Result(replace(entry, paper=paper, remarks=(*entry.remarks, *((marked,) if marked else ()))), None)
 
 
-def report_class(course: Course, request: CheckRequest) -> int:
+def report_class(course: MarkedClass, request: CheckRequest) -> int:
     """The folder, and on standard output what is in it."""
-    folder, pages = Path(request.output or "."), layout_named(request.format or PAGES)
+    folder, pages = Path(request.output or "."), format_named(request.format or HTML)
     with advancing("writing") as tell:
         failed = write_report(course, folder, pages, tell)
     if not failed:
-        papers = [result.marked for result in course.results if result.marked is not None]
-        for paragraph in (*overview(course, papers), *without_column(course), *doubtful_variants(course)):
-            print(TEXT.words(paragraph.words))
-        print(f"The summary is {folder / f'{SUMMARY}{pages.suffix}'}, the marks are in {folder / MARKS}.")
+        for paragraph in (*overview(course), *without_column(course), *doubtful_variants(course)):
+            print(plain_text(paragraph.words))
+        print(f"The summary is {folder / f'{SUMMARY}{pages.suffixes[0]}'}, the marks are in {folder / MARKS}.")
     return failed
-
-
-def show_class(course: Course, request: CheckRequest) -> int:
-    """The summary on standard output."""
-    if request.shown_as == "json":
-        from rotsolve.grading.course.showing.json import course as course_data
-
-        return deliver_page(course_data(course), None)
-    page = summary_page(course)
-    if request.shown_as != "text":
-        return deliver_page(layout_named(request.shown_as).document(page), None)
-    found = lines(page, request.width)
-    if coloured():
-        from rotsolve.render.terminal import show as show_coloured
-
-        show_coloured(found, sys.stdout)
-        return ALL_RIGHT
-    return deliver_page(layout.page(found), None)

@@ -90,7 +90,7 @@ def test_a_folder(made_up: Command) -> None:
     [
         ([], "Invalid value for 'ANSWERS': either a file of answers, or --answer"),
         (["ada.txt", "--answer", "a = g"], "Invalid value for 'ANSWERS': either a file of answers, or --answer"),
-        (["ada.txt", "-f", "latex"], "'latex' is not one of text, markdown, html, json"),
+        (["ada.txt", "-f", "pdf"], "'pdf' is not one of text, markdown, latex, html, json"),
         (["ada.txt", "--variant", "0"], "Invalid value for '--variant': 0 is not in the range x>=1."),
     ],
 )

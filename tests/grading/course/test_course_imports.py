@@ -33,17 +33,13 @@ WITHOUT = (  # what one right answer has no use for
     "rotsolve.grading.mistakes",
     "rotsolve.grading.course.many",
     "rotsolve.grading.course.report.folder",
-    "rotsolve.grading.course.report.results",
     "rotsolve.grading.course.report.summary",
     "rotsolve.grading.course.table",
-    "rotsolve.grading.course.showing.html",
-    "rotsolve.grading.course.showing.json",
-    "rotsolve.grading.course.showing.markdown",
-    "rotsolve.render.html",
-    "rotsolve.render.json",
-    "rotsolve.render.latex",
-    "rotsolve.render.markdown",
-    "rotsolve.render.terminal",
+    "rotsolve.page.html",
+    "rotsolve.page.json",
+    "rotsolve.page.latex",
+    "rotsolve.page.markdown",
+    "rotsolve.page.terminal",
 )
 TOLD = """\
 import atexit, json, sys

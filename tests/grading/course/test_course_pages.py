@@ -12,10 +12,11 @@ from typing import Any
 
 import pytest
 
-from rotsolve.grading.course.report.page import Judged, Judgements, Page, Section, amount
-from rotsolve.grading.course.showing import LAYOUTS
-from rotsolve.grading.course.showing.text import lines, shown
-from rotsolve.grading.verdict import WRONG, Remark, Verdict
+from rotsolve.grading.course.report.student import marks_text
+from rotsolve.page.blocks import BAD, FixedPage, JudgedText, JudgedTexts, Note, Title
+from rotsolve.page.columns import clipped_around
+from rotsolve.page.formats import FORMATS
+from rotsolve.page.text import PRINTER
 
 Command = Callable[..., Any]
 EXPECTED = Path(__file__).parent / "expected"
@@ -170,15 +171,14 @@ def test_nothing_that_a_student_writes_is_markup(made_up: Command) -> None:
 
 def test_long_answers_are_clipped_around_their_remarks() -> None:
     text = "x" * 5000 + "odd" + "y" * 5000
-    remark = Remark("reading", ("unexpected `odd`",), 5000, 5003)
-    item = Judged(("a",), text, Verdict(WRONG, "", (remark,)), "wrong")
-    page = Page("A title", (Section("Answers", (Judgements((item,)),)),))
-    found = [line.text for line in lines(page, 80)]
+    item = JudgedText(("a",), text, BAD, "wrong", notes=(Note(("unexpected `odd`",), 5000, 5003),))
+    page = FixedPage((Title(1, ("A title",)), Title(2, ("Answers",)), JudgedTexts((item,))))
+    found = [line.text for line in PRINTER.lines(page, 80)]
     assert all(len(line) <= 80 for line in found)
     answer, caret = found[3:5]
     assert answer[caret.index("^") : caret.rindex("^") + 1] == "odd"
-    for layout in LAYOUTS:
-        assert len(layout.document(page)) < 5000
+    for format in FORMATS.values():
+        assert len(format.document([format.body(page)])) < 5500
 
 
 @pytest.mark.parametrize("length", [0, 1, 19, 20, 21, 60])
@@ -186,7 +186,7 @@ def test_long_answers_are_clipped_around_their_remarks() -> None:
 def test_what_is_clipped_fits(length: int, room: int) -> None:
     text = "".join(chr(97 + place % 26) for place in range(length))
     for start in range(max(1, length)):
-        part, begin = shown(text, room, Remark("reading", (), start, start + 1))
+        part, begin = clipped_around(text, room, (start, start + 1))
         assert len(part) <= room
         if length:
             assert part[start - begin + (1 if begin else 0)] == text[start]
@@ -197,4 +197,4 @@ def test_what_is_clipped_fits(length: int, room: int) -> None:
     [("0", "0"), ("2", "2"), ("10", "10"), ("5/2", "2.5"), ("1/3", "0.33"), ("-1/4", "-0.25"), ("199/100", "1.99")],
 )
 def test_marks_as_numbers(marks: str, text: str) -> None:
-    assert amount(Fraction(marks)) == text
+    assert marks_text(Fraction(marks)) == text

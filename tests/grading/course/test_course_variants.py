@@ -37,9 +37,9 @@ marking: {all: 3}
 
 def key() -> dict[str, dict[str, dict[str, str]]]:
     """The rows of the key of thirty variants, by variant and answer."""
-    from rotsolve.keys.command import Request, run
+    from rotsolve.keys.command import KeyRequest, run_key
 
-    assert run(Request(("scene.yaml",), "handout", ("csv",), 30, 7)) == 0
+    assert run_key(KeyRequest(("scene.yaml",), "handout", ("csv",), 30, 7)) == 0
     found: dict[str, dict[str, dict[str, str]]] = {}
     with Path("handout", "key.csv").open(encoding="utf-8", newline="") as stream:
         for row in csv.DictReader(stream):

@@ -1,1 +1,1 @@
-"""Report: what was marked as data: the pages of the students, the summary of the class, the table of marks, and their folder."""
+"""The report of a class: its pages as blocks, and the folder that holds them."""

@@ -5,47 +5,54 @@ What an earlier run has left is removed first, so that a folder with `marks.csv`
 
 from __future__ import annotations
 
+import csv
 import re
 from collections.abc import Callable
+from io import StringIO
 from pathlib import Path
 
-from rotsolve.grading.course.report.marks import marks_table
-from rotsolve.grading.course.report.results import Course, Result
-from rotsolve.grading.course.report.student import student_page
-from rotsolve.grading.course.report.summary import summary_page
-from rotsolve.grading.course.showing import Layout
-from rotsolve.run.delivery import write_file
+from rotsolve.grading.course.report.student import StudentPage, marks_text
+from rotsolve.grading.course.report.summary import MarkedClass, Result, SummaryPage
+from rotsolve.grading.course.sheet import MARK
+from rotsolve.grading.verdict import Marked
+from rotsolve.page.formats import FORMATS, Format
+from rotsolve.page.text import plain_text
+from rotsolve.run.delivery import harmless, write_file
 
 STUDENTS, SUMMARY, MARKS = "students", "summary", "marks.csv"
-PAGES = re.compile(r"\d{4,}(-.*)?\.(html|md)|\.\d{4,}.*\.\d+\.new")  # of students, and what was not written to its end
-ABOVE = re.compile(r"marks\.csv|summary\.(html|md)|\.(marks|summary)\.\w+\.\d+\.new")
+ENDINGS = "|".join(re.escape(item.suffixes[0]) for item in FORMATS.values())
+PAGES = re.compile(
+    rf"\d{{4,}}(-.*)?({ENDINGS})|\.\d{{4,}}.*\.\d+\.new"
+)  # of students, and what was not written to its end
+ABOVE = re.compile(rf"marks\.csv|summary({ENDINGS})|\.(marks|summary)\.\w+\.\d+\.new")
+POINT = {";": ","}  # the decimal point where semicolons separate
 BYTES = 80  # of a student's name in the name of a file
 
 
-def write_report(course: Course, folder: Path, layout: Layout, tell: Callable[[float], None]) -> int:
+def write_report(course: MarkedClass, folder: Path, format: Format, tell: Callable[[float], None]) -> int:
     """Write all files, telling which part is done; the exit code says whether it could be done."""
-    clear(folder, ABOVE)
+    remove_files(folder, ABOVE)
     (folder / STUDENTS).mkdir(parents=True, exist_ok=True)
-    clear(folder / STUDENTS, PAGES)
+    remove_files(folder / STUDENTS, PAGES)
     targets = tuple(
-        f"{STUDENTS}/{file_name(number, result)}{layout.suffix}" for number, result in enumerate(course.results, 1)
+        f"{STUDENTS}/{file_name(number, result)}{format.suffixes[0]}" for number, result in enumerate(course.results, 1)
     )
     for number, (result, target) in enumerate(zip(course.results, targets, strict=True), 1):
         if result.marked is not None:
-            page = student_page(course.task, result.marked, result.variant)
-            if code := write_file(str(folder / target), layout.document(page)):
+            page = StudentPage(course.task, result.marked, result.variant)
+            if code := write_file(str(folder / target), format.document([format.body(page)])):
                 return code
         tell(number / len(targets))
     linked = tuple(
         target if result.marked is not None else "" for result, target in zip(course.results, targets, strict=True)
     )
-    summary = layout.document(summary_page(course, linked))
-    return write_file(str(folder / f"{SUMMARY}{layout.suffix}"), summary) or write_file(
+    summary = format.document([format.body(SummaryPage(course, linked))])
+    return write_file(str(folder / f"{SUMMARY}{format.suffixes[0]}"), summary) or write_file(
         str(folder / MARKS), marks_table(course)
     )
 
 
-def clear(folder: Path, ours: re.Pattern[str]) -> None:
+def remove_files(folder: Path, ours: re.Pattern[str]) -> None:
     """Remove the files that an earlier run has written."""
     if folder.is_dir():
         for path in folder.iterdir():
@@ -58,3 +65,53 @@ def file_name(number: int, result: Result) -> str:
     words = "-".join(re.findall(r"\w+", result.entry.student.lower()))
     kept = words.encode("utf-8")[:BYTES].decode("utf-8", errors="ignore")
     return f"{number:04d}-{kept}" if kept else f"{number:04d}"
+
+
+def marks_table(course: MarkedClass) -> str:
+    """A row a student: the answers' verdicts and marks, the sum, and all that is said of them."""
+    text = StringIO()
+    separator = course.columns.separator
+    writer = csv.writer(text, delimiter=separator, lineterminator="\n")
+    names = tuple(course.task.letters)
+    writer.writerow(
+        [
+            "line",
+            "student",
+            "variant",
+            *(cell for name in names for cell in (f"{name} verdict", name)),
+            "marks",
+            "of",
+            "remarks",
+        ]
+    )
+    for result in course.results:
+        numbers, remarks = verdicts_and_marks(result.marked, names), all_remarks(result)
+        row = [str(result.entry.line), one_line(result.entry.student), one_line(result.variant)]
+        writer.writerow([*row, *(cell.replace(".", POINT.get(separator, ".")) for cell in numbers), one_line(remarks)])
+    return (MARK if course.byte_order_mark else "") + text.getvalue()
+
+
+def verdicts_and_marks(marked: Marked | None, names: tuple[str, ...]) -> list[str]:
+    """Verdict and marks of each answer, the sum, and how many there are; nothing where a row was not marked."""
+    if marked is None:
+        return [""] * (2 * len(names) + 2)
+    parts = {part.name: part for part in marked.parts}
+    cells = []
+    for name in names:
+        part = parts[name]
+        cells += [part.verdict.outcome if part.text else "no answer", marks_text(part.marks)]
+    return [*cells, marks_text(marked.marks), marks_text(marked.of)]
+
+
+def all_remarks(result: Result) -> str:
+    """What is to be said of the row, then of each answer."""
+    sentences = list(result.entry.remarks)
+    for part in result.marked.parts if result.marked is not None else ():
+        told = [remark for remark in part.verdict.remarks if remark.kind != "comma"]  # of a whole class that writes so
+        sentences += [f"{part.name}: {plain_text(remark.words)}" for remark in told]
+    return "; ".join(sentences)
+
+
+def one_line(text: str) -> str:
+    """A text in one line, with nothing in it that a spreadsheet would work out."""
+    return harmless(" ".join(text.split()))

@@ -2,40 +2,112 @@
 
 from __future__ import annotations
 
-from rotsolve.grading.course.report.page import Judged, Judgements, Page, Paragraph, Section, Task, of
-from rotsolve.grading.verdict import UNDECIDED, JudgedLine, JudgedPart, Marked, Verdict
+from collections.abc import Iterator, Mapping
+from fractions import Fraction
+from functools import cache
+from typing import Any
 
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.derivation import Words
+from rotsolve.core.faults import printable
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedLine, JudgedPart, Marked, Verdict
+from rotsolve.page.blocks import (
+    BAD,
+    GOOD,
+    OPEN,
+    JudgedText,
+    JudgedTexts,
+    Note,
+    Page,
+    PageBlock,
+    Paragraph,
+    Phrase,
+    Title,
+)
+
+TONES = {RIGHT: GOOD, WRONG: BAD}
 FIRST = "wrong, here first"
 
 
-def student_page(task: Task, marked: Marked, variant: str = "") -> Page:
-    """The page of one student."""
-    whose = ", ".join(filter(None, (marked.student, f"variant {variant}" if variant else "")))
-    sections = [Section("", (Paragraph((whose,)),))] if whose else []
-    sections.append(Section("Answers", (Judgements(tuple(judged(task, part) for part in marked.parts)),)))
-    if marked.lines:
-        numbered = tuple(working(number, line) for number, line in enumerate(marked.lines, 1))
-        sections.append(Section("Working", (Judgements(numbered),)))
-    sections.append(Section("Marks", (Paragraph((total(marked),)),)))
-    return Page(task.title, tuple(sections))
+class Task(Struct, frozen=True):
+    """The problem that is marked: its title, and what is asked by name with the letter that is printed for it."""
+
+    title: str
+    letters: Mapping[str, Formula]
+
+    def letter(self, name: str) -> Words:
+        return (self.letters[name],) if name in self.letters else (name,)
 
 
-def total(marked: Marked) -> str:
+class StudentPage(Page, frozen=True):
+    """What one student handed in, with its verdicts."""
+
+    task: Task
+    marked: Marked
+    variant: str = ""
+
+    def blocks(self) -> Iterator[PageBlock]:
+        yield Title(1, (printable(self.task.title),))
+        whose = ", ".join(filter(None, (self.marked.student, f"variant {self.variant}" if self.variant else "")))
+        if whose:
+            yield Paragraph((printable(whose),))
+        yield Title(2, ("Answers",))
+        yield JudgedTexts(tuple(judged_answer(self.task, part) for part in self.marked.parts))
+        if self.marked.lines:
+            yield Title(2, ("Working",))
+            yield JudgedTexts(tuple(judged_line(number, line) for number, line in enumerate(self.marked.lines, 1)))
+        yield Title(2, ("Marks",))
+        yield Paragraph((sum_of_marks(self.marked),))
+
+    def data(self) -> dict[str, Any]:
+        from rotsolve.grading.course.report.data import marked_data
+
+        return {"problem": self.task.title, **marked_data(self.marked, self.variant)}
+
+
+def sum_of_marks(marked: Marked) -> str:
     """The sum of the marks, and how many answers have none yet."""
     open_ = sum(bool(part.text) and part.verdict.outcome == UNDECIDED for part in marked.parts)
     left = f", and {'an answer' if open_ == 1 else f'{open_} answers'} to be looked at" if open_ else ""
-    return of(marked.marks, marked.of) + left
+    return marks_of(marked.marks, marked.of) + left
 
 
-def judged(task: Task, part: JudgedPart) -> Judged:
+def judged_answer(task: Task, part: JudgedPart) -> JudgedText:
     """One answer; of one that is missing there is no more to say."""
-    label, marks = task.letter(part.name), of(part.marks, part.of)
+    label, marks = task.letter(part.name), marks_of(part.marks, part.of)
     if not part.text:
-        return Judged(label, "", Verdict(part.verdict.outcome), "no answer", marks)
+        return judged_text(label, "", Verdict(part.verdict.outcome), "no answer", marks)
     said = f"{part.verdict.outcome}, but followed through" if part.followed else part.verdict.outcome
-    return Judged(label, part.text, part.verdict, said, marks)
+    return judged_text(label, part.text, part.verdict, said, marks)
 
 
-def working(number: int, line: JudgedLine) -> Judged:
+def judged_line(number: int, line: JudgedLine) -> JudgedText:
     """One line of working."""
-    return Judged((str(number),), line.text, line.verdict, FIRST if line.first_wrong else line.verdict.outcome)
+    return judged_text((str(number),), line.text, line.verdict, FIRST if line.first_wrong else line.verdict.outcome)
+
+
+def judged_text(label: Words, text: str, verdict: Verdict, said: str, marks: str = "") -> JudgedText:
+    """A text with its verdict; nothing in it can move or colour a terminal."""
+    notes = tuple(Note(printable_words(remark.words), remark.start, remark.end) for remark in verdict.remarks)
+    tone, read_as = TONES.get(verdict.outcome, OPEN), printable(verdict.read_as)
+    return JudgedText(printable_words(label), printable(text), tone, said, marks, notes, read_as)
+
+
+def printable_words(words: Phrase) -> Phrase:
+    """Words in which nothing can move or colour a terminal."""
+    return tuple(printable(word) if isinstance(word, str) else word for word in words)
+
+
+@cache
+def marks_text(marks: Fraction) -> str:
+    """Marks as a decimal number where that is exact, else to two places: `5`, `2.5`, `0.33`."""
+    hundredths = round(marks * 100)
+    text = f"{hundredths // 100}.{hundredths % 100:02d}" if hundredths >= 0 else f"-{marks_text(-marks)}"
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def marks_of(marks: Fraction, most: Fraction) -> str:
+    """`2.5 of 5`."""
+    return f"{marks_text(marks)} of {marks_text(most)}"

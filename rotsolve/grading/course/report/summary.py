@@ -6,13 +6,17 @@ from collections import Counter
 from collections.abc import Iterator
 from fractions import Fraction
 from statistics import mean, median
+from typing import Any
+
+from msgspec import Struct
 
 from rotsolve.core.derivation import Words
-from rotsolve.grading.course.report.page import Page, Paragraph, Section, Table, amount, of
-from rotsolve.grading.course.report.results import Course, Result
+from rotsolve.core.faults import printable
+from rotsolve.grading.course.report.student import Task, marks_of, marks_text, printable_words
+from rotsolve.grading.course.table import Columns, Entry
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
-from rotsolve.render.layout import release
-from rotsolve.render.voice import TEXT
+from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
+from rotsolve.page.text import plain_text
 
 CLASSES = 10  # of the distribution
 BAR = 40  # columns of its longest bar
@@ -22,33 +26,88 @@ NAMED = 10  # papers that are named in one sentence
 FEW = 3  # papers of which none having a right number may be chance
 
 
-def summary_page(course: Course, targets: tuple[str, ...] = ()) -> Page:
-    """The page of the class; `targets` are the students' pages."""
-    papers = [result.marked for result in course.results if result.marked is not None]
-    sections = (
-        ("", tuple(overview(course, papers))),
-        ("Distribution", tuple(distribution(papers))),
-        ("Answers, by how often they went wrong", tuple(by_answer(course, papers))),
-        ("Commonest mistakes", tuple(commonest(course, papers))),
-        ("To be looked at", tuple(to_be_looked_at(course))),
-        ("Students", (students(course, targets),)),
-    )
-    return Page(
-        f"{course.task.title}: the class", tuple(Section(title, blocks) for title, blocks in sections if blocks)
-    )
+class Result(Struct, frozen=True):
+    """A row, marked; None and the reason among the remarks of the row where it could not be."""
+
+    entry: Entry
+    marked: Marked | None
+
+    @property
+    def name(self) -> str:
+        """The student's name, or the line where there is none."""
+        return self.entry.student or f"line {self.entry.line}"
+
+    @property
+    def variant(self) -> str:
+        return "" if self.entry.paper is None else self.entry.paper.variant
 
 
-def overview(course: Course, papers: list[Marked]) -> Iterator[Paragraph]:
+class MarkedClass(Struct, frozen=True):
+    """A class: the problem, the columns of its table, and its rows; the seed of the variants where the problem has such."""
+
+    task: Task
+    columns: Columns
+    results: tuple[Result, ...]
+    byte_order_mark: bool = False
+    seed: int | None = None
+
+    @property
+    def papers(self) -> list[Marked]:
+        """The papers that could be marked."""
+        return [result.marked for result in self.results if result.marked is not None]
+
+
+class SummaryPage(Page, frozen=True):
+    """The page of a class; `targets` are the students' pages."""
+
+    course: MarkedClass
+    targets: tuple[str, ...] = ()
+
+    def blocks(self) -> Iterator[PageBlock]:
+        course, papers = self.course, self.course.papers
+        sections = (
+            ("", overview(course)),
+            ("Distribution", distribution(papers)),
+            ("Answers, by how often they went wrong", answers_by_failures(course)),
+            ("Commonest mistakes", commonest_mistakes(course)),
+            ("To be looked at", to_be_looked_at(course)),
+            ("Students", [students_table(course, self.targets)]),
+        )
+        yield Title(1, (printable(f"{course.task.title}: the class"),))
+        for heading, found in sections:
+            blocks = tuple(found)
+            if heading and blocks:
+                yield Title(2, (heading,))
+            yield from map(printable_block, blocks)
+
+    def data(self) -> dict[str, Any]:
+        from rotsolve.grading.course.report.data import class_data
+
+        return class_data(self.course)
+
+
+def printable_block(block: Paragraph | Table) -> PageBlock:
+    """The block with nothing in it that can move or colour a terminal."""
+    if isinstance(block, Paragraph):
+        return Paragraph(printable_words(block.words))
+    rows = tuple(tuple(printable_words(cell) for cell in row) for row in block.rows)
+    return Table(tuple(map(printable, block.columns)), rows, block.targets)
+
+
+def overview(course: MarkedClass) -> Iterator[Paragraph]:
     """How many papers there are, and their marks in a sentence."""
+    papers = course.papers
     total, left = len(course.results), len(course.results) - len(papers)
     without = f", {left} of them not marked" if left else ""
     yield Paragraph((f"{total} {'paper' if total == 1 else 'papers'}{without}.",))
     if papers:
         marks = [paper.marks for paper in papers]
         best, most = max(marks), papers[0].of
-        figures = f"mean {amount(mean(marks))}, median {amount(Fraction(median(marks)))}, best {amount(best)}"
+        figures = (
+            f"mean {marks_text(mean(marks))}, median {marks_text(Fraction(median(marks)))}, best {marks_text(best)}"
+        )
         full = sum(paper.marks >= paper.of for paper in papers)
-        yield Paragraph((f"Of {amount(most)} marks: {figures}; {full} with full marks.",))
+        yield Paragraph((f"Of {marks_text(most)} marks: {figures}; {full} with full marks.",))
     if any(result.variant for result in course.results) and course.seed is not None:
         yield Paragraph((f"Variants by seed {course.seed}.",))
 
@@ -57,7 +116,7 @@ def distribution(papers: list[Marked]) -> Iterator[Table]:
     """How many papers have which part of the marks."""
     if not papers:
         return
-    counts = Counter(tenth(paper) for paper in papers)
+    counts = Counter(tenth_of_marks(paper) for paper in papers)
     longest = max(counts.values())
     rows = []
     for number in range(CLASSES):
@@ -68,36 +127,36 @@ def distribution(papers: list[Marked]) -> Iterator[Table]:
     yield Table(("of the marks", "papers", ""), tuple(rows))
 
 
-def tenth(paper: Marked) -> int:
+def tenth_of_marks(paper: Marked) -> int:
     """The class of the distribution; full marks belong to the highest."""
     part = paper.marks / paper.of if paper.of else Fraction(1)
     return max(0, min(CLASSES - 1, int(part * CLASSES)))
 
 
-def by_answer(course: Course, papers: list[Marked]) -> Iterator[Table]:
+def answers_by_failures(course: MarkedClass) -> Iterator[Table]:
     """Of each answer how often it was right, the one that went wrong most often first."""
     parts: dict[str, list[JudgedPart]] = {}
-    for paper in papers:
+    for paper in course.papers:
         for part in paper.parts:
             parts.setdefault(part.name, []).append(part)
     rows = []
-    for name, found in sorted(parts.items(), key=lambda item: sum(right(part) for part in item[1])):
+    for name, found in sorted(parts.items(), key=lambda item: sum(is_right(part) for part in item[1])):
         counts = Counter(part.verdict.outcome if part.text else "" for part in found)
-        marks = of(Fraction(mean(part.marks for part in found)), found[0].of)
+        marks = marks_of(Fraction(mean(part.marks for part in found)), found[0].of)
         numbers = (counts[RIGHT], counts[WRONG], counts[UNDECIDED], counts[""])
         rows.append((course.task.letter(name), *((str(number),) for number in numbers), (marks,)))
     if rows:
         yield Table(("answer", RIGHT, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
 
 
-def right(part: JudgedPart) -> bool:
+def is_right(part: JudgedPart) -> bool:
     return part.verdict.outcome == RIGHT
 
 
-def commonest(course: Course, papers: list[Marked]) -> Iterator[Table | Paragraph]:
+def commonest_mistakes(course: MarkedClass) -> Iterator[Table | Paragraph]:
     """What was said of answers that lost marks, the commonest first."""
     counts: Counter[tuple[str, Words]] = Counter()
-    for paper in papers:
+    for paper in course.papers:
         for part in paper.parts:
             if part.text and part.marks < part.of and part.verdict.outcome != UNDECIDED:
                 said = dict.fromkeys(remark.words for remark in part.verdict.remarks if remark.kind not in NO_MISTAKES)
@@ -109,7 +168,7 @@ def commonest(course: Course, papers: list[Marked]) -> Iterator[Table | Paragrap
         yield Paragraph((f"{len(counts) - len(rows)} more were not said so often: they stand on the students' pages.",))
 
 
-def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
+def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
     """Columns without use, answers without a column, rows with something odd, and answers that could not be decided."""
     yield from without_column(course)
     if course.columns.unused:
@@ -124,14 +183,14 @@ def to_be_looked_at(course: Course) -> Iterator[Paragraph | Table]:
         yield Table(("line", "student", "what"), tuple(rows))
 
 
-def without_column(course: Course) -> Iterator[Paragraph]:
+def without_column(course: MarkedClass) -> Iterator[Paragraph]:
     """Answers that no column holds."""
     absent = [name for name in course.task.letters if name not in course.columns.answers]
     if absent:
         yield Paragraph((f"No column is named {', '.join(absent)}.",))
 
 
-def doubtful_variants(course: Course) -> Iterator[Paragraph]:
+def doubtful_variants(course: MarkedClass) -> Iterator[Paragraph]:
     """Papers of a problem with variants that tell none, and a seed that can not be that of the sheets."""
     if course.seed is None:
         return
@@ -151,7 +210,7 @@ def doubtful_variants(course: Course) -> Iterator[Paragraph]:
         yield Paragraph((f"No paper with a variant has a right number: is {course.seed} the seed of the sheets?",))
 
 
-def oddities(course: Course, result: Result) -> Iterator[Words]:
+def oddities(course: MarkedClass, result: Result) -> Iterator[Words]:
     """What a teacher should look at in one row."""
     if result.entry.remarks:
         prefix = "" if result.marked is not None else "not marked: "
@@ -159,18 +218,18 @@ def oddities(course: Course, result: Result) -> Iterator[Words]:
     for part in result.marked.parts if result.marked is not None else ():
         if part.text and part.verdict.outcome == UNDECIDED:
             yield (*course.task.letter(part.name), f": can't decide on {part.text[:100]}")
-        for remark in part.verdict.remarks if right(part) else ():
+        for remark in part.verdict.remarks if is_right(part) else ():
             if remark.kind == "chain":
                 yield (*course.task.letter(part.name), ": ", *remark.words, ", but the answer is right")
 
 
-def students(course: Course, targets: tuple[str, ...]) -> Table:
+def students_table(course: MarkedClass, targets: tuple[str, ...]) -> Table:
     """Every student with the marks of each answer and their sum."""
-    letters = [release(TEXT.words(course.task.letter(name))) for name in course.task.letters]
+    letters = [plain_text(course.task.letter(name)) for name in course.task.letters]
     rows = []
     for result in course.results:
         parts = {part.name: part for part in result.marked.parts} if result.marked is not None else {}
-        marks = (amount(parts[name].marks) if name in parts else "" for name in course.task.letters)
-        total = of(result.marked.marks, result.marked.of) if result.marked is not None else "not marked"
+        marks = (marks_text(parts[name].marks) if name in parts else "" for name in course.task.letters)
+        total = marks_of(result.marked.marks, result.marked.of) if result.marked is not None else "not marked"
         rows.append(((result.name,), *((text,) for text in marks), (total,)))
     return Table(("student", *letters, "marks"), tuple(rows), targets)

@@ -1,0 +1,1 @@
+"""Pages: what is printed, as blocks that are data, and the formats that print them."""

@@ -1,0 +1,91 @@
+"""Derivation: the page of a solved scene: what is given and asked, forces, laws and algebra state by state, answers and checks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from rotsolve.core.derivation import Derivation, LawLine, Move, Section
+from rotsolve.page.blocks import (
+    Answers,
+    Checks,
+    FormulaRow,
+    Formulas,
+    Labelled,
+    Labels,
+    Listed,
+    Listing,
+    Page,
+    PageBlock,
+    Title,
+)
+from rotsolve.page.values import answer_row, given_equation, only_letters, shown_givens
+
+
+class DerivationPage(Page, frozen=True):
+    """A derivation, with so many significant digits, of the scene in a file."""
+
+    derivation: Derivation
+    digits: int = 4
+    file: str = ""
+
+    @property
+    def spaced(self) -> bool:
+        return False
+
+    def blocks(self) -> Iterator[PageBlock]:
+        derivation = self.derivation
+        if derivation.title:
+            yield Title(1, (derivation.title,))
+        yield Labels(tuple(row for row in opening_rows(derivation) if row.items))
+        for section in derivation.sections:
+            if section.title:
+                yield Title(2, (section.title,))
+            yield from section_blocks(section)
+        if derivation.answers:
+            yield Title(2, ("Answers",))
+            yield Answers(tuple(answer_row(answer, self.digits) for answer in derivation.answers))
+        if derivation.checks:
+            yield Title(2, ("Checks",))
+            yield Checks(derivation.checks)
+
+    def data(self) -> dict[str, Any]:
+        from rotsolve.page.data import derivation_data
+
+        return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def opening_rows(derivation: Derivation) -> Iterator[Labelled]:
+    """Source, givens, conventions, what is asked, and the states."""
+    yield Labelled("Source", ((derivation.source,),) if derivation.source else ())
+    givens = tuple((given_equation(given),) for given in shown_givens(derivation.givens))
+    yield Labelled("Given", givens, ", ")
+    yield Labelled("Signs", derivation.conventions, beside=bool(givens))
+    yield Labelled("Find", derivation.finds, ", " if only_letters(derivation.finds) else "; ")
+    yield Labelled("States", derivation.states, wide=True)
+
+
+def section_blocks(section: Section) -> Iterator[PageBlock]:
+    """Forces, laws and algebra of one instant, phase or event."""
+    level = 3 if section.title else 2
+    if section.forces:
+        forces = section.forces
+        rows = [(line.body, line.forces, f"positive: {line.positive}" if line.positive else "") for line in forces]
+        listed = (Listed(*row, line.remarks) for row, line in zip(rows, forces, strict=True))
+        yield Listing("Forces", level, tuple(listed))
+    if section.remarks or section.laws:
+        yield Formulas("Laws", level, section.remarks, tuple(map(law_row, section.laws)))
+    if section.moves:
+        yield Formulas("Solve", level, (), tuple(map(step_row, section.moves)))
+
+
+def law_row(law: LawLine) -> FormulaRow:
+    """A law with its number in front."""
+    return FormulaRow((law.law,), (law.equation,), law.number, law.remark, numbered=True)
+
+
+def step_row(move: Move) -> FormulaRow:
+    """A step of algebra: where it comes from, else why it is made."""
+    if move.sources:
+        return FormulaRow((move.sources,), move.chain, move.number, move.reason)
+    return FormulaRow(move.reason, move.chain, move.number)

@@ -1,0 +1,68 @@
+"""Formats: the table of output formats. A new one is a file with a `PRINTER`, and its row here; commands, help and checks follow."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from importlib import import_module
+from typing import TYPE_CHECKING
+
+from msgspec import Struct
+
+if TYPE_CHECKING:
+    from rotsolve.page.blocks import Page
+    from rotsolve.page.printer import Printer
+
+WIDTH = 120  # columns of a page of text, where nothing narrower is asked for
+TERMINAL, PAGES, DATA = "terminal", "pages", "data"
+
+
+class Format(Struct, frozen=True):
+    """An output format: its name, how its files end (the first is for new ones), what it is for, and the module of its `PRINTER`.
+
+    `use`: on a TERMINAL pages come one by one; PAGES are to be read or printed; DATA is for programs, a file for everything.
+    """
+
+    name: str
+    suffixes: tuple[str, ...]
+    help: str
+    module: str
+    use: str = PAGES
+
+    @property
+    def printer(self) -> Printer:
+        """What prints it; imported when it is asked for."""
+        printer: Printer = import_module(self.module).PRINTER
+        return printer
+
+    def body(self, page: Page, width: int = WIDTH) -> str:
+        """One page, as it stands within a document; `width` is for formats with columns of letters."""
+        return self.printer.body(page, width)
+
+    def document(self, bodies: Sequence[str]) -> str:
+        """A complete document of one or several pages."""
+        return self.printer.document(bodies)
+
+
+FORMATS = {
+    item.name: item
+    for item in (
+        Format("text", (".txt",), "plain text in aligned columns", "rotsolve.page.text", TERMINAL),
+        Format("markdown", (".md", ".markdown"), "Markdown with the formulas as LaTeX", "rotsolve.page.markdown"),
+        Format("latex", (".tex",), "a complete LaTeX document", "rotsolve.page.latex"),
+        Format("html", (".html", ".htm"), "a page for a browser, with the formulas as MathML", "rotsolve.page.html"),
+        Format("json", (".json",), "everything, for programs", "rotsolve.page.json", DATA),
+    )
+}
+
+
+def format_named(name: str) -> Format:
+    """The format of that name; a KeyError names the ones there are."""
+    if name not in FORMATS:
+        raise KeyError(f"unknown format {name!r}: {', '.join(FORMATS)}")
+    return FORMATS[name]
+
+
+def format_of_file(file: str) -> Format | None:
+    """The format that goes by the file's name, if any."""
+    lower = file.lower()
+    return next((item for item in FORMATS.values() if lower.endswith(item.suffixes)), None)

@@ -1,0 +1,118 @@
+"""LaTeX: a complete article that any LaTeX compiles, or the body alone for a document of one's own that uses amsmath."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING, ClassVar
+
+from rotsolve.algebra.notation.text import to_latex
+from rotsolve.page import blocks
+from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
+from rotsolve.page.letters import LATEX_PREAMBLE, LATEX_RELATIONS, latex_number, latex_prose, pmatrix
+from rotsolve.page.printer import Lines, Printer
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.algebra.units.unit_table import Unit
+
+
+class Latex(Printer):
+    """Pages as LaTeX."""
+
+    blank = r"\,"
+    relations: ClassVar = LATEX_RELATIONS
+    styles: ClassVar = {
+        NAME: r"\emph{{{}}}",
+        LABEL: r"\textbf{{{}}}\quad ",
+        STRONG: r"\textbf{{{}}}",
+        FAULT: r"\textbf{{{}}}",
+        CODE: r"\texttt{{{}}}",
+    }
+
+    def prose(self, text: str) -> str:
+        return latex_prose(text)
+
+    def formula(self, formula: Formula) -> str:
+        return to_latex(formula)
+
+    def unit(self, unit: Unit) -> str:
+        return unit.latex
+
+    def number(self, mantissa: str, exponent: str) -> str:
+        return latex_number(mantissa, exponent)
+
+    def math(self, inner: str) -> str:
+        return f"${inner}$"
+
+    def bracketed(self, rows: Sequence[Sequence[str]]) -> str:
+        return pmatrix(rows)
+
+    def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
+        return super().own() | {Formulas: self.formulas, Answers: self.answers}
+
+    def title(self, block: blocks.Title) -> Iterator[str]:
+        said = self.words(block.words)
+        yield rf"\textbf{{{said}}}" if block.minor else rf"\{'sub' * (block.level - 1)}section*{{{said}}}"
+
+    def paragraph(self, block: blocks.Paragraph) -> Iterator[str]:
+        yield from (self.words(block.words), "")
+
+    def bullets(self, block: Bullets) -> Iterator[str]:
+        yield r"\begin{itemize}"
+        for item in block.items:
+            code = "".join(rf"\\ \texttt{{{self.prose(line).replace(' ', '~')}}}" for line in item.code)
+            yield rf"  \item {self.words(item.words)}{code}"
+            yield from self.bullets(Bullets(item.inner)) if item.inner else ()
+        yield r"\end{itemize}"
+
+    def table(self, block: blocks.Table) -> Iterator[str]:
+        """A table, whose last cells are broken where they are long."""
+        yield rf"\begin{{tabular}}{{{'l' * (len(block.columns) - 1)}p{{0.5\linewidth}}}}"
+        yield " & ".join(map(self.prose, block.columns)) + r" \\ \hline"
+        yield from (" & ".join(map(self.words, row)) + r" \\" for row in block.rows)
+        yield from (r"\end{tabular}", "")
+
+    def formulas(self, block: Formulas) -> Iterator[str]:
+        yield rf"\textbf{{{block.caption}}}"
+        for remark in block.remarks:
+            yield from ("", self.words(remark))
+        yield from align([line for row in block.rows for line in self._formula_lines(row)])
+
+    def _formula_lines(self, row: FormulaRow) -> Iterator[str]:
+        """A line for each equality: the first says where it comes from, the last has the number."""
+        said = self.words(row.words)
+        for number, (left, right) in enumerate(map(self.sides, row.chain)):
+            arrow = r"\Longrightarrow\quad " if number else ""
+            tag = rf" \tag{{{row.number}}}" if row.mark and number == len(row.chain) - 1 else ""
+            yield f"{arrow}{left} &{right}{'' if number else words_cell(said)}{tag}"
+
+    def answers(self, block: Answers) -> Iterator[str]:
+        yield from align([line for row in block.rows for line in self._answer_lines(row)])
+
+    def _answer_lines(self, row: AnswerRow) -> Iterator[str]:
+        """An answer and its components, a line each."""
+        said = self.words(row.behind).removeprefix(", ").strip()
+        sides = f"= {' = '.join(map(self.part, row.forms))}" if row.forms else ""
+        yield f"{self.formula(row.symbol)} &{sides}{words_cell(said)}"
+        for component in () if row.matrix else row.components:
+            yield from self._answer_lines(component)
+
+    def document(self, bodies: Sequence[str]) -> str:
+        """Each page on a sheet of its own."""
+        return LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n"
+
+
+def align(rows: Sequence[str]) -> Iterator[str]:
+    """Equations aligned at their signs, with the words behind them."""
+    if rows:
+        yield from (r"\begin{align*}", " \\\\\n".join(f"  {row}" for row in rows), r"\end{align*}")
+
+
+def words_cell(text: str) -> str:
+    """Words behind an equation, wrapped where they are long."""
+    if len(text) > 40:
+        return rf" && \parbox[t]{{0.4\linewidth}}{{\raggedright {text}}}"
+    return rf" && \text{{{text}}}" if text else ""
+
+
+PRINTER = Latex()

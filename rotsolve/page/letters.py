@@ -1,0 +1,102 @@
+"""Letters: how LaTeX writes letters that it lacks, or that mean something to it, and what stands before every document of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+LATEX_PREAMBLE = r"""\documentclass{article}
+\usepackage[T1]{fontenc}
+\usepackage[utf8]{inputenc}
+\usepackage{textcomp}
+\usepackage{amsmath,amssymb}
+\usepackage[margin=25mm]{geometry}
+\setlength{\parindent}{0pt}
+\setlength{\parskip}{6pt}
+\allowdisplaybreaks
+\begin{document}
+"""
+LATEX_RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
+LATEX_SPECIAL = {
+    "\\": r"\textbackslash{}",
+    "{": r"\{",
+    "}": r"\}",
+    "$": r"\$",
+    "&": r"\&",
+    "#": r"\#",
+    "%": r"\%",
+    "_": r"\_",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    "°": r"\textdegree{}",
+    "–": "--",
+    "—": "---",
+    "…": r"\dots{}",
+    "‘": "`",
+    "’": "'",
+    "“": "``",
+    "”": "''",
+    "█": r"\rule{1ex}{1.5ex}",
+}
+GREEK = (
+    *("alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu"),
+    *("nu", "xi", "omicron", "pi", "rho", "varsigma", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega"),
+)
+MATHEMATICS = {
+    **{chr(0x3B1 + number): rf"\{name}" for number, name in enumerate(GREEK)},
+    **{chr(0x391 + number): rf"\{name.capitalize()}" for number, name in enumerate(GREEK) if name in {
+        "gamma", "delta", "theta", "lambda", "xi", "pi", "sigma", "upsilon", "phi", "psi", "omega"
+    }},
+    **{subscript: f"_{number}" for number, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    **{superscript: f"^{number}" for number, superscript in enumerate("⁰¹²³⁴⁵⁶⁷⁸⁹")},
+    "−": "-",
+    "·": r"\cdot",
+    "×": r"\times",
+    "→": r"\to",
+    "√": r"\surd",
+    "∫": r"\int",
+    "≤": r"\le",
+    "≥": r"\ge",
+    "≈": r"\approx",
+    "≠": r"\ne",
+    "∞": r"\infty",
+    "½": r"\tfrac12",
+    "⅓": r"\tfrac13",
+    "¼": r"\tfrac14",
+    "∥": r"\parallel",
+    "⊥": r"\perp",
+    "≪": r"\ll",
+    "≫": r"\gg",
+    "ο": "o",
+}  # fmt: skip
+
+
+def latex_prose(text: str) -> str:
+    """Prose as LaTeX; a letter that no font of plain LaTeX has becomes a question mark rather than an error."""
+    return "".join(_latex_letter(letter) for letter in text)
+
+
+def _latex_letter(letter: str) -> str:
+    if letter in LATEX_SPECIAL:
+        return LATEX_SPECIAL[letter]
+    if letter in MATHEMATICS:
+        return rf"\ensuremath{{{MATHEMATICS[letter]}}}"
+    if letter.isspace():
+        return " "
+    return (
+        letter if letter.isprintable() and ord(letter) < 0x180 else "?"
+    )  # Latin letters with accents are in every LaTeX
+
+
+def latex_number(mantissa: str, exponent: str) -> str:
+    """A number as LaTeX sets it: 2 \\times 10^{3}."""
+    mantissa = mantissa.replace("−", "-")
+    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
+
+
+def pmatrix(rows: Sequence[Sequence[str]]) -> str:
+    """A matrix between round brackets."""
+    body = r" \\ ".join(" & ".join(row) for row in rows)
+    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"

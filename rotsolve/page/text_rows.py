@@ -1,0 +1,238 @@
+"""Rows of a page of plain text: how labels, forces, formulas, answers, checks, tables and judged texts stand below each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from msgspec.structs import replace
+
+from rotsolve.page.blocks import (
+    ARROW,
+    BAD,
+    GOOD,
+    Amount,
+    AnswerRow,
+    Answers,
+    Checks,
+    FormulaRow,
+    Formulas,
+    JudgedText,
+    JudgedTexts,
+    Labelled,
+    Labels,
+    Listed,
+    Listing,
+    Matrix,
+    PageBlock,
+    Table,
+    equation,
+)
+from rotsolve.page.columns import (
+    GAP,
+    HELD,
+    ColumnRow,
+    TextLine,
+    boxed,
+    clipped_around,
+    column_lines,
+    hold,
+    labelled_lines,
+    paragraph_lines,
+    release,
+    together,
+    wrap,
+)
+from rotsolve.page.printer import Printer
+
+WIDEST = 76  # columns of a matrix
+LONG = 40  # a first side of a chain behind which the arrows do not stand below each other
+ROLES = {GOOD: "answer", BAD: "fault"}
+
+
+def merged(blocks: Iterable[PageBlock]) -> list[PageBlock]:
+    """The blocks; formulas that follow each other within a section become one, so that they have their columns in common."""
+    found: list[PageBlock] = []
+    for block in blocks:
+        last = found[-1] if found else None
+        if isinstance(block, Formulas) and isinstance(last, Formulas) and block.level == last.level > 2:
+            found[-1] = replace(last, rows=last.rows + block.rows)
+        else:
+            found.append(block)
+    return found
+
+
+class Rows:
+    """Sets blocks in rows, from a column on, on a page of some width."""
+
+    def __init__(self, printer: Printer) -> None:
+        self.words, self.part, self.formula, self.with_unit = (
+            printer.words,
+            printer.part,
+            printer.formula,
+            printer.with_unit,
+        )
+
+    def labels(self, block: Labels, indent: int, width: int) -> Iterator[TextLine]:
+        """Labels in a column of their own; what may stand beside the row above does so where both fit."""
+        rows, widest = [*block.rows], max((len(row.label) for row in block.rows), default=0)
+        while rows:
+            row = rows.pop(0)
+            items, separator = self._items(row), HELD * 5 if row.wide else row.separator
+            if rows and rows[0].beside:
+                one, other = separator.join(items), "; ".join(self._items(rows[0])).replace(" ", HELD)
+                if 8 + len(one) + 10 + len(other) <= width:
+                    items = [f"{one}{HELD * 10}{other}"]
+                    rows.pop(0)
+            yield from labelled_lines(row.label, items, separator, width, indent, widest)
+        yield TextLine("")
+
+    def _items(self, row: Labelled) -> list[str]:
+        return [together(self.words(item)) if len(item) == 1 else self.words(item) for item in row.items]
+
+    def listing(self, block: Listing, indent: int, width: int) -> Iterator[TextLine]:
+        """A row a name; what is said of a single one stands behind the caption."""
+        if block.level == 2:
+            yield TextLine(block.caption, "heading")
+        elif len(block.rows) == 1 and not block.rows[0].remarks:
+            row = block.rows[0]
+            said = [*map(self.words, row.said), *([row.beside] if row.beside else [])]
+            yield from labelled_lines(block.caption, said, "; ", width, 2)
+            return
+        else:
+            yield TextLine(f"  {block.caption}", "", len(block.caption) + 2)
+        yield from self._listed_lines(block.rows, 2 if block.level == 2 else 4, width)
+
+    def _listed_lines(self, rows: Sequence[Listed], indent: int, width: int) -> Iterator[TextLine]:
+        """One row a name: what is said of it, what stands beside it, and its remarks in brackets below."""
+        column = indent + max(len(row.name) for row in rows) + 3
+        said = ["; ".join(map(self.words, row.said)) for row in rows]
+        room = width - column - GAP - max(len(row.beside) for row in rows)
+        end = column + max((len(text) for text in said if len(text) <= room), default=0) + GAP
+        for row, text in zip(rows, said, strict=True):
+            first, *below = wrap(text, width - column, 2)
+            fits = not below and column + len(first) + GAP <= end
+            below += [] if fits or not row.beside else [f"({row.beside})"]
+            head = " " * indent + row.name.ljust(column - indent) + first
+            yield TextLine(release(head.ljust(end) + row.beside if fits else head))
+            remarks = "; ".join(map(self.words, row.remarks))
+            below += wrap(f"({remarks})", width - column, 1) if remarks else []
+            yield from (TextLine(release(" " * column + part)) for part in below)
+
+    def formulas(self, block: Formulas, indent: int, width: int) -> Iterator[TextLine]:
+        """What is said of each formula, the formula, and its remark; only where there is nothing above has it a caption."""
+        if block.level == 2:
+            yield TextLine(block.caption, "heading")
+        for remark in block.remarks:
+            yield from paragraph_lines(self.words(remark), 2, width)
+        starts = [len(self.words((equation(row.chain[0]),))) for row in block.rows if len(row.chain) > 1]
+        start = max((length for length in starts if length <= LONG), default=0)
+        yield from column_lines([self._formula_row(row, start) for row in block.rows], 2, width)
+
+    def _formula_row(self, row: FormulaRow, start: int) -> ColumnRow:
+        """A row of formulas, its first arrow at `start` where there is one."""
+        said, remark = self.words(row.said), f"({self.words(row.remark)})" if row.remark else ""
+        chain = [self.words((equation(equality),)) for equality in row.chain]
+        if row.numbered:
+            return ColumnRow(f"{row.mark} {said}", chain[0], remark)
+        if len(chain) > 1:
+            chain[0] = chain[0].ljust(start, HELD)
+        steps = f"{HELD * 3} {ARROW}{HELD * 3}".join(chain)  # one blank, at which a long chain may be broken
+        return ColumnRow(said, steps, " ".join(filter(None, (row.mark, remark))))
+
+    def answers(self, block: Answers, indent: int, width: int) -> Iterator[TextLine]:
+        yield from column_lines([line for row in block.rows for line in self.answer_rows(row)], 2, width, "answer")
+
+    def answer_rows(self, row: AnswerRow, inset: str = "") -> Iterator[ColumnRow]:
+        """An answer and, further in, its components: symbol, exact form, certified number, direction."""
+        if row.matrix:
+            yield from self._matrix_rows(row)
+            return
+        symbol, behind = hold(self.formula(row.symbol)), self.words(row.behind)
+        first, *more = [hold(self.part(form)) for form in row.forms] or [""]
+        if more:
+            yield ColumnRow(f"{inset}{symbol} = {first}", f"= {more[0]}{behind}")
+        elif first:
+            yield ColumnRow(f"{inset}{symbol} = {first}{behind}")
+        else:
+            yield ColumnRow(f"{inset}{symbol}: {behind.removeprefix(', ').strip()}")
+        for component in row.components:
+            yield from self.answer_rows(component, inset + HELD * 2)
+
+    def _matrix_rows(self, row: AnswerRow) -> Iterator[ColumnRow]:
+        """A matrix: its exact entries, then its numbers; entries too wide for a page follow one by one."""
+        formulas, numbers = self._box(row, amounts=False), self._box(row, amounts=True)
+        fits = bool(formulas) and len(formulas[0]) <= WIDEST
+        boxes = [box for box in (formulas if fits else [], numbers) if box]
+        symbol, unit = (
+            self.formula(row.symbol),
+            next((form.unit for form in row.forms if isinstance(form, Matrix) and form.unit), None),
+        )
+        for place, lines in enumerate(zip(*boxes, strict=True)):
+            middle = place == len(boxes[0]) // 2
+            head = f"{symbol} = " if middle else " " * (len(symbol) + 3)
+            last = self.with_unit(lines[-1], unit) if middle and numbers else lines[-1]
+            cells = (head + last,) if len(lines) == 1 else (head + lines[0], f"{'=' if middle else ' '} {last}")
+            yield ColumnRow(*(cell.replace(" ", HELD) for cell in cells))
+        for entry in row.components if formulas and not fits else ():
+            yield ColumnRow(f"{HELD * 2}{hold(self.formula(entry.symbol))} = {hold(self.part(entry.forms[0]))}")
+        for note in row.notes:
+            yield ColumnRow(f"{HELD * 2}({self.words(note)})")
+
+    def _box(self, row: AnswerRow, *, amounts: bool) -> list[str]:
+        """The lines of the numbers of a matrix, or of its formulas; none where it has no such."""
+        for form in row.forms:
+            if isinstance(form, Matrix) and isinstance(form.rows[0][0], Amount) == amounts:
+                return boxed([[*map(self.part, cells)] for cells in form.rows])
+        return []
+
+    def checks(self, block: Checks, indent: int, width: int) -> Iterator[TextLine]:
+        """What holds, in one paragraph; then what fails and what could not be decided, one a line."""
+        items = [self.words(check.words) for check in block.checks if check.holds]
+        good = " · ".join(item.replace(" ", HELD) if len(item) <= width // 2 else item for item in items)
+        yield from paragraph_lines(good, 2, width, "check") if good else ()
+        for check in block.checks:
+            if not check.holds:
+                said = self.words((*block.verdict(check), *check.words))
+                yield from paragraph_lines(said, 2, width, "fault")
+
+    def table(self, block: Table, indent: int, width: int) -> Iterator[TextLine]:
+        """Aligned columns; a last column that is too long goes on below."""
+        cells = [[release(self.words(cell)) for cell in row] for row in block.rows]
+        sizes = [max(map(len, column)) for column in zip(block.columns, *cells, strict=True)]
+        last = 2 + sum(sizes[:-1]) + 3 * (len(sizes) - 1)
+        for number, row in enumerate([list(block.columns), *cells]):
+            head = "".join(cell.ljust(size + 3) for cell, size in zip(row[:-1], sizes, strict=False))
+            first, *more = (line.text for line in paragraph_lines(row[-1], 0, max(20, width - last)))
+            yield TextLine(f"  {head}{first}".rstrip(), "check" if number == 0 else "")
+            yield from (TextLine(" " * last + part) for part in more)
+
+    def judged(self, block: JudgedTexts, indent: int, width: int) -> Iterator[TextLine]:
+        """Texts below each other, each with what is thought of it behind it, and what is said of it below."""
+        labels = [release(self.words(row.label)) for row in block.rows]
+        start = 2 + max(map(len, labels)) + 3
+        beside = max(len(row.said) for row in block.rows)
+        marks = max(len(row.marks) for row in block.rows)
+        room = max(20, width - start - GAP - beside - (GAP + marks if marks else 0))
+        behind = start + min(room, max(len(clipped_around(row.text, room)[0]) for row in block.rows)) + GAP
+        for label, row in zip(labels, block.rows, strict=True):
+            text, first = clipped_around(row.text, room, row.notes[0].columns if row.notes else None)
+            verdict = f"{row.said.ljust(beside)}{' ' * GAP}{row.marks.rjust(marks)}".rstrip()
+            line = f"  {label}".ljust(start) + text
+            yield TextLine(line.ljust(behind) + verdict, ROLES.get(row.tone, "doubt"))
+            yield from self._note_lines(row, start, room, width, first)
+
+    def _note_lines(self, row: JudgedText, start: int, room: int, width: int, first: int) -> Iterator[TextLine]:
+        """Each note below the columns that it speaks of, and how the text was read."""
+        after = first
+        for note in row.notes:
+            if note.columns is not None:
+                text, begin = clipped_around(row.text, room, note.columns)
+                if begin != after:
+                    yield TextLine(" " * start + text)
+                at = note.columns[0] - begin + (1 if begin else 0)
+                length = min(note.columns[1] - note.columns[0], len(text) - at)
+                yield TextLine(" " * (start + at) + "^" * max(1, length))
+            yield from paragraph_lines(self.words(note.words), start, width)
+            after = -1
+        if row.read_as:
+            yield from paragraph_lines(f"read as {row.read_as}", start, width)

@@ -1,0 +1,117 @@
+"""Values: how givens and answers stand on a page: a given as the scene wrote it, an answer with its exact form and certified digits."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from fractions import Fraction
+from typing import TYPE_CHECKING
+
+from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.core.derivation import Answer, Words
+from rotsolve.page.blocks import Amount, AnswerRow, Math, Matrix
+from rotsolve.page.printer import LOWERED, in_powers_of_ten
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.certified.ball import Certified
+    from rotsolve.language.problem import Given
+
+WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
+
+
+def given_equation(given: Given) -> Math:
+    """A given as mathematics: m = 2 kg, L = 2 R, or its letter alone where it has no value."""
+    value = given_value(given)
+    return Math((Symbol(given.name),) if value is None else (Symbol(given.name), "=", value))
+
+
+def given_value(given: Given) -> Formula | Amount | None:
+    """The number as the scene writes it, in its unit; a formula of other givens as it stands; None without a value."""
+    value = given.value
+    if value is None or value.symbols():
+        return value
+    number = value if given.unit is None else in_unit(value, given.unit)
+    written = WRITTEN.match(given.text.strip())
+    if written and number == Number(Fraction(written[0].replace("−", "-"))):
+        return Amount(written[0], given.unit)
+    plain = to_text(number)
+    return Amount(plain if in_powers_of_ten(plain)[1] else number, given.unit)
+
+
+def shown_givens(givens: tuple[Given, ...]) -> Iterator[Given]:
+    """The givens that a reader should see: not those asked for, nor letters that the scene never mentions."""
+    for given in givens:
+        if not given.asked and not (given.automatic and given.value is None):
+            yield given
+
+
+def only_letters(phrases: tuple[Words, ...]) -> bool:
+    """Whether every phrase is a mere formula, so that commas separate them well enough."""
+    return all(len(phrase) == 1 and isinstance(phrase[0], Formula) for phrase in phrases)
+
+
+def answer_row(answer: Answer, digits: int) -> AnswerRow:
+    """An answer: its exact form, its certified number, where it points, and what is not certain of it."""
+    number, note = certified_digits(answer.value, digits)
+    notes = tuple(phrase for phrase in ((note,) if note else (), answer.remark) if phrase)
+    asides = tuple(text for text in (_pointing(answer, number, digits), answer.word) if text)
+    if answer.rows:
+        entries = [(part.symbol, part.formula) for part in answer.components if part.formula is not None]
+        shown = tuple(AnswerRow(symbol, (formula,)) for symbol, formula in entries if formula != ZERO)
+        return AnswerRow(answer.symbol, _matrices(answer, digits), asides, notes, shown, matrix=True)
+    formula = _exact_form(answer)
+    forms = (*((formula,) if formula is not None else ()), *((Amount(number, answer.unit),) if number else ()))
+    components = () if answer.brief else tuple(answer_row(part, digits) for part in answer.components)
+    return AnswerRow(answer.symbol, forms, asides, notes, components)
+
+
+def _matrices(answer: Answer, digits: int) -> tuple[Matrix, ...]:
+    """The exact entries of a matrix, unless they are mere numbers, and its numbers; neither where one of them is missing."""
+    exact = [[part.formula for part in row if part.formula is not None] for row in answer.rows]
+    numbers = [[text for part in row if (text := certified_digits(part.value, digits)[0])] for row in answer.rows]
+    parts = [part for row in answer.rows for part in row]
+    symbolic = any(part.formula is not None and part.formula.symbols() for part in parts)
+    boxes: list[tuple[tuple[Formula | Amount, ...], ...]] = []
+    if symbolic and sum(map(len, exact)) == len(parts):
+        boxes.append(tuple(map(tuple, exact)))
+    if sum(map(len, numbers)) == len(parts):
+        boxes.append(tuple(tuple(map(Amount, row)) for row in numbers))
+    return tuple(Matrix(rows, answer.unit if rows is boxes[-1] else None) for rows in boxes)
+
+
+def _pointing(answer: Answer, number: str, digits: int) -> str:
+    """The direction of an answer, and of a slanted vector the angle: "up, at 53.13° to the horizontal"."""
+    angle = certified_digits(answer.angle, digits)[0]
+    parts = (answer.direction, f"{angle}° to the horizontal" if answer.angle is not None else "")
+    said = ", at ".join(filter(None, parts))
+    return f"i.e. {said}" if said and number.startswith("−") else said  # what the minus says, not one more reversal
+
+
+def _exact_form(answer: Answer) -> Formula | None:
+    """The exact form where it says more than the number: not for a mere number that has a unit."""
+    unit = "" if answer.unit is None else answer.unit.text
+    return None if isinstance(answer.formula, Number) and unit not in ("", "1") else answer.formula
+
+
+def certified_digits(value: Certified | None, digits: int) -> tuple[str, str]:
+    """The certified digits of a number, and a note where fewer of them are sure than were asked for, or none."""
+    from rotsolve.algebra.certified.balls import Undefined
+
+    if value is None:
+        return "", ""
+    try:
+        text, sure = value.figures(digits)
+    except Undefined as reason:
+        return "", f"no number: {reason}"
+    if not sure:
+        within = "nothing tells it from 0" if value.sign is None else "its bounds are too wide at the highest precision"
+        return "", f"≈ {text}, not certified: {within}"
+    return text, "" if sure == digits else f"only {sure} {'digit' if sure == 1 else 'digits'} can be certified"
+
+
+def machine_number(text: str) -> str:
+    """A printed number as programs read it: `-4.5e-05` for `−4.5×10⁻⁵`."""
+    mantissa, exponent = in_powers_of_ten(text)
+    return (f"{mantissa}e{exponent.translate(LOWERED)}" if exponent else mantissa).replace("−", "-")

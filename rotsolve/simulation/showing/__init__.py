@@ -1,1 +1,0 @@
-"""Showing: a motion as a table, as numbers, and as a picture."""
