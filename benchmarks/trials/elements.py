@@ -266,7 +266,7 @@ class Builder:
 
     def words(self, owner: str, name: str) -> tuple[str, ...]:
         """The quantities of a connection, an action or an event."""
-        tables: dict[str, tuple[str, tuple[Any, ...]]] = {
+        tables: dict[str, tuple[str, list[Any]]] = {
             LINK: ("connections", CONNECTIONS),
             ACTION: ("actions", ACTIONS),
             EVENT: ("events", EVENTS),

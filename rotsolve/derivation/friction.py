@@ -24,11 +24,11 @@ def trial_sections(trials: Iterable[Trial]) -> tuple[tuple[Section, ...], int]:
 def trial_section(trial: Trial, first: int) -> tuple[Section, int]:
     """The section that shows why a contact can not stick, and the number of the next equation."""
     composer = DerivationComposer(trial.search, first)
-    body = spoken(trial.contact.pair()[0].owner)
+    body = spoken(trial.contact.lying())
     derivation = composer.derivation(())
     laws = tuple(law for section in derivation.sections for law in section.laws)
     moves = tuple(move for section in derivation.sections for move in section.moves)
-    static = trial.contact.grip().static
+    static = trial.contact.static()
     needed, normal = trial.friction.found.formula, trial.normal.found.formula
     assert static is not None and needed is not None and normal is not None
     limit = trial.search.solver.simplify(static * normal)

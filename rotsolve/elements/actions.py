@@ -4,64 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
 from rotsolve.core.varying import POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.directions import along_text
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
-from rotsolve.elements.rims import rim_radius
-from rotsolve.language.keys import Element, key
-from rotsolve.language.problem import PointRef
+from rotsolve.elements.connections.touch import check_wheel
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Action, Fact, Moment, Surroundings
+from rotsolve.language.keys import key
 
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
-
-Fact = facts.Force | facts.Couple | facts.Rule
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
-
-
-class Action(Element, frozen=True):
-    """Base of all actions. An action between two states is absent before and after."""
-
-    word: ClassVar[str] = ""
-    about: ClassVar[str] = ""
-    quantities: ClassVar[tuple[str, ...]] = ()
-    later: ClassVar[bool] = False
-    name: str = ""
-
-    def touches(self) -> tuple[PointRef, ...]:
-        """The point on which it acts."""
-        on = getattr(self, "on", None)
-        return (on,) if on is not None else ()
-
-    def brakes(self) -> tuple[PointRef, ...]:
-        """Bodies against whose turn it rubs, whichever way that is."""
-        return ()
-
-    def strength(self) -> Formula | None:
-        """The force, torque or power; where it varies, a formula of `time` and of paths of bodies."""
-        return getattr(self, self.word, None)
-
-    def pace(self, configuration: Configuration, state: str) -> str:
-        """How it varies while bodies move (see core.varying)."""
-        return pace_of(self.strength() or ZERO)
-
-    def facts(self, instant: Instant) -> Iterator[Fact]:
-        """The force or couple at a moment."""
-        return iter(())
-
-    def now(self, instant: Instant) -> Formula:
-        """Its strength at a moment."""
-        return instant.now(self.strength() or ZERO)
-
-    from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
-    to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
 
 
 class AppliedForce(Action, frozen=True):
@@ -87,7 +45,7 @@ class AppliedForce(Action, frozen=True):
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
         own = super().pace(configuration, state)
         along = self.direction in (None, "tangential", "clockwise", "counterclockwise")
@@ -97,7 +55,7 @@ class AppliedForce(Action, frozen=True):
         rim = self.on.point == "rim" or self.on.point in dict(configuration.bodies[self.on.owner].radii)
         return combined((own, POSITION)) if held is not None and held.point != self.on.point and not rim else own
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
             return
         size = self.now(instant)
@@ -109,7 +67,7 @@ class AppliedForce(Action, frozen=True):
             told = along or f"{told}, backwards"
         yield facts.Force(self.name, facts.APPLIED, instant.host(self.on.owner), size, push, arm, "force", told)
 
-    def aim(self, instant: Instant, on: PointRef) -> tuple[Vector, Vector]:
+    def aim(self, instant: Moment, on: PointRef) -> tuple[Vector, Vector]:
         """Unit vector of the force, and where it acts from the body's reference."""
         name, motion = instant.host(on.owner), instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
@@ -129,7 +87,7 @@ class AppliedForce(Action, frozen=True):
             return direction, instant.point(PointRef(name, "center")) + outward.times(radius)
         return direction, instant.point(on)
 
-    def rightward(self, direction: Vector, instant: Instant, on: PointRef) -> bool:
+    def rightward(self, direction: Vector, instant: Moment, on: PointRef) -> bool:
         """Whether it pulls to the right, so that it turns a wheel clockwise from its top; straight down counts so too."""
         question = f"whether `{self.name}` pulls to the right, and so on which side of `{on.owner}`,"
         for part in (direction.along(RIGHT), direction.along(DOWN)):
@@ -145,7 +103,7 @@ class AppliedForce(Action, frozen=True):
         length = sqrt(arm.dot(arm))
         return arm.turned(90 * turn).times(Number(Fraction(1)) / length)
 
-    def told(self, push: Vector, arm: Vector, instant: Instant) -> str:
+    def told(self, push: Vector, arm: Vector, instant: Moment) -> str:
         """Direction in words."""
         if isinstance(self.direction, str):
             return self.direction
@@ -167,7 +125,7 @@ class AppliedCouple(Action, frozen=True):
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")
     )
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
             return
         name, size = instant.host(self.on.owner), self.now(instant)
@@ -190,10 +148,14 @@ class Press(Action, frozen=True):
         "quantity", "coefficient of friction", dimension="number", letter="mu", limits="nonnegative", required=True
     )
 
+    def check(self, scene: Surroundings) -> None:
+        for ref in self.touches():
+            check_wheel(ref, "a brake block is solved for a wheel on a fixed axle only", scene)
+
     def brakes(self) -> tuple[PointRef, ...]:
         return self.touches()
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The push towards the axle, and friction μ F against the turn; as large as it takes while it holds the wheel still."""
         if self.on is None:
             return
@@ -225,10 +187,10 @@ class AppliedPower(Action, frozen=True):
     )
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
 
-    def pace(self, configuration: Configuration, state: str) -> str:
-        return combined((pace_of(self.strength() or ZERO), RATE))  # the couple P/ω depends on the speed
+    def pace(self, configuration: Surroundings, state: str) -> str:
+        return combined((pace_of(self.strength()), RATE))  # the couple P/ω depends on the speed
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:
             return
         name, power = instant.host(self.on.owner), self.now(instant)
@@ -252,4 +214,4 @@ def pointing(direction: Direction) -> Vector:
     return unit(heading(direction))
 
 
-ACTIONS: tuple[type[Action], ...] = (AppliedForce, AppliedCouple, Press, AppliedPower)
+ACTIONS: list[type[Action]] = [AppliedForce, AppliedCouple, Press, AppliedPower]

@@ -2,37 +2,47 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Iterator, Sequence
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.elements.actions import DIRECTIONS, Direction
-from rotsolve.language.keys import Element, key
-from rotsolve.language.problem import PointRef
-
-
-class Event(Element, frozen=True):
-    """Base of all events: the state before and the state after."""
-
-    word: ClassVar[str] = ""
-    about: ClassVar[str] = ""
-    quantities: ClassVar[tuple[str, ...]] = ()
-    later: ClassVar[bool] = False
-    name: str = ""
-    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
-    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
+from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.core.facts import BLOW, BodyFacts, Force
+from rotsolve.core.faults import Unsolvable
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
+from rotsolve.elements.actions import DIRECTIONS, Direction, pointing
+from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Connection, Event, Moment, Surroundings
+from rotsolve.language.keys import key
 
 
 class Joins(Event, frozen=True):
     word = "joins"
+    bodily = True
     about = "two bodies meet and stay together (inelastic)"
     quantities = ("impulse", "angular_impulse")
     joins: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[putty, beam.end]"
     )
 
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        return self.joins
+
+    def joined(self) -> tuple[PointRef, ...]:
+        return self.joins
+
+    def twists(self, body: str, instant: Moment) -> tuple[Formula, ...]:
+        """Bodies that stick together also twist each other until they turn as one."""
+        owners = [instant.host(ref.owner) for ref in self.joins]
+        if body not in owners:
+            return ()
+        twist = instant.ask("angular_impulse", self.name)
+        return (twist if owners.index(body) == 1 else negate(twist),)
+
 
 class Collides(Event, frozen=True):
     word = "collides"
+    bodily = True
     about = "two bodies bounce off each other"
     quantities = ("impulse", "angular_impulse")
     collides: tuple[PointRef, ...] = key(
@@ -55,6 +65,32 @@ class Collides(Event, frozen=True):
         default=None,
     )
 
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        return self.collides
+
+    def axes(self, instant: Moment) -> tuple[tuple[str, Heading], ...]:
+        return (("", self.approach(instant)),)
+
+    def approach(self, instant: Moment) -> Heading:
+        """The line along which the bodies approach: that on which one of them travels."""
+        for ref in self.collides:
+            motion = instant.motion(ref.owner)
+            if motion.kind == "line" and motion.heading is not None:
+                return motion.heading
+        for ref in self.collides:
+            parts = instant.velocity(ref).parts
+            if len(parts) == 1:
+                return parts[0][1]
+        return RIGHT
+
+    def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
+        """Along the line of approach."""
+        if self.restitution is None:
+            return None
+        line, (one, two) = self.approach(before), self.collides
+        approach = before.velocity(one).along(line) - before.velocity(two).along(line)
+        return self.restitution, approach, after.velocity(two).along(line) - after.velocity(one).along(line)
+
 
 class Impulse(Event, frozen=True):
     word = "impulse"
@@ -71,6 +107,25 @@ class Impulse(Event, frozen=True):
         choices=DIRECTIONS,
     )
 
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        return (self.on,) if self.on is not None else ()
+
+    def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
+        """Its own impulse, from outside."""
+        size, arm = self.impulse or ZERO, self.spot(ref, instant)
+        if self.direction not in (None, "tangential", "clockwise", "counterclockwise"):
+            push = pointing(self.direction)
+        else:
+            turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), body.motion.sense)
+            radius = rim_radius(instant.body(body.name), ref.point)
+            if arm.parts:
+                push = unit(arm.parts[0][1].turned(90 * turn))
+            elif radius is not None and ref.point is not None:
+                arm, push = Vector(((radius, RIGHT),)), unit(UP.turned(0 if turn > 0 else 180))
+            else:
+                push = unit(body.motion.heading or RIGHT)
+        yield Force(self.name, BLOW, body.name, size, push, arm, "impulse")
+
 
 class Cuts(Event, frozen=True):
     word = "cuts"
@@ -78,6 +133,9 @@ class Cuts(Event, frozen=True):
     cuts: tuple[str, ...] = key(
         "names", "the connection", refers=("connection",), required=True, default=(), example="cord"
     )
+
+    def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
+        return self.cuts
 
 
 class Removes(Event, frozen=True):
@@ -92,12 +150,34 @@ class Removes(Event, frozen=True):
         example="prop",
     )
 
+    def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
+        return self.removes
+
 
 class Fixes(Event, frozen=True):
     word = "fixes"
     about = "a point of a moving body is suddenly held; from then on the body turns about it"
     quantities = ("force", "impulse")
     fixes: PointRef | None = key("point", "the point", required=True, example="plate.corner1")
+
+    def check(self, scene: Surroundings) -> None:
+        """It fixes what moves freely."""
+        if self.fixes is not None and self.fixes.owner in scene.held:
+            message = f"`{self.fixes.owner}` is held by `{scene.held[self.fixes.owner]}` already"
+            raise Unsolvable(message, span=self.fixes.span, help="fix a point of a body that moves freely")
+
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        return (self.fixes,) if self.fixes is not None else ()
+
+    def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
+        """The body leaves what it lies on."""
+        return tuple(item.name for item in connections if self.fixes is not None and item.lying() == self.fixes.owner)
+
+    def adds(self) -> tuple[Connection, ...]:
+        return (Hinge(self.name, hinge=(self.fixes,)),) if self.fixes is not None else ()
+
+    def holds(self, ref: PointRef, instant: Moment) -> str:
+        return called(ref)
 
 
 class Grips(Event, frozen=True):
@@ -106,5 +186,49 @@ class Grips(Event, frozen=True):
     quantities = ("impulse",)
     grips: str | None = key("name", "the contact", refers=("connection",), required=True, default=None)
 
+    def contact(self, connections: Sequence[Connection]) -> Connection | None:
+        """The contact that begins."""
+        return next((item for item in connections if item.name == self.grips and item.lying()), None)
 
-EVENTS: tuple[type[Event], ...] = (Joins, Collides, Impulse, Cuts, Removes, Fixes, Grips)
+    def check(self, scene: Surroundings) -> None:
+        """It grips a contact with a flat surface or a corner."""
+        item = self.contact(scene.problem.connections)
+        if item is None:
+            contacts = sorted(item.name for item in scene.problem.connections if item.lying())
+            help = f"contacts: {', '.join(contacts)}" if contacts else "the scene has no contact"
+            raise Unsolvable(f"`{self.name}` can only grip a contact, and `{self.grips}` is none", help=help)
+        for ref in item.places():
+            surface = scene.surfaces.get(ref.owner)
+            if surface is not None and surface.curved and surface.height() is None:
+                message = f"`{self.name}` on a curved surface is not solved yet"
+                raise Unsolvable(message, span=item.places()[0].span, help="solved are flat surfaces and corners")
+
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        item = self.contact(connections)
+        return (item.slider(),) if item is not None else ()
+
+    def begins(self) -> tuple[str, ...]:
+        return (self.grips,) if self.grips is not None else ()
+
+    def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
+        """A ball that hits a corner turns about it and leaves the floor."""
+        item = self.contact(connections)
+        return tuple(other.name for other in connections if item is not None and other.lying() == item.lying())
+
+    def spot(self, ref: PointRef, instant: Moment) -> Vector:
+        """Where the body touches what it grips."""
+        item = self.contact(instant.configuration.problem.connections)
+        return instant.point(ref) if item is None else item.touching_arm(instant)
+
+    def holds(self, ref: PointRef, instant: Moment) -> str:
+        item = self.contact(instant.configuration.problem.connections)
+        surface = item.surface(instant.configuration, instant.state) if item is not None else None
+        return called(ref) if surface is None else surface.held_at
+
+
+def called(ref: PointRef) -> str:
+    """A point in words: "plate's corner1"."""
+    return f"{ref.owner}'s {ref.point or 'centre'}".replace("_", " ")
+
+
+EVENTS: list[type[Event]] = [Joins, Collides, Impulse, Cuts, Removes, Fixes, Grips]

@@ -2,42 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
-from rotsolve.language.keys import Element, key
-
-
-class Surface(Element, frozen=True):
-    """Base of all surfaces."""
-
-    word: ClassVar[str] = ""
-    about: ClassVar[str] = ""
-    later: ClassVar[bool] = False
-    slanted: ClassVar[bool] = False
-    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
-    name: str = ""
-
-    @property
-    def normal(self) -> Heading:
-        """Direction out of the surface."""
-        return UP
-
-    def travel(self, moves: str | None) -> tuple[Heading, str]:
-        """Direction in which a body moves along the surface for a declared word, and how to say it."""
-        word = moves if moves in ("left", "right") else "right"
-        return (RIGHT if word == "right" else LEFT), word
+from rotsolve.language.elements import Surface
+from rotsolve.language.keys import key
 
 
 class Level(Surface, frozen=True):
     word = "level"
     about = "a level surface: `floor: level`"
+    level = True
+    away = "up"
+    into = "down"
 
 
 class Slope(Surface, frozen=True):
     word = "slope"
     slanted = True
+    away = "perpendicular to the slope"
     about = "a plane at an angle to the level, falling towards `down`"
     slope: Formula | None = key(
         "quantity",
@@ -69,6 +54,7 @@ class Slope(Surface, frozen=True):
 class Wall(Surface, frozen=True):
     word = "wall"
     about = "a vertical wall on the left or right of the scene"
+    upright = True
     wall: str = key("choice", "the side on which it stands", choices=("left", "right"), required=True)
 
     @property
@@ -83,6 +69,7 @@ class Wall(Surface, frozen=True):
 class Curved(Surface, frozen=True):
     """Base of surfaces round which a body travels: its place is the angle of the touching radius, from the rightward horizontal."""
 
+    curved = True
     outside: ClassVar[bool] = True
 
     def radius(self) -> Formula | None:
@@ -98,7 +85,7 @@ class Curved(Surface, frozen=True):
         radius = self.radius()
         return None if radius is None else add(radius, rim if self.outside else negate(rim))
 
-    def level(self, circle: Formula) -> Formula:
+    def base(self, circle: Formula) -> Formula:
         """Height of the circle's centre above the level from which heights count: the lowest place in a bowl, else that centre."""
         return ZERO if self.outside else circle
 
@@ -107,9 +94,13 @@ class Curved(Surface, frozen=True):
         right = -1 if self.outside else 1
         return -right if moves == "left" else right
 
-    def height(self) -> Formula | None:
-        """Height above the floor of an edge."""
-        return None
+    def rooms(self, rim: Formula, flat: bool) -> Iterator[tuple[Formula, str]]:
+        """Lengths that must be positive, and what is the matter where one is not; a corner is as high as it may be above no floor."""
+        circle, height = self.circle(rim), self.height()
+        if circle is not None and not self.outside:
+            yield circle, "does not fit into"
+        if flat and height is not None:
+            yield rim - height, "is too small to climb"
 
     def met(self, rim: Formula) -> Formula | None:
         """Angle at which a wheel on the level floor touches it, where that is settled by its place."""
@@ -147,6 +138,7 @@ class Corner(Curved, frozen=True):
 
 class Hollow(Curved, frozen=True):
     word = "hollow"
+    away = "towards the centre"
     about = "the inside of a round bowl or loop"
     outside = False
     hollow: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
@@ -157,6 +149,7 @@ class Hollow(Curved, frozen=True):
 
 class Dome(Curved, frozen=True):
     word = "dome"
+    away = "outward"
     about = "the outside of a round hill"
     dome: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
 
@@ -169,4 +162,4 @@ class Track(Curved, frozen=True):
     about = "a smooth track of which only heights matter: `track: profile unknown`"
 
 
-SURFACES: tuple[type[Surface], ...] = (Level, Slope, Wall, Corner, Hollow, Dome, Track)
+SURFACES: list[type[Surface]] = [Level, Slope, Wall, Corner, Hollow, Dome, Track]

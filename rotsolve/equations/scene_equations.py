@@ -17,8 +17,6 @@ from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws.table import (
@@ -187,10 +185,9 @@ class SceneEquations(Struct, dict=True):
             line.path.owner for line in state.conditions if line.path is not None and line.word in ("rolls", "sticks")
         }
         for item in self.configuration.connections(state.name):
-            if item.name in said and isinstance(item, (Touch, Rubbing)):
-                rule = item.grip_rule(self.instant(state.name))
-                if rule is not None:
-                    yield rule
+            rule = item.grip_rule(self.instant(state.name)) if item.name in said else None
+            if rule is not None:
+                yield rule
 
     def section(self, state: str) -> str:
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""

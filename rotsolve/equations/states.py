@@ -16,9 +16,6 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.varying import paths_in
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.events import Grips
-from rotsolve.elements.surfaces import Curved
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
@@ -61,7 +58,7 @@ class Fixed(Struct, frozen=True):
 def check_shafts(state: State, fixed: Fixed) -> None:
     """A body on a turning shaft is alone there: how others that are tied to it are carried round is not told."""
     for item in fixed.configuration.connections(state.name):
-        if item.word == "shaft":
+        if item.circling:
             name = item.touches()[0].owner
             if len(fixed.configuration.component(name, state.name)) > 1:
                 raise NotYet(f"`{name}` on a turning shaft is tied to other bodies: that is not solved yet", state.span)
@@ -69,7 +66,7 @@ def check_shafts(state: State, fixed: Fixed) -> None:
 
 def check_steady(state: State, fixed: Fixed) -> None:
     """On a turning shaft bodies are steady, since they are accelerated towards it; elsewhere they are in balance."""
-    carried = any(item.word == "shaft" for item in fixed.configuration.connections(state.name))
+    carried = any(item.circling for item in fixed.configuration.connections(state.name))
     if state.balance and carried:
         raise NotYet("nothing is in balance on a turning shaft", state.span, "write `steady: true`")
     if state.steady and not carried:
@@ -137,13 +134,12 @@ def keep_angle(body: str, last: Instant, fresh: Instant, fixed: Fixed) -> None:
 
 def keep_places(event: Interval, last: Instant, fresh: Instant, fixed: Fixed) -> None:
     """A body stays where it touches a curved surface, also one that it only meets in the event."""
-    met = {event.event.grips} if isinstance(event.event, Grips) else set()
-    acting = {item.name for item in fixed.configuration.connections(event.start)} | met
+    met = event.event.begins() if event.event is not None else ()
+    acting = {item.name for item in fixed.configuration.connections(event.start)}.union(met)
     for item in fixed.configuration.connections(event.end):
-        if isinstance(item, Touch) and item.name in acting:
-            surface = item.surface(fixed.configuration, event.end)
-            if isinstance(surface, Curved):
-                fixed.fix(item.angle(fresh), item.angle(last))
+        surface = item.surface(fixed.configuration, event.end) if item.name in acting else None
+        if surface is not None and surface.curved:
+            fixed.fix(item.touching_angle(fresh), item.touching_angle(last))
 
 
 def touched_by(interval: Interval, fixed: Fixed) -> frozenset[str]:
@@ -273,8 +269,8 @@ class Statements(Struct):
         if after is not None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
         item = next((item for item in self.configuration.connections(state.name) if item.name == contact), None)
-        surface = item.surface(self.configuration, state.name) if isinstance(item, Touch) else None
-        if surface is None or not isinstance(item, Touch):
+        surface = item.surface(self.configuration, state.name) if item is not None else None
+        if surface is None or item is None:
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
@@ -282,7 +278,7 @@ class Statements(Struct):
             self.stated.append((STATED.equation(normal, ZERO, state.name, cost=1, words=label), condition))
             return
         self.fixed.fix(normal, ZERO)  # just about to leave: what no longer pushes is no force of the balance
-        if item.grip().kind != "none":  # what rolls off something steep still grips as it leaves
+        if item.grips():  # what rolls off something steep still grips as it leaves
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
             self.stated.append((STATED.equation(friction, ZERO, state.name, cost=1, words=label), condition))
@@ -332,5 +328,5 @@ class Statements(Struct):
                 for rate in self.fixed.rates(instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
         for item in self.configuration.rides(state.name):
-            if condition.owner in ("all", "", item.rides[0].owner):
-                self.fixed.fix(instant.outward(item.rides[0].owner), ZERO)
+            if condition.owner in ("all", "", item.rider.owner):
+                self.fixed.fix(instant.outward(item.rider.owner), ZERO)

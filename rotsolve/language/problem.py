@@ -10,14 +10,13 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.faults import Span as Span
+from rotsolve.language.bodies import Body as Body
+from rotsolve.language.bodies import Part as Part
+from rotsolve.language.bodies import PointRef as PointRef
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
-    from rotsolve.elements.actions import Action
-    from rotsolve.elements.connections import Connection
-    from rotsolve.elements.events import Event
-    from rotsolve.elements.shapes import Shape
-    from rotsolve.elements.surfaces import Surface
+    from rotsolve.language.elements import Action, Connection, Event, Surface
     from rotsolve.language.marks import Marking
 
 
@@ -35,19 +34,6 @@ class Given(Struct, frozen=True):
     text: str = ""
     asked: bool = False
     automatic: bool = False
-    span: Span | None = None
-
-
-class PointRef(Struct, frozen=True):
-    """A point by name: `rod.end` (owner `rod`, point `end`), `rod.at(x)` (argument x), a body or surface alone (point None).
-
-    `owner` is a body, a surface, `ground` or `ceiling`; or empty with `place` = (x, y), a fixed place in space.
-    """
-
-    owner: str
-    point: str | None = None
-    argument: Formula | None = None
-    place: tuple[Formula, Formula] | None = None
     span: Span | None = None
 
 
@@ -79,44 +65,6 @@ class Condition(Struct, frozen=True):
     owner: str = ""
     span: Span | None = None
     phrase: Find | None = None
-
-
-class Body(Struct, frozen=True):
-    """A rigid body. `shape` is one of elements.shapes or None; sizes not given are None (an automatic letter later).
-
-    `moved` is a motion that is prescribed: words such as `velocity`, their component ('' for a turn), formulas of `time`.
-    """
-
-    name: str
-    shape: Shape | None = None
-    mass: Formula | None = None
-    density: Formula | None = None
-    inertia: Formula | None = None
-    inertia_about: str | None = None
-    gyration: Formula | None = None
-    radius: Formula | None = None
-    radii: tuple[tuple[str, Formula], ...] = ()
-    parts: tuple[Part, ...] = ()
-    holes: tuple[Part, ...] = ()
-    points: tuple[tuple[str, tuple[Formula, ...]], ...] = ()
-    count: int = 1
-    moves: str | None = None
-    turns: str | None = None
-    span: Span | None = None
-    moved: tuple[tuple[str, str, Formula], ...] = ()
-
-
-class Part(Struct, frozen=True):
-    """A part or hole of a composite body: a body placed at `at` (its centre), or a rod from `start` to `end`; `angle` turns it.
-
-    A third coordinate of `at`, as of a body's `points`, is the height above the picture.
-    """
-
-    body: Body
-    at: tuple[Formula, ...] | None = None
-    start: tuple[Formula, Formula] | None = None
-    end: tuple[Formula, Formula] | None = None
-    angle: Formula | None = None
 
 
 class State(Struct, frozen=True):

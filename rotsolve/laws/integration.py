@@ -8,8 +8,8 @@ from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, multiply
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation, Law
+from rotsolve.core.slicing import Slicing
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
-from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.motion.rigid import RigidPiece
 from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
 

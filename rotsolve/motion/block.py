@@ -14,8 +14,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.varying import paths_in
-from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection
+from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying
 from rotsolve.language.problem import Path, Problem
 

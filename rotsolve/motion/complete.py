@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 from msgspec.structs import replace
@@ -14,17 +14,12 @@ from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import SEPARATOR, Registry
 from rotsolve.core.varying import paths_in
-from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection, guide
-from rotsolve.elements.connections.contact import Contact, Rolls
-from rotsolve.elements.connections.rubbing import Clutch, Rims
-from rotsolve.elements.connections.springs import Torsion
-from rotsolve.elements.connections.supports import Rides
-from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Graded, Integrated, Particle, Rod, Shape
+from rotsolve.elements.connections import guide
+from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
+from rotsolve.language.elements import Action, Connection
 from rotsolve.language.keys import varying
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
-from rotsolve.motion.admissible import check, check_holding, check_sequence, check_surfaces, on_axes
+from rotsolve.motion.admissible import check
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import versions
@@ -80,12 +75,10 @@ class _Letters:
 
 def completed(problem: Problem) -> Problem:
     """The problem with automatic letters for what is left out; a fault only if one survives in an answer."""
-    check_sequence(problem)
     check(problem)
-    check_surfaces(problem)
-    check_holding(problem)
-    letters, wheels = _Letters(problem), set(_wheels(problem.connections))
-    riders = {item.rides[0].owner for item in problem.connections if item.word == "rides" and isinstance(item, Rides)}
+    letters, held = _Letters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
+    wheels = {name for item in problem.connections for name in item.turned()}
+    riders = {ride.rider.owner for item in problem.connections if (ride := item.ride()) is not None}
     bodies = tuple(
         [
             _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
@@ -94,39 +87,9 @@ def completed(problem: Problem) -> Problem:
     )
     if problem.states:
         versions(bodies, problem.states)  # refuses what can't differ between states
-    names = on_axes(problem)
     guides = [guide(body) for body in bodies if body.moved]
-    connections = (*[_connection(item, letters, names) for item in problem.connections], *guides)
+    connections = (*[item.completed(letters, held) for item in problem.connections], *guides)
     return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
-
-
-def _wheels(connections: Sequence[Connection]) -> Iterator[str]:
-    """The bodies that connections turn by their rims."""
-    for item in connections:
-        word = item.word
-        if word == "string":
-            yield from [ref.owner for ref in item.touches()[1:-1] if not ref.point]
-        elif word in ("belt", "gear", "unrolls"):
-            yield from [ref.owner for ref in item.touches()]
-        elif word == "rolls" and isinstance(item, Rolls):
-            yield item.rolls[0].owner
-
-
-def _connection(item: Connection, letters: _Letters, held: Container[str]) -> Connection:
-    """A torsion spring always has a stiffness (that of an ordinary one may be told by its force), what rubs a force or torque."""
-    if not isinstance(item, (Torsion, Clutch, Contact)):
-        return item
-    if isinstance(item, Torsion) and item.stiffness is None:
-        return replace(item, stiffness=letters.make("kappa", item.name, "torsional stiffness"))
-    if isinstance(item, Clutch) and item.friction_torque is None and (item.press is None or item.friction is None):
-        return replace(item, friction_torque=letters.make("tau", item.name, "torque"))
-    if isinstance(item, Contact) and item.contact[1].owner in held:
-        if len(item.contact) > 2:
-            message = f"two wheels rub on each other in a contact, and `{item.name}` names {len(item.contact)} bodies"
-            raise Unsolvable(message, span=item.contact[2].span, help="write a contact for each two that touch")
-        press = item.press or letters.make("F", item.name, "force")
-        return Rims(item.name, item.contact, press, item.friction)
-    return item
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
@@ -134,8 +97,8 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     mass = body.mass
     parts = body.parts and tuple([_part(part, letters) for part in body.parts])
     holes = body.holes and tuple([_hole(hole, shape) for hole in body.holes])
-    if shape is not None and isinstance(shape, Integrated):
-        shape = replace(shape, positive=letters.positive)
+    if shape is not None:
+        shape = shape.following(letters.positive)
     if body.density is not None and shape is not None and any(SEPARATOR in name for name in body.density.symbols()):
         shape = Graded(letters.positive, shape, body.density)
         mass = shape.measure()
@@ -159,9 +122,8 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
 
 def _rider(body: Body, letters: _Letters) -> Body:
     """A body that rides on another is a particle at its `radius` from the axis."""
-    shape = shape_of(body)
-    radius = shape.radius if isinstance(shape, Particle) and shape.radius != ZERO else body.radius
-    radius = radius or letters.make("r", body.name, "length")
+    own = shape_of(body).centroid()[0]
+    radius = (own if own != ZERO else body.radius) or letters.make("r", body.name, "length")
     return _body(replace(body, shape=Particle(radius), radius=None), letters, False)
 
 
@@ -176,10 +138,11 @@ def _central(body: Body) -> Body:
 
 def _part(part: Part, letters: _Letters) -> Part:
     shape = part.body.shape
-    if isinstance(shape, Rod) and shape.length is None and part.start is not None and part.end is not None:
+    straight = shape is not None and shape.slender and shape.reach() is None
+    if shape is not None and straight and part.start is not None and part.end is not None:
         gap = place(part.end) - place(part.start)
-        length = simplify(sqrt(gap.dot(gap)), positive=letters.positive)
-        part = replace(part, body=replace(part.body, shape=replace(shape, length=length)))
+        size: dict[str, Any] = {"length": simplify(sqrt(gap.dot(gap)), positive=letters.positive)}
+        part = replace(part, body=replace(part.body, shape=replace(shape, **size)))
     return replace(part, body=_body(part.body, letters, False))
 
 

@@ -19,18 +19,15 @@ from rotsolve.core.remembered import remembered
 from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.core.vectors.directions import WORDS
 from rotsolve.core.vectors.heading import UP, Heading
-from rotsolve.elements.actions import Action
-from rotsolve.elements.connections import Connection, Hinge, Rides, Weld
-from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.events import Fixes, Joins
-from rotsolve.elements.rims import shape_of
-from rotsolve.elements.surfaces import Surface
-from rotsolve.language.problem import Body, PointRef, Problem
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Action, Connection, Orbit, Ride, Surface
+from rotsolve.language.problem import Problem
 from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
-from rotsolve.motion.rigid import frame
-from rotsolve.motion.timeline import Timeline, absent, gripped, timeline
+from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, polar, tidy
+from rotsolve.motion.timeline import Timeline, absent, begun, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration
@@ -45,15 +42,15 @@ class Member(Struct, frozen=True):
     own: PointRef
 
 
-def rider(item: Rides, axis: PointRef | None) -> Member:
+def rider(item: Ride, axis: PointRef | None) -> Member:
     """A body that rides on another: its distance is counted from the carrier's axis."""
-    own, carrier = item.rides
-    return Member(own.owner, carrier.owner, axis or PointRef(carrier.owner, "center"), PointRef(own.owner, "center"))
+    own, carrier = item.rider.owner, item.carrier.owner
+    return Member(own, carrier, axis or PointRef(carrier, "center"), PointRef(own, "center"))
 
 
 def welded(first: PointRef, second: PointRef, held: Container[str], bodies: Mapping[str, Body]) -> Member:
     """The joined pair as host and member: a body `held` on an axis, else the extended one, else the last-named is the host."""
-    weight = [(ref.owner in held, shape_of(bodies[ref.owner]).word != "particle") for ref in (first, second)]
+    weight = [(ref.owner in held, not shape_of(bodies[ref.owner]).pointlike) for ref in (first, second)]
     member, host = (first, second) if weight[1] >= weight[0] else (second, first)
     return Member(member.owner, host.owner, host, member)
 
@@ -154,7 +151,7 @@ class Configuration(Struct, frozen=True, dict=True):
     def changing(self, name: str, state: str) -> bool:
         """Whether the data of a body, or of what it carries, change in the phase of a state; what slides freely always goes on."""
         phase = self.timeline.phase_of(state)
-        if any(item.free and item.rides[1].owner == name for item in self.rides(state)) or self.laid(name):
+        if any(item.free and item.carrier.owner == name for item in self.rides(state)) or self.laid(name):
             return True
         return phase is not None and self.since(name, phase.start) != self.since(name, phase.end)
 
@@ -167,17 +164,23 @@ class Configuration(Struct, frozen=True, dict=True):
         return absent(self.problem, self.timeline)
 
     @cached_property
-    def gripped(self) -> tuple[Connection, ...]:
-        return gripped(self.problem)
+    def begun(self) -> tuple[Connection, ...]:
+        """The connections that events begin."""
+        return begun(self.problem)
+
+    @cached_property
+    def held(self) -> dict[str, str]:
+        """By body that an axle or hinge holds from the start: what that is called."""
+        return {ref.owner: item.name for item in self.problem.connections for ref in item.fixed_points()}
 
     @remembered
     def connections(self, state: str) -> tuple[Connection, ...]:
-        """Connections that act at a state; a point that an event fixes is held as by a hinge of the event's name."""
+        """Connections that act at a state, those too by which events hold bodies."""
         after = self.timeline.after(state)
         gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
         events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
-        held = [Hinge(item.name, hinge=(item.fixes,)) for item in events if isinstance(item, Fixes) and item.fixes]
-        return (*[item for item in self.problem.connections if item.name not in gone], *held)
+        added = [item for event in events if event is not None for item in event.adds()]
+        return (*[item for item in self.problem.connections if item.name not in gone], *added)
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -205,22 +208,19 @@ class Configuration(Struct, frozen=True, dict=True):
     @remembered
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
-        now = self.timeline.order[state]
-        riders = [rider(item, self.pivot(item.rides[1].owner, state)) for item in self.rides(state)]
-        pairs = [item.weld for item in self.connections(state) if isinstance(item, Weld)]
-        for interval in self.timeline.intervals[:now]:
-            if isinstance(interval.event, Joins):
-                pairs.append(interval.event.joins)
+        events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
+        riders = [rider(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
+        pairs = [item.joined() for item in (*self.connections(state), *events) if item is not None and item.joined()]
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points()) if pairs else ()
         return (*riders, *(welded(first, second, held, self.bodies) for first, second in pairs))
 
-    def rides(self, state: str) -> tuple[Rides, ...]:
+    def rides(self, state: str) -> tuple[Ride, ...]:
         """The bodies that slide along others at a state."""
-        return tuple(item for item in self.connections(state) if isinstance(item, Rides))
+        return tuple(ride for item in self.connections(state) if (ride := item.ride()) is not None)
 
-    def ride(self, name: str, state: str) -> Rides | None:
-        """What makes a body slide along another, with which it turns."""
-        return next((item for item in self.rides(state) if item.rides[0].owner == name), None)
+    def ride(self, name: str, state: str) -> Ride | None:
+        """How a body slides along another, with which it turns."""
+        return next((item for item in self.rides(state) if item.rider.owner == name), None)
 
     @remembered
     def host(self, name: str, state: str) -> str:
@@ -292,7 +292,7 @@ class Configuration(Struct, frozen=True, dict=True):
         turns = self.bodies[name].turns
         if turns:
             return 1 if turns == "counterclockwise" else -1
-        items = (*self.connections(state), *self.gripped)
+        items = (*self.connections(state), *self.begun)
         naturals = (item.natural_turn(self.body(name, state), self, state) for item in items)
         return next((natural for natural in naturals if natural), 1)
 
@@ -349,7 +349,7 @@ class Configuration(Struct, frozen=True, dict=True):
 
     def balanced(self, name: str, state: str) -> bool:
         """Whether a body on an axis carries its centre of mass on that axis."""
-        return not frame(self, name, state).cm.parts
+        return not self.frame(name, state).cm.parts
 
     @remembered
     def span(self, name: str, state: str) -> str:
@@ -367,8 +367,18 @@ class Configuration(Struct, frozen=True, dict=True):
     def driven(self, name: str, state: str) -> bool:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""
         turned = any(ref.owner == name for item in self.actions(state) for ref in item.touches())
-        axles = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
-        return turned or any(
-            item.word in ("belt", "gear", "clutch", "drives") or getattr(item, "friction_torque", None)
-            for item in axles
-        )
+        held = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
+        return turned or any(item.twists() for item in held)
+
+    def frame(self, name: str, state: str) -> Frame:
+        """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
+        body, pivot = self.body(name, state), self.pivot(name, state)
+        items = list(pieces(body))
+        for member in self.cluster(name, state):
+            if member.host == name:
+                base, offset = locate(body, member.at), locate(self.body(member.name, state), member.own)
+                own = self.frame(member.name, state).pieces
+                items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
+        centre = centre_of_mass(tuple(items))
+        reference = locate(body, pivot) if pivot is not None else centre
+        return Frame(tuple(items), reference, polar(tidy(centre - reference)))

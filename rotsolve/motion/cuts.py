@@ -57,14 +57,14 @@ def section_of(path: Path, index: str, instant: Instant) -> CrossSection | None:
     """The section that a path speaks of; None in a body that is no uniform rod."""
     body = instant.body(path.owner)
     if (
-        not isinstance(body.shape, Rod)
+        body.shape is None
+        or (length := body.shape.reach()) is None
         or body.parts
         or body.holes
         or body.inertia is not None
         or body.gyration is not None
     ):
         return None
-    length = body.shape.extent()
     x = simplify(body.shape.locate(path.point or "", path.argument)[0] + length / 2)
     return CrossSection(body, length, x, index, instant)
 

@@ -31,7 +31,7 @@ from rotsolve.core.registry import Quantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import Frame, mass_of, moment_about, product_about
@@ -155,7 +155,7 @@ def slanted(name: str, instant: Instant) -> bool:
 
 def sliding(name: str, instant: Instant) -> tuple[tuple[Formula, Formula], ...]:
     """Mass and speed along the body of each rider that slides on it freely."""
-    riders = [item.rides[0].owner for item in instant.configuration.rides(instant.state) if item.free]
+    riders = [item.rider.owner for item in instant.configuration.rides(instant.state) if item.free]
     own = [rider for rider in riders if instant.host(rider) == name]
     return tuple((mass_of(instant.body(rider)), instant.outward(rider)) for rider in own)
 
@@ -218,9 +218,9 @@ def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
 
 def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) -> str:
     """Words for a moment of inertia, such as "rod about its end"."""
-    shape = shape_of(body).word
-    noun = f"solid {shape}" if shape in ("disc", "cylinder", "sphere") else shape
-    if members or body.parts or shape == "particle":
+    shape = shape_of(body)
+    noun = shape.noun or shape.word
+    if members or body.parts or shape.pointlike:
         noun = body.name.replace("_", " ")
     if members:
         noun += " with " + " and ".join(name.replace("_", " ") for name in members)
@@ -229,7 +229,7 @@ def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) 
     if any(instant.configuration.ride(name, instant.state) for name in members):
         return f"moment of inertia, {noun}"
     if not own.cm.parts:
-        return f"moment of inertia, {noun}" + (" about its centre" if shape == "rod" else "")
-    if shape == "rod" and point in ("start", "end") and not members:
+        return f"moment of inertia, {noun}" + (" about its centre" if shape.slender else "")
+    if shape.slender and point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
-    return f"moment of inertia, {noun} about the {'axis' if shape == 'particle' and not body.parts else 'pivot'}"
+    return f"moment of inertia, {noun} about the {'axis' if shape.pointlike and not body.parts else 'pivot'}"

@@ -15,13 +15,13 @@ from rotsolve.core.registry import COURSE, GENERIC, TIME, VIRTUAL, Quantity, Reg
 from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
-from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.elements.shapes.shape import WHEEL
+from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.language.elements import Orbit
 from rotsolve.language.keys import varying
 from rotsolve.language.problem import Body, PointRef
+from rotsolve.language.shape import WHEEL
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.rigid import ON_RIM, Frame, direction_of, frame, locate, polar, tidy
+from rotsolve.motion.rigid import ON_RIM, Frame, direction_of, locate, polar, tidy
 
 
 def value_now(value: Formula, instant: Instant) -> Formula:
@@ -75,7 +75,7 @@ def followed(name: str, instant: Instant) -> bool:
         return instant.configuration.pivot(name, instant.state) is not None or instant.can_turn(
             name, slides(name, instant)
         )
-    rod = shape_of(instant.body(name)).word == "rod"
+    rod = shape_of(instant.body(name)).slender
     if swings(name, instant):
         return True
     if not (rod and instant.configuration.heavy) and not (spoken_of(name, instant) or marked(name, instant)):
@@ -105,7 +105,7 @@ def spoken_of(name: str, instant: Instant) -> bool:
 def marked(name: str, instant: Instant) -> bool:
     """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
     configuration, body = instant.configuration, instant.body(name)
-    slanted = instant.frame(name).cm.parts and shape_of(body).word != "rod"
+    slanted = instant.frame(name).cm.parts and not shape_of(body).slender
     if len(configuration.timeline.states) < 2 or slanted:
         return False
     asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
@@ -171,8 +171,16 @@ class Instant(Struct, frozen=True, dict=True):
 
     def frame(self, name: str) -> Frame:
         if name not in self._frames:
-            self._frames[name] = frame(self.configuration, name, self.state)
+            self._frames[name] = self.configuration.frame(name, self.state)
         return self._frames[name]
+
+    def weightless(self, name: str) -> bool:
+        """Whether a body has no inertia against turning."""
+        return all(piece.moment == ZERO for piece in self.frame(name).pieces)
+
+    def centre_of_mass(self, name: str) -> Vector:
+        """From the reference of a body, while that stands as drawn."""
+        return self.frame(name).cm
 
     def ask(
         self,
@@ -221,7 +229,7 @@ class Instant(Struct, frozen=True, dict=True):
     def offset(self, name: str) -> Heading:
         """Direction, in the body's own axes, that its `angle` measures: a rod's start to end, else from hinge to centre of mass."""
         body, own = self.body(name), self.frame(name)
-        return RIGHT if shape_of(body).word == "rod" or not own.cm.parts else direction_of(own.cm)
+        return RIGHT if shape_of(body).slender or not own.cm.parts else direction_of(own.cm)
 
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""

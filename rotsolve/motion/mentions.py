@@ -7,6 +7,7 @@ from functools import cached_property
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE
 from rotsolve.language.problem import Path, Problem, points_of
 from rotsolve.motion.timeline import Timeline
@@ -40,6 +41,11 @@ class Mentions(Struct, frozen=True, dict=True):
         lines = self.timeline.state(state).conditions
         said = ({line.path.quantity, line.word} for line in lines if line.path is not None and line.path.owner == owner)
         return any(found & set(words) for found in said)
+
+    def untold(self, owner: str, word: str) -> tuple[str, Span | None] | None:
+        """The first later state that says nothing of a quantity of an element, with its place."""
+        silent = (state for state in self.timeline.states[1:] if not self.says(state.name, owner, word))
+        return next(((state.name, state.span) for state in silent), None)
 
     def asks(self, owner: str, word: str) -> bool:
         """Whether the scene asks for, or states, a quantity of an element."""

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Unsolvable
-from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.problem import Body, Condition, State
 
 OWN = ("mass", "inertia", "gyration", "radius", "length")

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP, heading
-from rotsolve.elements.connections import Hinge
-from rotsolve.elements.connections.connection import Orbit
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.language.elements import Orbit
 from rotsolve.language.problem import PointRef
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
@@ -41,16 +40,11 @@ def height(name: str, instant: Instant) -> Formula | None:
     orbit = instant.orbit(name)
     if orbit is not None:
         return height_on(orbit, name, instant)
-    for item in configuration.connections(instant.state):
-        if isinstance(item, Touch):
-            ref, surface = item.pair()[0], configuration.surfaces.get(item.pair()[1].owner)
-            if ref.owner == name and surface is not None and surface.word == "level":
-                return negate(item.arm(instant).along(UP))
-        if isinstance(item, Hinge) and len(item.hinge) == 2 and item.hinge[1].owner == name:
-            carrier, own = item.hinge
-            base = height_of_point(carrier, instant)
-            return None if base is None else base - instant.point(own).along(UP)
-    return None
+    heights = (
+        item.height(name, instant, partial(height_of_point, instant=instant))
+        for item in configuration.connections(instant.state)
+    )
+    return next((found for found in heights if found is not None), None)
 
 
 def height_on(orbit: Orbit, name: str, instant: Instant) -> Formula:
@@ -68,10 +62,10 @@ def height_of_point(ref: PointRef, instant: Instant) -> Formula | None:
     return None if reference is None else reference + instant.point(ref).along(UP)
 
 
-Moment = tuple[Instant, Facts]
+Known = tuple[Instant, Facts]
 
 
-def passage(interval: Interval, start: Moment, end: Moment, midst: Moment) -> Passage:
+def passage(interval: Interval, start: Known, end: Known, midst: Known) -> Passage:
     """All that the laws read about one phase."""
     (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
     configuration = first.configuration
@@ -108,7 +102,7 @@ def passage(interval: Interval, start: Moment, end: Moment, midst: Moment) -> Pa
     )
 
 
-def leads_of(groups: Sequence[frozenset[str]], start: Moment, end: Moment, midst: Moment) -> dict[str, Lead | None]:
+def leads_of(groups: Sequence[frozenset[str]], start: Known, end: Known, midst: Known) -> dict[str, Lead | None]:
     """By body: the place with which the forces on its group vary, where there is one."""
     (first, start_facts), (last, end_facts), (middle, midst_facts) = start, end, midst
     return {

@@ -6,7 +6,6 @@ I_P = Σ (I_own + m d²), the parallel-axes theorem over all pieces. Places are 
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -19,13 +18,8 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, c
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.core.writing import is_negative
-from rotsolve.elements.rims import rim_radius, shape_of
-from rotsolve.elements.shapes import Rod, Shape
+from rotsolve.elements.shapes import Shape, rim_radius, shape_of
 from rotsolve.language.problem import Body, Part, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-
 
 MINUS = Number(Fraction(-1))
 
@@ -123,7 +117,7 @@ def _own_piece(body: Body) -> RigidPiece | None:
     shape = shape_of(body)
     mass = body.mass if body.mass is not None else ZERO
     measure = None
-    if body.holes and isinstance(body.shape, Shape):
+    if body.holes and body.shape is not None:
         mass, measure = mass / _rest(body) * shape.measure(), shape.measure()
     at, height = place(shape.centroid()), shape.rise()
     if body.inertia is not None or body.gyration is not None:
@@ -164,8 +158,9 @@ def part_frame(part: Part) -> tuple[Heading, Vector]:
         along = place(part.end) - place(part.start)
         return direction_of(along), tidy(middle.times(Number(Fraction(1, 2))))
     angle = heading(part.angle) if part.angle is not None else RIGHT
-    if part.start is not None and isinstance(part.body.shape, Rod) and part.body.shape.length is not None:
-        return angle, place(part.start) + Vector(((part.body.shape.length / 2, angle),))
+    length = part.body.shape.reach() if part.start is not None and part.body.shape is not None else None
+    if part.start is not None and length is not None:
+        return angle, place(part.start) + Vector(((length / 2, angle),))
     return angle, place(part.at) if part.at is not None else NOWHERE
 
 
@@ -280,22 +275,6 @@ class Frame(Struct, frozen=True):
     pieces: tuple[RigidPiece, ...]
     reference: Vector
     cm: Vector  # from the reference
-
-
-def frame(configuration: Configuration, name: str, state: str) -> Frame:
-    """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
-    body = configuration.body(name, state)
-    items = list(pieces(body))
-    for member in configuration.cluster(name, state):
-        if member.host == name:
-            base = locate(body, member.at)
-            offset = locate(configuration.body(member.name, state), member.own)
-            own = frame(configuration, member.name, state).pieces
-            items.extend(replace(item, at=tidy(base + item.at - offset)) for item in own)
-    pivot = configuration.pivot(name, state)
-    centre = centre_of_mass(tuple(items))
-    reference = locate(body, pivot) if pivot is not None else centre
-    return Frame(tuple(items), reference, polar(tidy(centre - reference)))
 
 
 def locate(body: Body, ref: PointRef | None) -> Vector:

@@ -7,8 +7,7 @@ from collections.abc import Iterator
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.elements.connections.touch import Touch
+from rotsolve.language.elements import Connection
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
 
@@ -23,8 +22,8 @@ class Rub(Struct, frozen=True):
     key: str
     body: str
     state: str
-    contact: Touch | None = None
-    pair: Rubbing | None = None  # two bodies that slip on each other
+    contact: Connection | None = None
+    pair: Connection | None = None  # two bodies that slip on each other
 
     def mode(self, sense: int) -> str:
         """The mode for motion along the positive sense, against it, or none."""
@@ -39,16 +38,10 @@ class Rub(Struct, frozen=True):
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
         """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
-        if self.pair is not None:
-            return self.pair.slip(instant, acceleration=acceleration)
-        if self.contact is None:
+        item = self.contact or self.pair
+        if item is None:
             return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
-        motion = instant.motion(self.body)
-        if motion.heading is None:
-            return None
-        carried = motion.acceleration - self.contact.ground(instant)[1]
-        vector = carried if acceleration else self.contact.touching_velocity(instant)
-        return vector.along(self.contact.forward(instant))
+        return item.slip(instant, acceleration=acceleration)
 
 
 def rubs(configuration: Configuration) -> tuple[Rub, ...]:
@@ -65,12 +58,9 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
 
 def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
     for item in configuration.acting(state):
-        if isinstance(item, Touch) and item.grip().kind == "coefficient":
-            name = configuration.host(item.pair()[0].owner, state)
-            yield Rub(f"{item.name}@{state}", name, state, item)
-        if isinstance(item, Rubbing) and item.rubs():
-            name = configuration.host(item.touches()[1].owner, state)
-            yield Rub(f"{item.name}@{state}", name, state, pair=item)
+        if isinstance(item, Connection) and item.rubs():
+            name, contact = configuration.host(item.slider().owner, state), item if item.lying() else None
+            yield Rub(f"{item.name}@{state}", name, state, contact, None if contact else item)
         for ref in item.brakes():
             name = configuration.host(ref.owner, state)
             yield Rub(f"{item.name}.{name}@{state}", name, state)

@@ -7,9 +7,7 @@ from itertools import pairwise
 
 from msgspec import Struct
 
-from rotsolve.elements.connections import Connection
-from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.events import Cuts, Event, Fixes, Grips, Removes
+from rotsolve.language.elements import Connection, Event
 from rotsolve.language.problem import Problem, State
 
 OPEN = "later on"  # the end of the phase that a single state starts, where a function of time is asked for
@@ -81,36 +79,17 @@ def timeline(problem: Problem) -> Timeline:
 
 
 def absent(problem: Problem, timeline: Timeline) -> dict[str, frozenset[str]]:
-    """By state: what is cut or removed, the surfaces that a body has left, and the contacts that an event has yet to begin."""
-    gone = frozenset(item.name for item in gripped(problem))
+    """By state: what events have taken away, and the connections that one has yet to begin."""
+    gone = frozenset(item.name for item in begun(problem))
     result = {timeline.states[0].name: gone}
     for interval in timeline.intervals:
-        event = interval.event
-        if isinstance(event, Cuts):
-            gone |= frozenset(event.cuts)
-        elif isinstance(event, Removes):
-            gone |= frozenset(event.removes)
-        elif isinstance(event, Grips):
-            gone = (gone | left_by(event.grips, problem)) - {event.grips}
-        elif isinstance(event, Fixes) and event.fixes is not None:
-            gone |= surfaces_of(event.fixes.owner, problem)
+        if interval.event is not None:
+            gone = gone.union(interval.event.ends(problem.connections)).difference(interval.event.begins())
         result[interval.end] = gone
     return result
 
 
-def gripped(problem: Problem) -> tuple[Connection, ...]:
-    """The contacts that events begin."""
-    names = {event.grips for event in problem.events if isinstance(event, Grips)}
+def begun(problem: Problem) -> tuple[Connection, ...]:
+    """The connections that events begin."""
+    names = {name for event in problem.events for name in event.begins()}
     return tuple(item for item in problem.connections if item.name in names)
-
-
-def left_by(contact: str | None, problem: Problem) -> frozenset[str]:
-    """The surfaces that a body leaves for a contact: a ball that hits a corner turns about it and leaves the floor."""
-    taken = (item.pair()[0].owner for item in gripped(problem) if isinstance(item, Touch) and item.name == contact)
-    return frozenset[str]().union(*(surfaces_of(owner, problem) for owner in taken))
-
-
-def surfaces_of(name: str, problem: Problem) -> frozenset[str]:
-    """The contacts of a body with surfaces."""
-    touches = (item for item in problem.connections if isinstance(item, Touch))
-    return frozenset(item.name for item in touches if item.pair()[0].owner == name)

@@ -120,7 +120,7 @@ def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Wo
         if item.between() and item.pace(first.configuration, interval.start) == UNKNOWN:
             bodies = tuple(first.host(ref.owner) for ref in item.between())
             yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
-    drawn = {item.rides[0].owner: item.name for item in first.configuration.rides(interval.start) if not item.free}
+    drawn = {item.rider.owner: item.owner for item in first.configuration.rides(interval.start) if not item.free}
     for body in facts.bodies:
         members = [member.name for member in first.configuration.cluster(body.name, interval.start)]
         for name in (body.name, *members):

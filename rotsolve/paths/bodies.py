@@ -13,7 +13,7 @@ from rotsolve.core.facts import BodyFacts, signed, square
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.rims import rim_radius, shape_of
+from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.motion.instant import Instant
@@ -137,7 +137,7 @@ class OfBodies(AtInstant, frozen=True):
         return self.instant.host(name) != name or bool(self.instant.configuration.cluster(name, self.instant.state))
 
     def _own_moment(self, name: str, *, about_axis: bool = True) -> Formula:
-        """Moment of inertia of one of several joined bodies: about its own centre of mass, or I + m d² about the axis of all."""
+        """InstantFacts of inertia of one of several joined bodies: about its own centre of mass, or I + m d² about the axis of all."""
         items = pieces(self.instant.body(name))
         order = self.instant.configuration.order
         own, _ = moment_about(items, centre_of_mass(items), order)

@@ -12,9 +12,7 @@ from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.strings import String
-from rotsolve.elements.connections.touch import Touch
-from rotsolve.elements.surfaces import Curved
+from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Path
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, vector_size
@@ -74,7 +72,7 @@ class OfElements(AtInstant, frozen=True):
     def turning(self, path: Path, acting: Acting) -> Meant | None:
         """Where on a curved surface a body is; else how the two bodies of a connection, or the one that it holds, turn."""
         if path.quantity == "angle" and (contact := self._contact(path.owner)) is not None:
-            return contact.angle(self.instant)
+            return contact.touching_angle(self.instant)
         if path.quantity != "angle" and (pair := self._between(path.owner)):
             return self._relative(path.quantity, *pair)
         name = self._turned_by(path.owner)
@@ -99,13 +97,12 @@ class OfElements(AtInstant, frozen=True):
         item = next(item for item in self.instant.configuration.actions(self.instant.state) if item.name == owner)
         return item.now(self.instant)
 
-    def _contact(self, owner: str) -> Touch | None:
+    def _contact(self, owner: str) -> Connection | None:
         """The contact of a body with a curved surface that a path names."""
         state = self.instant.state
-        items = (item for item in self.instant.configuration.connections(state) if item.name == owner)
-        item = next((item for item in items if isinstance(item, Touch)), None)
+        item = next((item for item in self.instant.configuration.connections(state) if item.name == owner), None)
         surface = item.surface(self.instant.configuration, state) if item is not None else None
-        return item if isinstance(surface, Curved) else None
+        return item if surface is not None and surface.curved else None
 
     def _between(self, owner: str) -> tuple[str, ...]:
         """The two bodies of a connection that turn against each other."""
@@ -132,10 +129,9 @@ class OfElements(AtInstant, frozen=True):
             (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
             None,
         )
-        if isinstance(item, String) and path.point:
-            tension = item.tension_at(path.point, self.instant)
-            if tension is not None:
-                return tension
+        tension = item.tension_at(path.point, self.instant) if item is not None and path.point else None
+        if tension is not None:
+            return tension
         sizes = {force.size: None for _, force in acting.forces if force.role.pulls}
         if not sizes:
             raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")

@@ -14,7 +14,7 @@ from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, heading
 from rotsolve.core.vectors.tensor import AXES, Place
 from rotsolve.core.writing import flat, is_negative
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.shapes import shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws import inertia
 from rotsolve.laws.centre_of_mass import Told, Unknown, arm_of, centre
@@ -193,7 +193,7 @@ class OfInertias(AtInstant, frozen=True):
         spread = self._spread(path.owner, term)
         axis = path.component or "z"
         spin = motion.spin
-        if all(piece.shape.word == "particle" for piece in spread.pieces):
+        if all(piece.shape.pointlike for piece in spread.pieces):
             terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
             return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))
         told = inertia.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])

@@ -9,7 +9,6 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
-from rotsolve.elements.shapes.flat import Triangle
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
 from rotsolve.language.problem import Body, Part
@@ -22,8 +21,12 @@ from rotsolve.scene.scope import NAME, Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import value
 
-SHAPE_WORDS = {shape.word: shape for shape in SHAPES}
 Entries = dict[str, tuple[Text, Node]]
+
+
+def shape_words() -> dict[str, type[Shape]]:
+    """The shapes by their words."""
+    return {shape.word: shape for shape in SHAPES}
 
 
 def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
@@ -42,7 +45,7 @@ def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
 
 def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     """`ball: particle`: a shape alone."""
-    shape = SHAPE_WORDS.get(node.value.strip())
+    shape = shape_words().get(node.value.strip())
     if shape is None:
         scope.fault(
             node,
@@ -62,12 +65,12 @@ def shape_of(scope: Scope, node: Node) -> type[Shape] | None:
     if written is None or (isinstance(written, Text) and written.empty):
         return None
     if not isinstance(written, Text):
-        scope.fault(written, "`shape` wants one word", hint("", SHAPE_WORDS, "shapes"), "form")
+        scope.fault(written, "`shape` wants one word", hint("", shape_words(), "shapes"), "form")
         return None
     word = " ".join(written.value.split())
-    shape = SHAPE_WORDS.get(word)
+    shape = shape_words().get(word)
     if shape is None:
-        scope.unknown(written, word, "shape", SHAPE_WORDS, "shapes")
+        scope.unknown(written, word, "shape", shape_words(), "shapes")
     elif shape.later:
         scope.later(written, word)
     return shape
@@ -161,16 +164,18 @@ def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> 
         scope.fault(entries["holes"][0], message, "give the limits of what is left as a `lamina`", "form")
     if "density" in entries and "mass" in entries:
         scope.fault(entries["density"][0], f"`{name}` has both `mass` and `density`", "give one of them", "form")
-    if "parts" in entries and isinstance(fields.get("shape"), Particle):
+    if "parts" in entries and getattr(fields.get("shape"), "pointlike", False):
         scope.fault(entries["parts"][0], f"`{name}` is a particle and can't have parts", "leave out `shape`", "form")
 
 
 def check_flat(scope: Scope, name: str, entries: Entries, shape: Shape) -> None:
     """A triangle closes, and corners enclose something."""
-    if isinstance(shape, Triangle) and not shape.sides and not shape.corners:
-        scope.fault(entries["shape"][1], f"triangle `{name}` needs its `sides` or its `corners`", kind="missing")
-    if isinstance(shape, Triangle) and len(shape.sides) == 3:
-        check_triangle(scope, name, entries["sides"][1], shape.sides)
+    if shape.closing and not any(getattr(shape, word) for word in shape.closing):
+        either = " or ".join(f"its `{word}`" for word in shape.closing)
+        scope.fault(entries["shape"][1], f"{shape.word} `{name}` needs {either}", kind="missing")
+    sides = getattr(shape, "sides", ()) if shape.closing else ()
+    if len(sides) == 3:
+        check_triangle(scope, name, entries["sides"][1], sides)
     corners = [(rough(x, scope.numbers), rough(y, scope.numbers)) for x, y in getattr(shape, "corners", ())]
     places = [(x, y) for x, y in corners if x is not None and y is not None]
     if len(places) > 2 and len(places) == len(corners):

@@ -9,9 +9,9 @@ from typing import Any
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.core.slicing import Range, coordinate
 from rotsolve.elements.shapes import Shape
-from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR, Lamina
-from rotsolve.elements.shapes.slicing import Range, coordinate
+from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR
 from rotsolve.language.words import hint, listed, quoted
 from rotsolve.scene.literals import Want
 from rotsolve.scene.rough import rough
@@ -109,9 +109,7 @@ def density(scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fie
         what = f"a {shape.word}" if shape else "a body without a shape"
         scope.fault(node, f"{what} has no density", "give its `mass`", "form")
         return None
-    names: tuple[str, ...] = shape.coordinates
-    if isinstance(built, Lamina):
-        names = tuple(item.variable.name[1:] for item in built.region)
+    names = built.variables()
     strange = [name for name in MEASURES if name not in names and name not in scope.givens and mentions(node, name)]
     if strange:
         message = f"{quoted(strange[0])} is no coordinate of `{owner}`"

@@ -14,7 +14,6 @@ from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Map, Node
 
 TOLERANCE = 1e-9
-ROUND = ("disc", "annulus", "cylinder", "cylindrical shell", "sphere", "spherical shell")
 
 
 class Outline(Struct, frozen=True):
@@ -81,12 +80,10 @@ def outline(scope: Scope, part: Part) -> Outline | None:
     spot = tuple(x for x in place if x is not None)
     if not isinstance(shape, Shape) or len(spot) < len(place) or angle is None:
         return None
-    if shape.word == "rectangle":
-        sides = [rough(side, numbers) for side in getattr(shape, "sides", ())]
-        if len(sides) == 2 and sides[0] is not None and sides[1] is not None:
-            return Outline(spot, sides=(sides[0] / 2, sides[1] / 2), angle=angle)
-        return None
-    if shape.word not in ROUND:
+    sides = [rough(side, numbers) for side in shape.box()]
+    if len(sides) == 2 and sides[0] is not None and sides[1] is not None:
+        return Outline(spot, sides=(sides[0] / 2, sides[1] / 2), angle=angle)
+    if not shape.round:
         return None
     radii = dict(getattr(shape, "radii", ()))
     outer = radii.get("outer", getattr(shape, "radius", None))

@@ -261,7 +261,7 @@ READERS: dict[str, Reader] = {
 }
 
 
-TABLES: dict[str, tuple[str, tuple[type[Any], ...]]] = {  # section -> kind, table
+TABLES: dict[str, tuple[str, list[Any]]] = {  # section -> kind, table
     "surfaces": ("surface", SURFACES),
     "connections": ("connection", CONNECTIONS),
     "actions": ("action", ACTIONS),
@@ -297,7 +297,7 @@ def complete(cls: type[Element], found: dict[str, Any]) -> bool:
     return all(word in found or f"{word}_" in found for word, declared in keys_of(cls) if declared.required)
 
 
-def plain_word(scope: Scope, kind: str, table: tuple[type[Any], ...], name: str, node: Text) -> object | None:
+def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text) -> object | None:
     """An element that is one word, such as `level`."""
     word = " ".join(node.value.split())
     alone = {cls.word: cls for cls in table if not any(declared.required for _, declared in keys_of(cls))}
@@ -316,12 +316,10 @@ def plain_word(scope: Scope, kind: str, table: tuple[type[Any], ...], name: str,
     return None
 
 
-def class_of(
-    scope: Scope, kind: str, table: tuple[type[Any], ...], name: str, key: Text, node: Map
-) -> type[Any] | None:
+def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, node: Map) -> type[Any] | None:
     """The class by the one word of the table that the map holds."""
     words = [entry.value for entry, _ in node.entries]
-    found = [cls for cls in table if cls.word in words]
+    found: list[type[Any]] = [cls for cls in table if cls.word in words]
     if len(found) == 1:
         return found[0]
     known = [cls.word for cls in table]

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, POINT, QUANTITIES, SYSTEM, QuantityKind
 from rotsolve.core.varying import PLACES, RATES
-from rotsolve.elements.shapes import WHEEL, Rod
+from rotsolve.elements.shapes import WHEEL
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.language.words import an, hint, quoted
@@ -116,7 +116,7 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
     body = scope.bodies.get(name)
     if body is None:  # the body has a fault of its own
         return None
-    rod = isinstance(body.shape, Rod)
+    rod = body.shape is not None and body.shape.slender
     if point == "at" and match["call"]:
         if not rod:
             scope.fault(
@@ -256,7 +256,7 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     point: str | None = None
     argument: Formula | None = None
     if rest[0] == "at" and rest[0].inner:
-        if not isinstance(body.shape, Rod):
+        if body.shape is None or not body.shape.slender:
             help = f"points: {', '.join(scope.points[owner])}"
             scope.fault(place(node, rest[0]), f"`at(…)` is a point of rods only, and `{owner}` is none", help, "point")
             return None

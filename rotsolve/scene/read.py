@@ -14,7 +14,6 @@ from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.elements.shapes import Rod
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.problem import Given, Problem, points_of
 from rotsolve.language.words import quoted
@@ -334,7 +333,7 @@ TOLERANCE = 1e-12
 
 def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Fault]:
     """One fault for each point that its rod does not reach."""
-    rods = {body.name: body.shape.length for body in problem.bodies if isinstance(body.shape, Rod)}
+    rods = {body.name: body.shape.reach() for body in problem.bodies if body.shape is not None and body.shape.slender}
     known = {name: size(length, numbers) for name, length in rods.items() if length is not None}
     lengths = {name: number for name, number in known.items() if number is not None}
     parts = (problem.connections, problem.actions, problem.states, problem.events, problem.finds)

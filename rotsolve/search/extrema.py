@@ -17,7 +17,6 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Condition, Find, points_of
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
@@ -40,8 +39,9 @@ def domain_of(letter: str, search: Search) -> Domain:
     configuration = search.scene.configuration
     for ref in points_of(configuration.problem):
         body = configuration.bodies.get(ref.owner)
-        if ref.argument == Symbol(letter) and body is not None and isinstance(body.shape, Rod):
-            return Domain(ZERO, body.shape.extent())
+        length = body.shape.reach() if body is not None and body.shape is not None else None
+        if ref.argument == Symbol(letter) and length is not None:
+            return Domain(ZERO, length)
     given = search.givens[letter]
     return Domain(None if given.dimension is None or is_angle(given) else ZERO, None)
 

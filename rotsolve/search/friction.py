@@ -15,8 +15,8 @@ from rotsolve.core.facts import Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.writing import flat, is_negative
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
@@ -31,20 +31,20 @@ from rotsolve.search.search import Search
 class Trial(Struct, frozen=True):
     """A contact tried as sticking: the search with friction and normal force worked out."""
 
-    contact: Touch
+    contact: Connection
     search: Search
     friction: Answered
     normal: Answered
 
 
 def tried(
-    configuration: Configuration, contact: Touch, state: str, modes: dict[str, str]
+    configuration: Configuration, contact: Connection, state: str, modes: dict[str, str]
 ) -> tuple[str, Trial | None] | None:
     """Stick or slip of one contact at rest; None where the numbers do not tell."""
     scene = SceneEquations(configuration, modes)
     search = Search(scene, (NEWTON,))
     facts = scene.facts(state)
-    name = scene.instant(state).host(contact.pair()[0].owner)
+    name = scene.instant(state).host(contact.lying())
     body = facts.body(name)
     rubbing, pressing = contact_forces(contact.name, body.forces if body else ())
     if rubbing is None or pressing is None:
@@ -66,9 +66,9 @@ def tried(
     return (FORWARD if side > 0 else BACK), Trial(contact, search, friction, normal)
 
 
-def greatest_friction(contact: Touch, normal: Answered) -> Formula | None:
+def greatest_friction(contact: Connection, normal: Answered) -> Formula | None:
     """The greatest friction that the contact can give, μₛ N."""
-    static = contact.grip().static
+    static = contact.static()
     if static is None or normal.found.formula is None:
         return None
     return static * normal.found.formula
@@ -79,10 +79,9 @@ def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equa
     found = []
     facts = scene.facts(state)
     item = next((item for item in scene.configuration.connections(state) if item.name == contact), None)
-    if not isinstance(item, Touch) or item.grip().static is None:
+    static = item.static() if item is not None else None
+    if static is None:
         return []
-    static = item.grip().static
-    assert static is not None
     rubbing, pressing = contact_forces(contact, [force for body in facts.bodies for force in body.forces])
     if rubbing is None or pressing is None:
         return []
@@ -257,20 +256,14 @@ def senses_of(configuration: Configuration, group: list[Rub], modes: dict[str, s
 
 def smooth(rub: Rub, signs: SignOracle) -> bool:
     """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
-    static = rub.contact.grip().static if rub.contact is not None else None
+    static = rub.contact.static() if rub.contact is not None else None
     return static is not None and signs.by_numbers(static) == 0
 
 
 def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
     """Speed of the body along its line (a wheel's contact slides with it), of one body on another, or of the wheel's turn."""
-    motion = instant.motion(rub.body)
-    if rub.pair is not None:
-        return rub.pair.slip(instant)
-    if rub.contact is None:
-        return instant.rate("angular_velocity", rub.body)
-    if motion.heading is None:
-        return None
-    return (motion.velocity - rub.contact.ground(instant)[0]).along(motion.heading)
+    item = rub.contact or rub.pair
+    return instant.rate("angular_velocity", rub.body) if item is None else item.drift(instant)
 
 
 def speeding_up(configuration: Configuration, rub: Rub, modes: dict[str, str], sense: int) -> float | None:
@@ -288,14 +281,10 @@ def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> It
     problem = configuration.problem
     numbered = {given.name for given in problem.givens if given.value is not None}
     for state in configuration.timeline.states:
-        contacts = {item.name: item for item in configuration.connections(state.name) if isinstance(item, Touch)}
+        contacts = {item.name: item for item in configuration.connections(state.name)}
         for line in state.conditions if configuration.phase_start(state.name) == state.name else ():
             contact = contacts.get(line.path.owner) if line.path is not None else None
-            if (
-                contact is None
-                or contact.grip().kind != "coefficient"
-                or not is_numbered(contact.grip().static, numbered)
-            ):
+            if contact is None or not contact.rubs() or not is_numbered(contact.static(), numbered):
                 continue
             slips = modes.get(f"{contact.name}@{state.name}", "sticks").startswith("slips")
             if line.word in ("sticks", "rolls") and slips:

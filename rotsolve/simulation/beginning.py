@@ -14,8 +14,6 @@ from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.core.equation import Equation
 from rotsolve.core.registry import SEPARATOR, TIME, Registry
 from rotsolve.core.varying import paths_in
-from rotsolve.elements.connections.rubbing import Rubbing
-from rotsolve.elements.connections.touch import Touch
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.keys import keys_of
 from rotsolve.language.problem import Condition, Path, State
@@ -130,7 +128,7 @@ class Beginning(Struct, frozen=True):
         }
         rules = list(facts.rules)
         for item in self.instant.configuration.connections(self.instant.state):
-            rule = item.grip_rule(self.instant) if item.name in said and isinstance(item, (Touch, Rubbing)) else None
+            rule = item.grip_rule(self.instant) if item.name in said else None
             rules += [rule] if rule is not None else []
         written = [rule_equation(rule, rule.velocity, self.instant.state) for rule in rules]
         stated = [equation for equation, _ in self.stated if equation.section == self.instant.state]

@@ -1,6 +1,5 @@
 """Connections: what touches what. Each states facts (forces, rate rules); no law is written here."""
 
-from rotsolve.elements.connections.connection import Connection as Connection
 from rotsolve.elements.connections.contact import Contact, Rolls, Unrolls
 from rotsolve.elements.connections.drapes import Drapes
 from rotsolve.elements.connections.drives import Belt, Gear, MutualDrive
@@ -10,8 +9,9 @@ from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Shaft, Weld
 from rotsolve.elements.connections.touch import Friction
+from rotsolve.language.elements import Connection as Connection
 
-CONNECTIONS: tuple[type[Connection], ...] = (
+CONNECTIONS: list[type[Connection]] = [
     Hinge,
     Axle,
     Shaft,
@@ -30,6 +30,6 @@ CONNECTIONS: tuple[type[Connection], ...] = (
     MutualDrive,
     Clutch,
     Rides,
-)
+]
 
 __all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "Rides", "String", "Weld", "guide"]

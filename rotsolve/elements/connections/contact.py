@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Container, Iterator
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.facts import Rule
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import Vector
-from rotsolve.elements.connections.connection import Fact
-from rotsolve.elements.connections.touch import Friction, Touch
-from rotsolve.elements.surfaces import Surface
+from rotsolve.elements.connections.rubbing import Rims
+from rotsolve.elements.connections.touch import Friction, Touch, is_level
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Letters, Moment, Surface, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
 
 
 class Contact(Touch, frozen=True):
@@ -49,6 +46,29 @@ class Contact(Touch, frozen=True):
     def grip(self) -> Friction:
         return self.friction
 
+    @property
+    def pressed(self) -> bool:
+        return self.press is not None
+
+    def check(self, scene: Surroundings) -> None:
+        under = self.contact[1]
+        if self.press is not None and under.owner not in scene.bodies:
+            help = "a force that presses a body on a surface stands among the actions"
+            raise Unsolvable(f"`press` of `{self.name}` is for two wheels", span=under.span, help=help)
+        super().check(scene)
+
+    def check_wheels(self) -> None:
+        """Two wheels on axles of their own may rub on each other."""
+
+    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+        """Between two wheels on fixed axles it is their rims that rub."""
+        if self.contact[1].owner not in held:
+            return self
+        if len(self.contact) > 2:
+            message = f"two wheels rub on each other in a contact, and `{self.name}` names {len(self.contact)} bodies"
+            raise Unsolvable(message, span=self.contact[2].span, help="write a contact for each two that touch")
+        return Rims(self.name, self.contact, self.press or letters.make("F", self.name, "force"), self.friction)
+
 
 class Rolls(Touch, frozen=True):
     word = "rolls"
@@ -59,6 +79,9 @@ class Rolls(Touch, frozen=True):
 
     def pair(self) -> tuple[PointRef, ...]:
         return self.rolls
+
+    def turned(self) -> tuple[str, ...]:
+        return (self.rolls[0].owner,)
 
     def grip(self) -> Friction:
         return Friction("any")
@@ -73,8 +96,28 @@ class Unrolls(Touch, frozen=True):
         "points", "[roll, surface]", count=(2, 2), required=True, example="[carpet, floor]"
     )
 
+    def check(self, scene: Surroundings) -> None:
+        """A uniform roll on a level surface, that nothing else touches."""
+        roll, floor = self.unrolls
+        body = scene.bodies[roll.owner]
+        if not shape_of(body).wound or body.parts or body.holes or body.inertia or body.gyration or body.count > 1:
+            help = "give it `shape: cylinder`, a mass and a radius"
+            raise Unsolvable(f"`{roll.owner}` is no roll of a thin sheet", span=roll.span, help=help)
+        if not is_level(floor.owner, scene):
+            message = "a carpet that unrolls down a slope is not solved yet"
+            raise Unsolvable(message, span=floor.span, help="solved is a level floor")
+        for other in (*scene.problem.connections, *scene.problem.actions):
+            for ref in other.touches() if other is not self else ():
+                if ref.owner == roll.owner:
+                    raise Unsolvable(
+                        f"what else acts on `{roll.owner}`, which unrolls, is not solved yet", span=ref.span
+                    )
+
     def pair(self) -> tuple[PointRef, ...]:
         return self.unrolls
+
+    def turned(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.unrolls)
 
     def grip(self) -> Friction:
         return Friction("any")
@@ -82,11 +125,11 @@ class Unrolls(Touch, frozen=True):
     def lays(self, body: Body) -> bool:
         return self.unrolls[0].owner == body.name
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
 
     def friction_facts(
-        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
+        self, instant: Moment, name: str, arm: Vector, surface: Surface, normal: Formula
     ) -> Iterator[Fact]:
         """As of a wheel that rolls, with v = r ω at any moment; for accelerations there is no such rule, since r changes."""
         for fact in super().friction_facts(instant, name, arm, surface, normal):

@@ -7,7 +7,6 @@ drives it by the parts that hang: m g b/L for the length b on the side of its tr
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, negate, total
@@ -24,17 +23,15 @@ from rotsolve.core.facts import (
     Rule,
     square,
 )
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, LEFT, NOWHERE, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.shapes import Rope
+from rotsolve.elements.connections.touch import is_level
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.elements.shapes.thin import Rope
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
 
 
 class Drapes(Connection, frozen=True):
@@ -56,7 +53,18 @@ class Drapes(Connection, frozen=True):
     )
     wound: bool = key("flag", "the rest of the rope is wound on the wheel and does not hang", default=False)
 
-    def track(self, body: Body, configuration: Configuration, state: str) -> tuple[Heading, str] | None:
+    def ropes(self) -> tuple[PointRef, ...]:
+        return self.drapes[:1]
+
+    def check(self, scene: Surroundings) -> None:
+        """It hangs over a wheel on an axle, a peg or a level table."""
+        rope, over, *_ = self.drapes
+        turning = {ref.owner for item in scene.problem.connections if item.axial for ref in item.touches()}
+        if not (over.owner in turning if over.owner in scene.bodies else is_level(over.owner, scene)):
+            help = "it hangs over a wheel on an `axle`, a smooth peg (`ground`) or the edge of a level table"
+            raise Unsolvable(f"`{rope.owner}` can not hang over `{over.owner}`", span=over.span, help=help)
+
+    def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
         """The rope travels to the side where it runs down: right, or left where its body says so."""
         if body.name != self.drapes[0].owner:
             return None
@@ -68,17 +76,17 @@ class Drapes(Connection, frozen=True):
     def weighs(self, body: Body) -> bool:
         return body.name == self.drapes[0].owner
 
-    def natural_turn(self, body: Body, configuration: Configuration, state: str) -> int:
+    def natural_turn(self, body: Body, configuration: Surroundings, state: str) -> int:
         """A rope that goes over to the right turns its wheel clockwise."""
         if body.name != self.drapes[1].owner:
             return 0
         track = self.track(configuration.bodies[self.drapes[0].owner], configuration, state)
         return 1 if track is not None and track[0] == LEFT else -1
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The weights of the parts that hang, the energy that they store, the grip of a wheel, the pull of what is tied on."""
         hanging = instant.ask("length", self.name, letter="x")
         rest = self.other_length(hanging, instant)
@@ -92,15 +100,15 @@ class Drapes(Connection, frozen=True):
         for load in self.drapes[2:]:
             yield from self.tied(load, instant)
 
-    def rope(self, instant: Instant) -> Body:
+    def rope(self, instant: Moment) -> Body:
         return instant.body(self.drapes[0].owner)
 
-    def heading(self, instant: Instant) -> tuple[Heading, str]:
+    def heading(self, instant: Moment) -> tuple[Heading, str]:
         track = self.track(self.rope(instant), instant.configuration, instant.state)
         assert track is not None
         return track
 
-    def other_length(self, hanging: Formula, instant: Instant) -> Formula:
+    def other_length(self, hanging: Formula, instant: Moment) -> Formula:
         """What neither hangs on the side of the travel nor lies on the rim: L − b − π R."""
         shape, over = self.rope(instant).shape, self.drapes[1]
         length = shape.length if isinstance(shape, Rope) and shape.length is not None else ZERO
@@ -109,7 +117,7 @@ class Drapes(Connection, frozen=True):
             rest = rest - PI * (rim_radius(instant.body(over.owner), over.point) or ZERO)
         return simplify(rest, order=instant.configuration.order)
 
-    def weights(self, hanging: Formula, rest: Formula, instant: Instant) -> Iterator[Fact]:
+    def weights(self, hanging: Formula, rest: Formula, instant: Moment) -> Iterator[Fact]:
         """λ g b forward and λ g a back, with the energies −½ λ g b² and −½ λ g a² below the top."""
         rope, forward = self.rope(instant), self.heading(instant)[0]
         shape, gravity = rope.shape, instant.configuration.problem.gravity or ZERO
@@ -131,7 +139,7 @@ class Drapes(Connection, frozen=True):
         label = "the hanging part grows by what the rope moves"
         yield Potential(self.name, energy, hanging, rate, (rope.name,), words, label)
 
-    def grip(self, instant: Instant) -> Iterator[Fact]:
+    def grip(self, instant: Moment) -> Iterator[Fact]:
         """The wheel's rim goes with the rope: its grip pulls the rope back and the rim on; how the rope presses is left open."""
         rope, over = self.rope(instant).name, self.drapes[1]
         forward, side = self.heading(instant)
@@ -155,7 +163,7 @@ class Drapes(Connection, frozen=True):
             (instant.motion(rope).acceleration.along(forward), rim.acceleration_of(top).along(forward)),
         )
 
-    def tied(self, load: PointRef, instant: Instant) -> Iterator[Fact]:
+    def tied(self, load: PointRef, instant: Moment) -> Iterator[Fact]:
         """A body at the end of the rope goes down as fast as the rope goes on."""
         rope, name = self.rope(instant).name, instant.host(load.owner)
         forward = self.heading(instant)[0]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.drive import TRAVELLING, TURNING
@@ -11,14 +10,10 @@ from rotsolve.core.facts import COUPLING, DRIVE, INNER, Couple, Force, Rule, sig
 from rotsolve.core.varying import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.core.writing import balance
-from rotsolve.elements.connections.connection import Connection, Fact
-from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
 
 
 class Belt(Connection, frozen=True):
@@ -31,7 +26,13 @@ class Belt(Connection, frozen=True):
     )
     crossed: bool = key("flag", "the belt crosses between the wheels", default=False)
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def turned(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.belt)
+
+    def twists(self) -> bool:
+        return True
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast."""
         sense = -1 if self.crossed else 1
         for number, (first, second) in enumerate(zip(self.belt, self.belt[1:], strict=False)):
@@ -51,7 +52,13 @@ class Gear(Connection, frozen=True):
     )
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def turned(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.gear)
+
+    def twists(self) -> bool:
+        return True
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         sense = 1 if self.inside else -1
         yield from coupling(
             self,
@@ -79,12 +86,15 @@ class MutualDrive(Connection, frozen=True):
     def between(self) -> tuple[PointRef, ...]:
         return self.drives
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def twists(self) -> bool:
+        return True
+
+    def pace(self, configuration: Surroundings, state: str) -> str:
         if self.couple is None:
             return UNKNOWN  # a torque that nothing is said of
         return pace_of(self.couple)
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The torque on the body, along its positive turn, and its reaction on the carrier."""
         carrier, body = (instant.host(ref.owner) for ref in self.drives)
         sense = instant.sense(body)
@@ -104,7 +114,7 @@ def coupling(
     sense: int,
     component: str,
     words: tuple[str, str],
-    instant: Instant,
+    instant: Moment,
 ) -> Iterator[Fact]:
     """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
 
@@ -146,11 +156,11 @@ class Guide(Connection, frozen=True):
         for word, component, function in self.motions:
             yield self.guided[0].owner, word, component, function
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         paces = [drive.pace for drive in configuration.drives(self.guided[0].owner, state)]
         return max(paces, key=("constant", "time").index)
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """A couple where its turning is prescribed, a force at the centre of mass where its travel is."""
         name = instant.host(self.guided[0].owner)
         words = {word for word, _, _ in self.motions}
@@ -160,10 +170,10 @@ class Guide(Connection, frozen=True):
         if words & set(TRAVELLING):
             for component, direction, said in self._ways(name, instant):
                 size = instant.ask("force", self.name, when=instant.span(name), component=component)
-                arm = instant.frame(name).cm
+                arm = instant.centre_of_mass(name)
                 yield Force(self.name, DRIVE, name, size, unit(direction), arm, "driving force", said)
 
-    def _ways(self, name: str, instant: Instant) -> Iterator[tuple[str, Heading, str]]:
+    def _ways(self, name: str, instant: Moment) -> Iterator[tuple[str, Heading, str]]:
         """Along the body's line, or right and up."""
         line = instant.configuration.line(name, instant.state)
         if line is not None:

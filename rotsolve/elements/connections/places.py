@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.writing.length import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, unit, vector
-from rotsolve.language.problem import PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.instant import Instant
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Moment
 
 
-def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | None:
+def between(first: PointRef, second: PointRef, instant: Moment) -> Vector | None:
     """Unit vector from a point to another; None where the scene does not tell."""
     gap = apart(first, second, instant)
     if gap is None:
@@ -30,7 +26,7 @@ def between(first: PointRef, second: PointRef, instant: Instant) -> Vector | Non
     return vector(right, RIGHT) + vector(up, UP)
 
 
-def distance(gap: tuple[Formula, Formula], instant: Instant) -> Formula:
+def distance(gap: tuple[Formula, Formula], instant: Moment) -> Formula:
     """Length of a gap; where its sign is known from the numbers, without bars."""
     positive = instant.configuration.positive
     barred = simplify(sqrt(gap[0] ** 2 + gap[1] ** 2), positive=positive)
@@ -46,7 +42,7 @@ def distance(gap: tuple[Formula, Formula], instant: Instant) -> Formula:
     return simplify(barred.transform(unbarred), positive=positive)
 
 
-def apart(first: PointRef, second: PointRef, instant: Instant) -> tuple[Formula, Formula] | None:
+def apart(first: PointRef, second: PointRef, instant: Moment) -> tuple[Formula, Formula] | None:
     """How far a point is to the right of another, and above it."""
     if first.place or second.place:
         places = [where(ref, instant) for ref in (first, second)]
@@ -59,16 +55,16 @@ def apart(first: PointRef, second: PointRef, instant: Instant) -> tuple[Formula,
     return simplify(gap.along(RIGHT)), simplify(gap.along(UP))
 
 
-def joint_of(first: str, second: str, instant: Instant) -> tuple[PointRef, ...]:
+def joint_of(first: str, second: str, instant: Moment) -> tuple[PointRef, ...]:
     """The points of two bodies at which a hinge joins them."""
     for item in instant.configuration.connections(instant.state):
-        held = {ref.owner: ref for ref in item.touches()} if item.word == "hinge" else {}
+        held = {ref.owner: ref for ref in item.joint()}
         if first != second and held.keys() == {first, second}:
             return held[first], held[second]
     return ()
 
 
-def where(ref: PointRef, instant: Instant) -> Vector | None:
+def where(ref: PointRef, instant: Moment) -> Vector | None:
     """A point in the scene's coordinates: a fixed place, or a point of a body whose fixed pivot is the origin."""
     if ref.place is not None:
         return vector(ref.place[0], RIGHT) + vector(ref.place[1], UP)

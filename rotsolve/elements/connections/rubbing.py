@@ -2,25 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
 
 from msgspec import field
+from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, negate
 from rotsolve.core.facts import FRICTION, NORMAL, Couple, Force, Rule
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit, vector
 from rotsolve.core.writing import balance
-from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.touch import Friction
-from rotsolve.elements.rims import rim_radius
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Connection, Fact, Letters, Moment
 from rotsolve.language.keys import key
-from rotsolve.language.problem import PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.instant import Instant
-
 
 TWO_THIRDS = Number(Fraction(2, 3))
 
@@ -29,24 +25,26 @@ class Rubbing(Connection, frozen=True):
     """Base of what lets two bodies slip on each other, by friction that opposes their slip, or holds them together."""
 
     def rubs(self) -> bool:
-        """Whether it can slip at all."""
         return True
 
-    def names(self, instant: Instant) -> tuple[str, str]:
+    def slider(self) -> PointRef:
+        return self.touches()[1]
+
+    def names(self, instant: Moment) -> tuple[str, str]:
         first, second = self.touches()
         return instant.host(first.owner), instant.host(second.owner)
 
-    def slip(self, instant: Instant, *, acceleration: bool = False) -> Formula:
+    def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula:
         """How fast the second body slips on the first, or the rate of that."""
         first, second = self.sides(instant, acceleration=acceleration)
         return second - first
 
-    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+    def sides(self, instant: Moment, *, acceleration: bool) -> tuple[Formula, Formula]:
         """The rates of the two bodies that become equal."""
         raise NotImplementedError
 
-    def grip_rule(self, instant: Instant) -> Rule:
-        """No slip at this moment, for a state that says so, and while it sticks."""
+    def grip_rule(self, instant: Moment) -> Rule:
+        """Also while it sticks."""
         rates = [self.sides(instant, acceleration=later) for later in (False, True)]
         velocity, acceleration = (balance([(first, 1), (second, -1)]) for first, second in rates)
         return Rule(self.name, self.held(), self.names(instant), velocity, acceleration)
@@ -78,10 +76,18 @@ class Clutch(Rubbing, frozen=True):
         "quantity", "coefficient of friction", dimension="number", letter="mu", limits="positive", default=None
     )
 
+    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+        if self.friction_torque is not None or (self.press is not None and self.friction is not None):
+            return self
+        return replace(self, friction_torque=letters.make("tau", self.name, "torque"))
+
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
-    def torque(self, instant: Instant) -> Formula:
+    def twists(self) -> bool:
+        return True
+
+    def torque(self, instant: Moment) -> Formula:
         """The torque given, or that of flat plates under uniform pressure, ∫ μ p r dA = ⅔ μ F R."""
         if self.friction_torque is not None:
             return self.friction_torque
@@ -89,7 +95,7 @@ class Clutch(Rubbing, frozen=True):
         radius = rim_radius(instant.body(ref.owner), ref.point)
         return TWO_THIRDS * (self.friction or ZERO) * (self.press or ZERO) * (radius or ZERO)
 
-    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+    def sides(self, instant: Moment, *, acceleration: bool) -> tuple[Formula, Formula]:
         motions = [instant.motion(name) for name in self.names(instant)]
         first, second = ((motion.spin_rate if acceleration else motion.spin) for motion in motions)
         return first, second
@@ -97,7 +103,7 @@ class Clutch(Rubbing, frozen=True):
     def held(self) -> str:
         return "the clutch no longer slips"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The friction torque against the slip of each body on the other; while they stick, as large as it takes."""
         first, second = self.names(instant)
         mode = instant.mode(self.name)
@@ -125,7 +131,7 @@ class Rims(Rubbing, frozen=True):
     def rubs(self) -> bool:
         return self.friction.kind == "coefficient"
 
-    def arms(self, instant: Instant) -> list[tuple[str, Vector, Heading]]:
+    def arms(self, instant: Moment) -> list[tuple[str, Vector, Heading]]:
         """Each wheel, where it touches the other from its axle, and the way in which it is pushed."""
         found = []
         for ref, side in zip(self.wheels, (RIGHT, LEFT), strict=True):
@@ -133,7 +139,7 @@ class Rims(Rubbing, frozen=True):
             found.append((instant.host(ref.owner), vector(radius, side), side.turned(180)))
         return found
 
-    def sides(self, instant: Instant, *, acceleration: bool) -> tuple[Formula, Formula]:
+    def sides(self, instant: Moment, *, acceleration: bool) -> tuple[Formula, Formula]:
         rates = []
         for name, arm, _ in self.arms(instant):
             motion = instant.motion(name)
@@ -144,7 +150,7 @@ class Rims(Rubbing, frozen=True):
     def held(self) -> str:
         return "the rims no longer slip on each other"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The push on each wheel, and friction along the rims: against the slip, or as large as it takes."""
         mode, arms = instant.mode(self.name), self.arms(instant)
         for name, arm, push in arms:

@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from fractions import Fraction
-from typing import TYPE_CHECKING
+
+from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.directions import TURNS, along_text
 from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
-from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import apart, between, distance
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Letters, Moment, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
 
 
 class Spring(Connection, frozen=True):
@@ -34,13 +32,24 @@ class Spring(Connection, frozen=True):
         "quantity", "length without force", dimension="length", letter="L", limits="nonnegative", default=None
     )
 
+    def check(self, scene: Surroundings) -> None:
+        """One from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched."""
+        for ref in self.spring if self.placed else ():
+            if ref.place is None and ref.owner not in scene.held:
+                help = "solved are springs from a place to a point of a hinged body; the hinge is at [0, 0]"
+                raise Unsolvable(f"where `{ref.owner}` is in the scene is not told", span=ref.span, help=help)
+        if self.placed and self.rest_length is None:
+            help = "a given that is `unknown` where a state tells how far it is stretched"
+            message = f"`{self.name}` runs from a place: give its `rest_length`"
+            raise Unsolvable(message, span=self.spring[0].span, help=help)
+
     def hangs(self, body: Body) -> bool:
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in self.spring)
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         first, second = self.spring
         along, elongation = self.along(instant), self.elongation(instant)
         size = (
@@ -64,14 +73,14 @@ class Spring(Connection, frozen=True):
         """Whether it runs from a place in the scene, so that the places of its ends tell its length."""
         return any(ref.place is not None for ref in self.spring)
 
-    def elongation(self, instant: Instant) -> Formula:
+    def elongation(self, instant: Moment) -> Formula:
         """The letter for how far it is stretched, or its length by the places of its ends, less the rest length."""
         gap = apart(self.spring[0], self.spring[1], instant) if self.placed else None
         if gap is None or self.rest_length is None:
             return instant.ask("elongation", self.name)
         return add(distance(gap, instant), negate(self.rest_length))
 
-    def along(self, instant: Instant) -> Vector:
+    def along(self, instant: Moment) -> Vector:
         """Unit vector from the first end to the second: where they are, if a place is named; from left to right along a level or
         sloping line of travel; else up from the ground, down from the ceiling."""
         configuration = instant.configuration
@@ -102,10 +111,16 @@ class Torsion(Connection, frozen=True):
         "quantity", "angle without torque", dimension="angle", letter="theta", default=None
     )
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+        """It always has a stiffness; that of an ordinary spring may be told by its force."""
+        if self.stiffness is not None:
+            return self
+        return replace(self, stiffness=letters.make("kappa", self.name, "torsional stiffness"))
+
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """Torque −κ (θ − θ₀) on the last-named body, the opposite on the other."""
         names = [instant.host(ref.owner) for ref in self.torsion if ref.owner in instant.configuration.bodies]
         last = names[-1]

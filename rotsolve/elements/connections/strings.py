@@ -10,27 +10,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from functools import cached_property, partial
 from itertools import pairwise
-from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import TAUT, TENSION, Force, Requirement, Rule
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.directions import along_text, opposite
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
 from rotsolve.core.writing import balance, spoken
-from rotsolve.elements.connections.connection import Connection, Fact
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting
-from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.surfaces import Surface, Wall
+from rotsolve.elements.shapes import rim_radius
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Moment, Surface, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
-
 
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
@@ -51,7 +45,7 @@ class Routing(Struct, frozen=True, dict=True):
     pulls: Mapping[str, str]
     under: tuple[str, ...]
     along: str | None
-    instant: Instant
+    instant: Moment
 
     @cached_property
     def legs(self) -> tuple[Leg, ...]:
@@ -86,7 +80,7 @@ class Routing(Struct, frozen=True, dict=True):
             return unit(uphill(surface) if ref.owner in configuration.bodies else uphill(surface).turned(180))
         if ref.owner == "ceiling":
             return unit(DOWN)
-        if isinstance(configuration.surfaces.get(ref.owner), Wall):
+        if ref.owner in configuration.surfaces and configuration.surfaces[ref.owner].upright:
             return unit(configuration.surfaces[ref.owner].normal)
         geometric = between(ref, neighbour, self.instant)
         if geometric is not None:
@@ -165,8 +159,7 @@ class Routing(Struct, frozen=True, dict=True):
         if station in (0, len(self.points) - 1) or not self.wraps(station):
             return False
         name = self.instant.host(self.points[station].owner)
-        weightless = all(piece.moment == ZERO for piece in self.instant.frame(name).pieces)
-        return weightless and not self.instant.configuration.driven(name, self.instant.state)
+        return self.instant.weightless(name) and not self.instant.configuration.driven(name, self.instant.state)
 
     def strands(self) -> tuple[tuple[Leg, ...], ...]:
         """Runs of legs with one tension: cut at every pulley that has inertia."""
@@ -194,7 +187,7 @@ def uphill(surface: Surface) -> Heading:
     return surface.travel("up")[0]
 
 
-def told_along(push: Vector, name: str, instant: Instant) -> str:
+def told_along(push: Vector, name: str, instant: Moment) -> str:
     """A pull along the line on which a body travels, in the words of that line: "up the slope"."""
     line = instant.line(instant.host(name))
     if line is None or len(push.parts) != 1:
@@ -205,7 +198,7 @@ def told_along(push: Vector, name: str, instant: Instant) -> str:
     return line[1] if gap.degrees % 360 == 0 else opposite(line[1])
 
 
-def pull_words(push: Vector, arm: Vector, kind: str, instant: Instant) -> tuple[str, str]:
+def pull_words(push: Vector, arm: Vector, kind: str, instant: Moment) -> tuple[str, str]:
     """How a pull is told: its direction for what travels; for what is held on an axis its turn, else where it pulls to."""
     direction = along_text(push.parts[0][1]) if len(push.parts) == 1 else ""
     if kind == "axis" and arm.parts:
@@ -249,12 +242,24 @@ class String(Connection, frozen=True):
         later=True,
     )
 
+    repeats = True
+
+    def check(self, scene: Surroundings) -> None:
+        """It leaves a wheel on a tangent of its rim."""
+        for ref in self.string:
+            if ref.point in ("top", "bottom") and ref.owner in scene.bodies:
+                help = f"write `{ref.owner}.rim`, with `under: {ref.owner}` where it passes below"
+                raise Unsolvable("a string leaves a wheel where it touches the rim", span=ref.span, help=help)
+
+    def turned(self) -> tuple[str, ...]:
+        return tuple(ref.owner for ref in self.string[1:-1] if not ref.point)
+
     def hangs(self, body: Body) -> bool:
         """A body at an end of a string hangs from it where nothing else says how it travels."""
         ends = (self.string[0], self.string[-1])
         return any(ref.owner == body.name and ref.point in (None, "center") for ref in ends)
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         """Constant while all its legs keep their directions: bodies on lines and wheels turning about their centres."""
         for ref in self.string:
             if ref.owner in configuration.bodies and configuration.line(ref.owner, state) is None:
@@ -263,7 +268,7 @@ class String(Connection, frozen=True):
                     return "position"
         return "constant"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """A tension for each strand, its pulls on the bodies, and the rule that the strand keeps its length."""
         course = self.course(instant)
         for strand in course.strands():
@@ -273,12 +278,12 @@ class String(Connection, frozen=True):
                 yield from self.pulls_of(leg, tension, instant)
             yield from self.rules(strand, instant)
 
-    def course(self, instant: Instant) -> Routing:
+    def course(self, instant: Moment) -> Routing:
         """How it runs at a moment."""
         return Routing(self.string, dict(self.pulls), self.under, self.along, instant)
 
-    def tension_at(self, name: str, instant: Instant) -> Formula | None:
-        """Tension of the part that leaves a body or support towards the next one named; at the last one, of the part that arrives."""
+    def tension_at(self, name: str, instant: Moment) -> Formula | None:
+        """Of the part that leaves a body or support towards the next one named; at the last one, of the part that arrives."""
         index = next((k for k, ref in enumerate(self.string) if ref.owner == name), None)
         if index is None:
             return None
@@ -293,7 +298,7 @@ class String(Connection, frozen=True):
         owner = next(ref.owner for ref in self.string if ref.owner in instant.configuration.bodies)
         return instant.ask("tension", self.name, when=instant.span(instant.host(owner)), component=component)
 
-    def pulls_of(self, leg: Leg, tension: Formula, instant: Instant) -> Iterator[Force]:
+    def pulls_of(self, leg: Leg, tension: Formula, instant: Moment) -> Iterator[Force]:
         """The tension on the bodies at both ends of a leg."""
         for ref, arm, push in ((leg.first, leg.arms[0], leg.along), (leg.second, leg.arms[1], -leg.along)):
             if ref.owner in instant.configuration.bodies:
@@ -303,7 +308,7 @@ class String(Connection, frozen=True):
                 name = instant.host(ref.owner)
                 yield Force(self.name, TENSION, name, tension, push, arm, "tension", way, place, internal=True)
 
-    def rules(self, strand: tuple[Leg, ...], instant: Instant) -> Iterator[Rule]:
+    def rules(self, strand: tuple[Leg, ...], instant: Moment) -> Iterator[Rule]:
         """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0."""
         sides = []
         for rates in (velocity_at, acceleration_at):
@@ -334,11 +339,11 @@ class String(Connection, frozen=True):
         )
 
 
-def velocity_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
+def velocity_at(instant: Moment, ref: PointRef, arm: Vector) -> Vector:
     """Velocity of the point of a body at an arm from its reference; the ground is at rest."""
     return instant.motion(ref.owner).velocity_of(arm) if ref.owner in instant.configuration.bodies else Vector()
 
 
-def acceleration_at(instant: Instant, ref: PointRef, arm: Vector) -> Vector:
+def acceleration_at(instant: Moment, ref: PointRef, arm: Vector) -> Vector:
     """Acceleration along a leg; a rim's centripetal part does not feed the string, which leaves it on a tangent."""
     return instant.motion(ref.owner).acceleration_of(arm) if ref.owner in instant.configuration.bodies else Vector()

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Callable, Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
@@ -23,13 +22,10 @@ from rotsolve.core.facts import (
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
-from rotsolve.elements.connections.connection import Connection, Fact
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Connection, Fact, Moment, Ride, Surroundings
 from rotsolve.language.keys import key
-from rotsolve.language.problem import PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
 
 
 class Driven(Connection, frozen=True):
@@ -73,12 +69,15 @@ class Driven(Connection, frozen=True):
         for word, value in values:
             yield from ((ref.owner, word, "", value) for ref in self.held())
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         """Of its torques; a drive's couple follows what it drives."""
         drives = (drive for ref in self.held() for drive in configuration.drives(ref.owner, state))
         return combined([pace_of(self.friction_torque or ZERO), *(drive.pace for drive in drives)])
 
-    def couples(self, instant: Instant) -> Iterator[Fact]:
+    def twists(self) -> bool:
+        return self.friction_torque is not None
+
+    def couples(self, instant: Moment) -> Iterator[Fact]:
         """Friction against the positive turn; the couple of whatever drives the body; a torque that the scene asks for."""
         for name in dict.fromkeys(instant.host(ref.owner) for ref in self.held()):
             sense = instant.sense(name)
@@ -90,7 +89,7 @@ class Driven(Connection, frozen=True):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
 
-    def friction(self, instant: Instant, name: str, sense: int) -> Iterator[Fact]:
+    def friction(self, instant: Moment, name: str, sense: int) -> Iterator[Fact]:
         """Friction of the axle: against the turn, whichever way that is; as large as it takes while it holds the body still."""
         mode = instant.mode(f"{self.name}.{name}")
         forward, back = instant.turn_words(name)
@@ -121,6 +120,17 @@ class Hinge(Driven, frozen=True):
     )
     along: tuple[Formula, ...] = key("vector", "direction of the axis, in space", default=(), later=True)
 
+    def check(self, scene: Surroundings) -> None:
+        """A hinge of a rod or the like says which point it holds."""
+        for ref in self.hinge:
+            points = shape_of(scene.bodies[ref.owner]).points if ref.owner in scene.bodies and ref.point is None else ()
+            if "start" in points:
+                help = f"write {', '.join(f'`{ref.owner}.{point}`' for point in points)} or `{ref.owner}.at(x)`"
+                raise Unsolvable(f"`hinge: {ref.owner}` names no point", span=ref.span, help=help)
+
+    def joint(self) -> tuple[PointRef, ...]:
+        return self.hinge
+
     def held(self) -> tuple[PointRef, ...]:
         return self.hinge[-1:]
 
@@ -133,10 +143,16 @@ class Hinge(Driven, frozen=True):
             else ()
         )
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return super().pace(configuration, state) if self.fixed_points() else "position"
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
+        """Of a body that hangs from another: that of the carrier's point, less how far the body's own point is above its reference."""
+        carrier, own = self.hinge[0], self.hinge[-1]
+        base = height_of(carrier) if carrier is not own and own.owner == name else None
+        return None if base is None else base - instant.point(own).along(UP)
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from self.couples(instant)
         yield from reaction(self.name, REACTION, self.hinge[-1], instant)
         if not self.fixed_points():
@@ -153,6 +169,7 @@ class Axle(Driven, frozen=True):
     axle: tuple[PointRef, ...] = key("points", "the wheel, or wheels", count=(1, 20), required=True, example="disc")
 
     independent = True
+    axial = True
 
     def held(self) -> tuple[PointRef, ...]:
         return self.axle
@@ -160,7 +177,7 @@ class Axle(Driven, frozen=True):
     def fixed_points(self) -> tuple[PointRef, ...]:
         return self.axle
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from self.couples(instant)
         hosts: set[str] = set()
         for ref in self.axle:
@@ -196,6 +213,9 @@ class Weld(Connection, frozen=True):
     bodily = True
     weld: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[drum, rod.end]")
 
+    def joined(self) -> tuple[PointRef, ...]:
+        return self.weld
+
 
 class Rides(Connection, frozen=True):
     word = "rides"
@@ -210,14 +230,28 @@ class Rides(Connection, frozen=True):
         default="",
     )
 
-    @property
-    def free(self) -> bool:
-        """Whether nothing holds the rider where it is."""
-        return self.friction == "none"
+    def check(self, scene: Surroundings) -> None:
+        """A particle on a body that an axle or hinge holds; of what slides freely each state says where, and no event happens meanwhile."""
+        rider, carrier = self.rides
+        if not shape_of(scene.bodies[rider.owner]).pointlike:
+            help = "leave out its `shape`: its mass is at its `radius` from the axis"
+            raise Unsolvable(f"`{rider.owner}` rides: it has to be a particle", span=rider.span, help=help)
+        if carrier.owner not in scene.held or rider.owner in scene.held:
+            help = f"give `axle: {carrier.owner}`"
+            raise Unsolvable(f"`{carrier.owner}` has to turn on an axle or hinge", span=carrier.span, help=help)
+        untold = scene.mentions.untold(rider.owner, "radius") if self.ride().free else None
+        if untold is not None:
+            help = f"give `{rider.owner}.radius`"
+            raise Unsolvable(f"nothing tells where `{rider.owner}` is at `{untold[0]}`", span=untold[1], help=help)
+        if self.ride().free and scene.problem.events:
+            raise Unsolvable("events with what slides freely are not solved yet", span=rider.span)
+
+    def ride(self) -> Ride:
+        return Ride(self.name, self.rides[0], self.rides[1], self.friction == "none")
 
 
 def reaction(
-    owner: str, role: Role, ref: PointRef, instant: Instant, *, opposite: PointRef | None = None, several: bool = False
+    owner: str, role: Role, ref: PointRef, instant: Moment, *, opposite: PointRef | None = None, several: bool = False
 ) -> Iterator[Force]:
     """The two components of a support's force on a body, right and up.
 
@@ -248,7 +282,7 @@ def reaction(
         )
 
 
-def joint(owner: str, carrier: PointRef, body: PointRef, instant: Instant) -> Iterator[Rule]:
+def joint(owner: str, carrier: PointRef, body: PointRef, instant: Moment) -> Iterator[Rule]:
     """The joined points of two bodies move together, right and up."""
     for word, direction in (("right", RIGHT), ("up", UP)):
         yield Rule(
@@ -265,6 +299,7 @@ class Shaft(Connection, frozen=True):
     word = "shaft"
     about = "hinges a point of a body to an upright shaft that turns steadily; the picture is the upright plane that turns with it"
     quantities = ("force", "angle")
+    circling = True
     shaft: tuple[PointRef, ...] = key("points", "the point held", count=(1, 1), required=True, example="rod.start")
     turning: Formula | None = key(
         "quantity",
@@ -287,7 +322,7 @@ class Shaft(Connection, frozen=True):
     def fixed_points(self) -> tuple[PointRef, ...]:
         return self.shaft
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from reaction(self.name, REACTION, self.shaft[0], instant)
         name = instant.host(self.shaft[0].owner)
         yield Turntable(self.name, name, self.turning or ZERO, self.distance or ZERO)

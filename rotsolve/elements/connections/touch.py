@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from typing import TYPE_CHECKING, ClassVar
+from collections.abc import Callable, Iterator
+from typing import ClassVar
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
+from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.directions import TURNS, along_text, opposite
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, heading, unit, vector
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, heading, unit, vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.connections.connection import Connection, Fact, Orbit
-from rotsolve.elements.rims import rim_radius
-from rotsolve.elements.surfaces import Curved, Level, Surface
-from rotsolve.language.problem import Body, PointRef
-
-if TYPE_CHECKING:
-    from rotsolve.motion.configuration import Configuration
-    from rotsolve.motion.instant import Instant
+from rotsolve.elements.shapes import rim_radius, shape_of
+from rotsolve.elements.surfaces import Curved, Level
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.elements import Connection, Fact, Moment, Orbit, Surface, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -54,16 +51,113 @@ class Touch(Connection, frozen=True):
     def grip(self) -> Friction:
         raise NotImplementedError
 
+    def lying(self) -> str:
+        return self.pair()[0].owner
+
     def places(self) -> tuple[PointRef, ...]:
-        """The surfaces on which the body may be, in the order in which they join."""
         return self.pair()[1:]
 
-    def carrier(self, configuration: Configuration) -> str:
-        """The body on which it lies or rolls; '' for what does not move."""
+    def carrier(self, configuration: Surroundings) -> str:
         ref = self.places()[0]
         return ref.owner if ref.owner in configuration.bodies else ""
 
-    def surface(self, configuration: Configuration, state: str) -> Surface | None:
+    def check(self, scene: Surroundings) -> None:
+        """A body on a surface or on a body that travels, or two wheels side by side."""
+        ref, under = self.pair()[:2]
+        if under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
+            for wheel in self.pair():
+                check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
+            self.check_wheels()
+        elif under.owner in scene.bodies:
+            self.check_carrier(scene)
+        self.check_places(scene)
+
+    @property
+    def pressed(self) -> bool:
+        """Whether a force of its own presses it together."""
+        return False
+
+    def check_wheels(self) -> None:
+        """Two wheels on axles of their own that touch."""
+        ref, under = self.pair()[:2]
+        help = f"write `contact: [{ref.owner}, {under.owner}]`"
+        raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
+
+    def check_carrier(self, scene: Surroundings) -> None:
+        """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
+        ref, under = self.pair()[:2]
+        carrier = scene.bodies[under.owner]
+        flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)} | {
+            *scene.bodies
+        }
+        laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
+        on_flat = any(item.places()[0].owner in flat for item in laid)
+        if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
+            raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
+        if not on_flat and carrier.moves not in ("left", "right"):
+            help = f"say on what `{carrier.name}` lies: `contact: [{carrier.name}, floor]`"
+            message = f"nothing tells how `{carrier.name}`, which carries `{ref.owner}`, travels"
+            raise Unsolvable(message, span=under.span, help=help)
+
+    def check_places(self, scene: Surroundings) -> None:
+        """Of surfaces that join, a track of unknown profile leads into a curved one; a curved one takes what fits it."""
+        places = [scene.surfaces[ref.owner] for ref in self.places() if ref.owner in scene.surfaces]
+        unknown = [isinstance(place, Curved) and place.radius() is None for place in places]
+        curved = all(place.curved for place in places)
+        if len(places) > 1 and not (curved and len(places) == 2 and unknown == [True, False]):
+            message = f"these surfaces of `{self.name}` together are not solved yet"
+            help = "solved is a track of `profile unknown` that leads into a `hollow` or `dome`"
+            raise Unsolvable(message, span=self.pair()[1].span, help=help)
+        for place in places:
+            if isinstance(place, Curved):
+                self.check_curved(place, scene)
+
+    def check_curved(self, surface: Curved, scene: Surroundings) -> None:
+        """Round bodies and particles, rolling or without friction, that fit the surface and that nothing else holds."""
+        ref = self.pair()[0]
+        body = scene.bodies.get(ref.owner)
+        if body is None:
+            return
+        if self.rubs():
+            help = "write `friction: none`, or `any` where it is rough enough"
+            message = "a coefficient of friction on a curved surface is not solved yet"
+            raise Unsolvable(message, span=ref.span, help=help)
+        if body.moved:
+            message = f"a given motion of `{body.name}` on `{surface.name}` is not solved yet"
+            raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
+        rim, edge = rim_radius(body, ref.point), surface.height() is not None
+        fits = rim is not None or (shape_of(body).pointlike and not edge)
+        if not fits or body.parts or body.holes:
+            help = "solved are uniform round bodies" + ("" if edge else ", and particles")
+            raise Unsolvable(f"`{body.name}` on `{surface.name}` is not solved yet", span=ref.span, help=help)
+        for other in self.held_besides(scene):
+            message = f"`{other}` on a body that is on `{surface.name}` is not solved yet"
+            raise Unsolvable(message, span=ref.span, help="solved are forces and couples on it")
+        for room, words in surface.rooms(rim or ZERO, self.on_flat(scene)):
+            number = scene.signs.number(room)  # letters without a number are left open
+            if number is not None and (number.sign or 0) <= 0:
+                message = f"`{body.name}` {words} `{surface.name}`"
+                raise Unsolvable(message, span=ref.span, help="check the radii and heights")
+
+    def held_besides(self, scene: Surroundings) -> Iterator[str]:
+        """Strings, springs and the like on the body, and events that join it to another; not while it is on the floor."""
+        name, events = self.lying(), scene.problem.events
+        if self.on_flat(scene) and not any(self.name in event.begins() for event in events):
+            return
+        for item in scene.problem.connections:
+            if not item.lying() and any(ref.owner == name for ref in item.touches()):
+                yield item.name
+        for event in events:
+            if any(ref.owner == name for ref in event.joined()):
+                yield event.name
+
+    def on_flat(self, scene: Surroundings) -> bool:
+        """Whether the body touches a floor, slope or wall too."""
+        curved = {name for name, surface in scene.surfaces.items() if surface.curved}
+        touched = (item for item in scene.problem.connections if item.lying() == self.lying())
+        return any(ref.owner not in curved for item in touched for ref in item.places())
+
+    def surface(self, configuration: Surroundings, state: str) -> Surface | None:
         """The surface on which the body is: of several the curved one where the state speaks of the contact's angle; the back of
         another body lies as that on which it travels."""
         carrier = self.carrier(configuration)
@@ -82,25 +176,25 @@ class Touch(Connection, frozen=True):
         rims = ("bottom", "rim", "center", *(name for name, _ in (*body.radii, *getattr(body.shape, "radii", ()))))
         return ref.owner == body.name and (ref.point is None or ref.point in rims)
 
-    def track(self, body: Body, configuration: Configuration, state: str) -> tuple[Heading, str] | None:
+    def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
         """A body that lies or rolls on a flat surface travels along it."""
         surface = self.surface(configuration, state) if self.rests(body) else None
         if surface is None or isinstance(surface, Curved):
             return None
         return surface.travel(body.moves)
 
-    def orbit(self, body: Body, configuration: Configuration, state: str) -> Orbit | None:
+    def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
         """On a curved surface the centre of a body moves on a circle; a particle is its own centre."""
         surface = self.surface(configuration, state)
         if not isinstance(surface, Curved) or not self.rests(body):
             return None
         radius = surface.circle(rim_radius(body, self.pair()[0].point) or ZERO)
-        way, level = surface.way(body.moves), ZERO if radius is None else surface.level(radius)
+        way, level = surface.way(body.moves), ZERO if radius is None else surface.base(radius)
         turn = "forward along" if radius is None else "counterclockwise round" if way > 0 else "clockwise round"
         return Orbit(self.name, radius, level, way, f"{turn} the {spoken(surface.name)}")
 
-    def angle(self, instant: Instant) -> Formula:
-        """Angle of the touching radius of a curved surface; for a wheel on the floor the place of a corner settles it."""
+    def touching_angle(self, instant: Moment) -> Formula:
+        """For a wheel on the floor the place of a corner settles it."""
         ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         rim = rim_radius(instant.body(ref.owner), ref.point)
         if isinstance(surface, Curved) and rim is not None and instant.orbit(ref.owner) is None:
@@ -109,11 +203,11 @@ class Touch(Connection, frozen=True):
                 return met
         return instant.ask("angle", self.name, words=TURNS)
 
-    def normal(self, surface: Surface, instant: Instant) -> Heading:
+    def normal(self, surface: Surface, instant: Moment) -> Heading:
         """Direction out of the surface where the body touches it."""
-        return surface.facing(heading(self.angle(instant))) if isinstance(surface, Curved) else surface.normal
+        return surface.facing(heading(self.touching_angle(instant))) if isinstance(surface, Curved) else surface.normal
 
-    def natural_turn(self, body: Body, configuration: Configuration, state: str) -> int:
+    def natural_turn(self, body: Body, configuration: Surroundings, state: str) -> int:
         """Rolling: v + ω × r = 0 at the contact, so travel with the surface on its right turns a wheel clockwise."""
         track, surface = self.track(body, configuration, state), self.surface(configuration, state)
         orbit = self.orbit(body, configuration, state)
@@ -123,12 +217,12 @@ class Touch(Connection, frozen=True):
             return 0
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
 
-    def pace(self, configuration: Configuration, state: str) -> str:
+    def pace(self, configuration: Surroundings, state: str) -> str:
         return (
             "constant" if self.track(configuration.bodies[self.pair()[0].owner], configuration, state) else "position"
         )
 
-    def facts(self, instant: Instant) -> Iterator[Fact]:
+    def facts(self, instant: Moment) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
         ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         name = instant.host(ref.owner)
@@ -140,9 +234,9 @@ class Touch(Connection, frozen=True):
         if isinstance(surface, Curved) and surface.radius() is None:  # a push that no law tells
             yield from self.friction_facts(instant, name, arm, surface, normal)
             return
-        push, way = unit(facing), away(surface)
+        push, way = unit(facing), surface.away or f"away from the {surface.word}"
         force = Force(self.name, NORMAL, name, normal, push, arm, "normal force", way, works=False, internal=True)
-        yield from self.both(force, instant, "push", into(surface), ref.owner)
+        yield from self.both(force, instant, "push", surface.into, ref.owner)
         kept, otherwise = f"{spoken(self.name)} keeps contact", f"{spoken(ref.owner)} leaves the surface"
         yield Requirement(self.name, TOUCHES, normal, ZERO, kept, otherwise)
         if self.course(instant) is None:
@@ -151,28 +245,57 @@ class Touch(Connection, frozen=True):
             yield self.no_slip(label, point, facing, instant, linear=False)
         yield from self.friction_facts(instant, name, arm, surface, normal)
 
-    def arm(self, instant: Instant) -> Vector:
-        """From the body's reference to its touching point."""
+    def touching_arm(self, instant: Moment) -> Vector:
         surface = self.surface(instant.configuration, instant.state)
         return NOWHERE if surface is None else contact_arm(self.pair()[0], self.normal(surface, instant), instant)
 
-    def course(self, instant: Instant) -> Heading | None:
+    def course(self, instant: Moment) -> Heading | None:
         """The body's line of travel where that runs along this surface."""
         surface = self.surface(instant.configuration, instant.state)
         ahead = instant.motion(self.pair()[0].owner).heading
         along = surface is not None and ahead is not None and (ahead - self.normal(surface, instant)).cos() == ZERO
         return ahead if along else None
 
-    def forward(self, instant: Instant) -> Heading:
+    def forward(self, instant: Moment) -> Heading:
         """The way along the surface that counts as positive: that of the body's travel, else with the surface on its right."""
         surface = self.surface(instant.configuration, instant.state)
         return self.course(instant) or (RIGHT if surface is None else self.normal(surface, instant).turned(-90))
 
-    def touching_velocity(self, instant: Instant) -> Vector:
-        """Velocity of the body's touching point, relative to what it lies on."""
-        return instant.motion(self.pair()[0].owner).velocity_of(self.arm(instant)) - self.ground(instant)[0]
+    def rubs(self) -> bool:
+        return self.grip().kind == "coefficient"
 
-    def ground(self, instant: Instant) -> tuple[Vector, Vector]:
+    def grips(self) -> bool:
+        return self.grip().kind != "none"
+
+    def static(self) -> Formula | None:
+        return self.grip().static
+
+    def slider(self) -> PointRef:
+        return self.pair()[0]
+
+    def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
+        """Of the touching point on what the body lies on, where that travels along a line; while it rests, of the body as a whole."""
+        motion, ground = instant.motion(self.lying()), self.ground(instant)
+        if motion.heading is None:
+            return None
+        sliding = (
+            motion.acceleration - ground[1]
+            if acceleration
+            else motion.velocity_of(self.touching_arm(instant)) - ground[0]
+        )
+        return sliding.along(self.forward(instant))
+
+    def drift(self, instant: Moment) -> Formula | None:
+        motion = instant.motion(self.lying())
+        return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
+
+    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
+        """Of a body that touches a level surface."""
+        surface = instant.configuration.surfaces.get(self.places()[0].owner)
+        level = self.lying() == name and surface is not None and surface.level
+        return negate(self.touching_arm(instant).along(UP)) if level else None
+
+    def ground(self, instant: Moment) -> tuple[Vector, Vector]:
         """Velocity and acceleration of what it lies on."""
         carrier = self.carrier(instant.configuration)
         if not carrier:
@@ -180,7 +303,7 @@ class Touch(Connection, frozen=True):
         motion = instant.motion(carrier)
         return motion.velocity, motion.acceleration
 
-    def grip_rule(self, instant: Instant) -> Rule | None:
+    def grip_rule(self, instant: Moment) -> Rule | None:
         """No slip at this moment, for a state that says `rolls` or `sticks`."""
         ref, surface = self.pair()[0], self.surface(instant.configuration, instant.state)
         if surface is None:
@@ -189,7 +312,7 @@ class Touch(Connection, frozen=True):
         label = f"{spoken(name)} no longer slips"
         return self.no_slip(label, arm, self.forward(instant), instant, linear=False)
 
-    def no_slip(self, label: str, arm: Vector, direction: Heading, instant: Instant, *, linear: bool) -> Rule:
+    def no_slip(self, label: str, arm: Vector, direction: Heading, instant: Moment, *, linear: bool) -> Rule:
         """The touching point does not move along a direction on what it touches: travel of the centre on the left."""
         name, carrier = instant.host(self.pair()[0].owner), self.carrier(instant.configuration)
         motion = instant.motion(name)
@@ -205,7 +328,7 @@ class Touch(Connection, frozen=True):
         return Rule(self.name, label, bodies, (left[0], right[0]), (left[1], right[1]), linear)
 
     def friction_facts(
-        self, instant: Instant, name: str, arm: Vector, surface: Surface, normal: Formula
+        self, instant: Moment, name: str, arm: Vector, surface: Surface, normal: Formula
     ) -> Iterator[Fact]:
         """Friction: none; sticking (a force as large as it takes, and no slip); or slipping (μ N against the slip)."""
         grip, mode, motion = self.grip(), instant.mode(self.name), instant.motion(name)
@@ -232,7 +355,7 @@ class Touch(Connection, frozen=True):
         if grip.static is not None:
             yield Requirement(self.name, GRIPS, grip.static * normal, call("abs", size), "", "slips")
 
-    def both(self, force: Force, instant: Instant, noun: str, way: str, of: str) -> Iterator[Force]:
+    def both(self, force: Force, instant: Moment, noun: str, way: str, of: str) -> Iterator[Force]:
         """A force on the body, and that by which it acts back on the body that carries it."""
         yield force
         carrier = self.carrier(instant.configuration)
@@ -242,26 +365,27 @@ class Touch(Connection, frozen=True):
             yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place)
 
 
-def supporting(name: str, configuration: Configuration, state: str) -> Surface | None:
+def check_wheel(ref: PointRef, message: str, scene: Surroundings) -> None:
+    """A round body on an axle or hinge of its own."""
+    if ref.owner not in scene.held or rim_radius(scene.bodies[ref.owner], ref.point) is None:
+        lacks = "turns on no axle" if ref.owner not in scene.held else "has no radius"
+        raise Unsolvable(message, span=ref.span, help=f"`{ref.owner}` {lacks}")
+
+
+def is_level(name: str, scene: Surroundings) -> bool:
+    """Whether a name is that of a level surface, or of the ground."""
+    return name == "ground" or (name in scene.surfaces and scene.surfaces[name].level)
+
+
+def supporting(name: str, configuration: Surroundings, state: str) -> Surface | None:
     """The flat surface along which a body travels."""
     for item in configuration.connections(state):
-        if isinstance(item, Touch) and item.track(configuration.bodies[name], configuration, state) is not None:
+        if item.lying() and item.track(configuration.bodies[name], configuration, state) is not None:
             return item.surface(configuration, state)
     return None
 
 
-def into(surface: Surface) -> str:
-    """Direction in which something presses on a surface, in words."""
-    return "down" if surface.word == "level" else "into the slope"
-
-
-def away(surface: Surface) -> str:
-    """Direction of a surface's push in words."""
-    words = {"level": "up", "slope": "perpendicular to the slope", "dome": "outward", "hollow": "towards the centre"}
-    return words.get(surface.word, f"away from the {spoken(surface.word)}")
-
-
-def travel_words(forward: Heading, path: Heading | None, instant: Instant, name: str) -> tuple[str, str]:
+def travel_words(forward: Heading, path: Heading | None, instant: Moment, name: str) -> tuple[str, str]:
     """Words for the way along a surface that counts as positive, and for the other way; `path` is that of the body's travel."""
     if path is None or forward != path:
         words = along_text(forward) or "along the surface"
@@ -271,7 +395,7 @@ def travel_words(forward: Heading, path: Heading | None, instant: Instant, name:
     return words, opposite(words)
 
 
-def contact_arm(ref: PointRef, facing: Heading, instant: Instant) -> Vector:
+def contact_arm(ref: PointRef, facing: Heading, instant: Moment) -> Vector:
     """From the body's reference to where it touches: a wheel's rim towards the surface, a named point, or the body itself."""
     radius = rim_radius(instant.body(ref.owner), ref.point)
     if radius is not None and instant.is_round(ref.owner):

@@ -1,13 +1,22 @@
-"""Shapes of bodies: how mass is spread. A size that the scene leaves out is None."""
+"""Shapes of bodies: how mass is spread, the shape of a body, and the radius at which strings, belts and surfaces touch a round one."""
 
+from __future__ import annotations
+
+from rotsolve.algebra.formula import Formula
 from rotsolve.elements.shapes.flat import Polygon, Rectangle, Triangle
-from rotsolve.elements.shapes.integrated import Graded, Integrated, Lamina, Revolution
+from rotsolve.elements.shapes.integrated import Graded as Graded
+from rotsolve.elements.shapes.integrated import Lamina, Revolution
 from rotsolve.elements.shapes.round import Annulus, Cylinder, CylindricalShell, Disc, Ring, Sphere, SphericalShell
-from rotsolve.elements.shapes.shape import WHEEL, Place, Shape
 from rotsolve.elements.shapes.solid import Cone, Cuboid, Ellipsoid
-from rotsolve.elements.shapes.thin import Arc, Particle, Rod, Rope
+from rotsolve.elements.shapes.thin import Arc, Rope
+from rotsolve.elements.shapes.thin import Particle as Particle
+from rotsolve.elements.shapes.thin import Rod as Rod
+from rotsolve.language.bodies import Body
+from rotsolve.language.shape import WHEEL as WHEEL
+from rotsolve.language.shape import Place as Place
+from rotsolve.language.shape import Shape as Shape
 
-SHAPES: tuple[type[Shape], ...] = (
+SHAPES: list[type[Shape]] = [
     Particle,
     Rod,
     Rope,
@@ -27,6 +36,23 @@ SHAPES: tuple[type[Shape], ...] = (
     Ellipsoid,
     Lamina,
     Revolution,
-)
+]
+PARTICLE = Particle()
 
-__all__ = ["SHAPES", "WHEEL", "Graded", "Integrated", "Particle", "Place", "Rod", "Rope", "Shape"]
+
+def shape_of(body: Body) -> Shape:
+    """The shape of a body; one without a shape is a particle."""
+    return body.shape or PARTICLE
+
+
+def rim_radius(body: Body, point: str | None) -> Formula | None:
+    """Radius of the rim that a point names: a name of `radii`, else the shape's rim, else the last named of a stepped drum."""
+    shape = shape_of(body)
+    for name, radius in (*body.radii, *getattr(shape, "radii", ())):
+        if name == point:
+            return radius  # type: ignore[no-any-return]
+    if shape.outer is not None:
+        return shape.outer
+    if body.radius is not None:
+        return body.radius
+    return body.radii[-1][1] if body.radii else None

@@ -6,10 +6,10 @@ from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, call, multiply, negate, total
+from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
-from rotsolve.elements.shapes.shape import Place, Shape
-from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.language.keys import key
+from rotsolve.language.shape import Place, Shape
 
 
 class Rectangle(Shape, frozen=True):
@@ -49,6 +49,9 @@ class Rectangle(Shape, frozen=True):
     def measure(self) -> Formula:
         return self.sides[0] * self.sides[1]
 
+    def box(self) -> tuple[Formula, ...]:
+        return self.sides
+
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         width, height = self.sides[0] / 2, self.sides[1] / 2
         places = {
@@ -65,6 +68,7 @@ class Triangle(Shape, frozen=True):
     spread = "surface"
     about = "thin uniform triangle: its three `corners`, or its three `sides` (corner1 to corner2 along +x first)"
     points = ("corner1", "corner2", "corner3")
+    closing = ("sides", "corners")
     sides: tuple[Formula, ...] = key(
         "quantities",
         "three sides, in order",

@@ -9,11 +9,11 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, call
 from rotsolve.core.derivation import Words
+from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, InertiaTensor, displaced
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.elements.shapes.shape import Place, Shape
-from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis
 from rotsolve.language.keys import key
+from rotsolve.language.shape import Place, Shape
 
 CARTESIAN, POLAR = ("x", "y"), ("r", "phi")
 UNSHAPED = Shape()
@@ -32,6 +32,9 @@ class Integrated(Shape, frozen=True, dict=True):
         found = self.slicing()
         assert found is not None
         return found
+
+    def following(self, positive: frozenset[str]) -> Shape:
+        return replace(self, positive=positive)
 
     def closed(self, integral: Formula) -> Formula:
         from rotsolve.algebra.calculus.integral import carried_out
@@ -92,6 +95,9 @@ class Lamina(Integrated, frozen=True):
         required=True,
         example="{x: [0, a], y: [0, b*sqrt(1 - x^2/a^2)]}",
     )
+
+    def variables(self) -> tuple[str, ...]:
+        return tuple(item.variable.name[1:] for item in self.region)
 
     def slicing(self) -> Slicing:
         return self.layers(ONE)
@@ -190,6 +196,14 @@ class Graded(Integrated, frozen=True):
     @property
     def word(self) -> str:  # type: ignore[override]
         return self.shape.word
+
+    @property
+    def noun(self) -> str:  # type: ignore[override]
+        return self.shape.noun
+
+    @property
+    def slender(self) -> bool:  # type: ignore[override]
+        return self.shape.slender
 
     @property
     def points(self) -> tuple[str, ...]:  # type: ignore[override]

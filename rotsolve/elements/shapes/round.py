@@ -6,16 +6,18 @@ from fractions import Fraction
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
+from rotsolve.core.slicing import Range, Slicing, about_axis, coordinate, on_axis
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
-from rotsolve.elements.shapes.shape import WHEEL, Shape, extent
-from rotsolve.elements.shapes.slicing import Range, Slicing, about_axis, coordinate, on_axis
 from rotsolve.language.keys import key
+from rotsolve.language.shape import WHEEL, Shape, extent
 
 Radii = tuple[tuple[str, Formula], ...]
 
 
 class Disc(Shape, frozen=True):
     word = "disc"
+    round = True
+    noun = "solid disc"
     spread = "surface"
     about = "uniform solid disc"
     points = WHEEL
@@ -68,6 +70,8 @@ class Ring(Shape, frozen=True):
 
 class Annulus(Shape, frozen=True):
     word = "annulus"
+    round = True
+    walled = True
     spread = "surface"
     about = "flat disc with a round hole in its middle: `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
@@ -99,6 +103,8 @@ class Annulus(Shape, frozen=True):
 
 class Sphere(Shape, frozen=True):
     word = "sphere"
+    round = True
+    noun = "solid sphere"
     flat = False
     coordinates = ("r",)
     spread = "volume"
@@ -131,6 +137,7 @@ class Sphere(Shape, frozen=True):
 
 class SphericalShell(Shape, frozen=True):
     word = "spherical shell"
+    round = True
     flat = False
     about = "thin-walled hollow sphere; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
@@ -198,6 +205,7 @@ class Cylinder(Disc, frozen=True):
     """A disc as far as its axis is concerned."""
 
     word = "cylinder"
+    noun = "solid cylinder"
     about = "uniform solid cylinder seen along its axis"
     spread = "volume"
     flat = False
@@ -220,6 +228,7 @@ class CylindricalShell(Ring, frozen=True):
     """A ring as far as its axis is concerned, an annulus where its wall is thick."""
 
     word = "cylindrical shell"
+    round = True
     about = "thin-walled tube seen along its axis; thick-walled with `radii: {inner: r, outer: R}`"
     points = (*WHEEL, "inner", "outer")
     flat = False

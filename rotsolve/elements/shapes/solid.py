@@ -7,10 +7,10 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number
+from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
-from rotsolve.elements.shapes.shape import Shape, extent
-from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_axis, on_line
 from rotsolve.language.keys import key
+from rotsolve.language.shape import Shape, extent
 
 
 class Cone(Shape, frozen=True):

@@ -8,15 +8,16 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, call
+from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.elements.shapes.shape import Place, Shape, extent
-from rotsolve.elements.shapes.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.language.keys import key
+from rotsolve.language.shape import Place, Shape, extent
 
 
 class Particle(Shape, frozen=True):
     word = "particle"
+    pointlike = True
     about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
     radius: Formula = key(
         "quantity",
@@ -41,6 +42,7 @@ class Rod(Shape, frozen=True):
     about = "thin uniform rod; `rod.at(x)` is the point at x from its start"
     points = ("start", "center", "end")
     spread = "line"
+    slender = True
     coordinates = ("x",)
     length: Formula | None = extent("length", "L")
 
@@ -67,6 +69,9 @@ class Rod(Shape, frozen=True):
 
     def extent(self) -> Formula:
         return self.length or ZERO
+
+    def reach(self) -> Formula | None:
+        return self.length
 
     def locate(self, point: str, argument: Formula | None = None) -> Place:
         half = self.extent() / 2

@@ -16,7 +16,7 @@ from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Fa
 from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
-from rotsolve.elements.rims import shape_of
+from rotsolve.elements.shapes import shape_of
 from rotsolve.grading.mistakes.mistake import (
     Change,
     Made,
@@ -92,7 +92,7 @@ def weight_at_end(scene: Scene) -> Made:
     """The arm L for ½ L of a rod that is hinged at its end."""
     first = scene.moments[0].state
     for name in each(
-        name for name in pulled_bodies(scene, WEIGHT) if shape_of(scene.configuration.bodies[name]).word == "rod"
+        name for name in pulled_bodies(scene, WEIGHT) if shape_of(scene.configuration.bodies[name]).slender
     ):
         held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end"):
@@ -103,7 +103,7 @@ def weight_at_end(scene: Scene) -> Made:
 def mass_at_end(scene: Scene) -> Made:
     """I = m L² and the weight at L, of a rod that is hinged at its end."""
     first = scene.moments[0].state
-    for name in each(name for name, body in scene.configuration.bodies.items() if shape_of(body).word == "rod"):
+    for name in each(name for name, body in scene.configuration.bodies.items() if shape_of(body).slender):
         held = scene.configuration.pivot(name, first)
         if held is not None and held.point in ("start", "end") and name in scene.bodies:
             yield (

@@ -14,9 +14,7 @@ from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Inertia
 from rotsolve.core.vectors.heading import Vector
-from rotsolve.elements.rims import shape_of
-from rotsolve.elements.shapes import Rod, Shape
-from rotsolve.elements.shapes.round import Annulus
+from rotsolve.elements.shapes import shape_of
 from rotsolve.grading.mistakes.mistake import Change, Made, each_and_all, of_bodies
 from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.rigid import RigidPiece, tidy
@@ -165,7 +163,7 @@ def shape_factors(scene: Scene) -> Made:
             fitting = [body.name for body in sized if not any(is_zero(told(body) - one) for one in about[body.name])]
             for names, who in each_and_all(fitting):
                 yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, told))
-    for names, who in each_and_all(body.name for body in bodies if isinstance(body.shape, Annulus)):
+    for names, who in each_and_all(body.name for body in bodies if body.shape is not None and body.shape.walled):
         words = f"in the moment of inertia of {who} the square of the inner radius was taken away instead of added"
         yield words, Change(problem=with_inertia(names, hollowed_inertia))
 
@@ -179,11 +177,11 @@ def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
 
 def round_radius(body: Body) -> Formula | None:
     """The radius of a round shape that has a factor in the table."""
-    return body.shape.outer if isinstance(body.shape, Shape) and tells_inertia(body) else None
+    return body.shape.outer if body.shape is not None and tells_inertia(body) else None
 
 
 def rod_length(body: Body) -> Formula | None:
-    return body.shape.length if isinstance(body.shape, Rod) and tells_inertia(body) else None
+    return body.shape.reach() if body.shape is not None and tells_inertia(body) else None
 
 
 def tells_inertia(body: Body) -> bool:
@@ -203,7 +201,7 @@ def shape_inertia(body: Body) -> Formula:
 
 def hollowed_inertia(body: Body) -> Formula:
     """½ m (R² − r²) of an annulus."""
-    sizes = dict(body.shape.radii) if isinstance(body.shape, Annulus) else {}
+    sizes: dict[str, Formula] = dict(getattr(body.shape, "radii", ()))
     return (body.mass or ZERO) * (sizes["outer"] ** 2 - sizes["inner"] ** 2) / 2
 
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.slicing import Slicing
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.elements.shapes.slicing import Slicing
 from rotsolve.language.keys import Element, key
 
 Place = tuple[Formula, Formula]
@@ -34,6 +34,14 @@ class Shape(Element, frozen=True):
     coordinates: ClassVar[tuple[str, ...]] = ()  # in which a density may vary
     wound: ClassVar[bool] = False  # whether a sheet can be rolled up to it, so that its mass is as its radius squared
     rigid: ClassVar[bool] = True  # whether it keeps its form, so that it has a moment of inertia
+    pointlike: ClassVar[bool] = False  # whether all its mass is in one point
+    slender: ClassVar[bool] = (
+        False  # whether it runs straight from its start to its end, so that its angle is that of its direction
+    )
+    round: ClassVar[bool] = False  # whether it looks like a circle, or a ring between two
+    walled: ClassVar[bool] = False  # whether it is given by two radii
+    closing: ClassVar[tuple[str, ...]] = ()  # the keys of which one says how its sides close
+    noun: ClassVar[str] = ""  # what it is called beside its moment of inertia, if not by its word
 
     def moment(self, mass: Formula) -> Formula:
         """Moment of inertia about the centre of mass, axis square to the plane."""
@@ -53,6 +61,22 @@ class Shape(Element, frozen=True):
     def layers(self, density: Formula) -> Slicing | None:
         """Elements on each of which a varying density is the same."""
         return self.slicing()
+
+    def variables(self) -> tuple[str, ...]:
+        """The coordinates in which its density may vary, as they are spoken of."""
+        return self.coordinates
+
+    def reach(self) -> Formula | None:
+        """Length of what is slender, where it is told."""
+        return None
+
+    def box(self) -> tuple[Formula, ...]:
+        """Width and height of what looks like a rectangle."""
+        return ()
+
+    def following(self, positive: frozenset[str]) -> Shape:
+        """The shape with the letters that surely are positive, where its integrals need them."""
+        return self
 
     def begin(self) -> Spot:
         """Where the coordinates begin in which the scene speaks of the shape, in its own axes."""

@@ -1,0 +1,448 @@
+"""Elements: the base classes of all that a scene is built of beside its bodies, what they see of it, and what is asked of them.
+
+Each question has a plain default, so that an element answers only what is special about it. No element knows where it is asked from:
+it sees one `Moment` of the scene, and the `Surroundings` in which it acts.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Container, Iterator, Sequence
+from typing import ClassVar, Protocol
+
+from msgspec import Struct
+
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.core.drive import Drive
+from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Turntable
+from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.varying import pace_of
+from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.keys import Element, key
+
+Fact = Force | Couple | Rule | Requirement | Potential | Turntable
+
+
+class Scene(Protocol):
+    """What a scene declares, as its elements see it."""
+
+    @property
+    def connections(self) -> tuple[Connection, ...]: ...
+    @property
+    def actions(self) -> tuple[Action, ...]: ...
+    @property
+    def events(self) -> tuple[Event, ...]: ...
+    @property
+    def gravity(self) -> Formula | None: ...
+
+
+class Mentioned(Protocol):
+    """What the states and questions of a scene speak of."""
+
+    def says(self, state: str, owner: str, *words: str) -> bool: ...
+    def asks(self, owner: str, word: str) -> bool: ...
+    def untold(self, owner: str, word: str) -> tuple[str, Span | None] | None: ...
+
+
+class Surroundings(Protocol):
+    """The configuration of a scene as its elements see it: what acts at which state, and how bodies can move."""
+
+    @property
+    def problem(self) -> Scene: ...
+    @property
+    def bodies(self) -> dict[str, Body]: ...
+    @property
+    def surfaces(self) -> dict[str, Surface]: ...
+    @property
+    def held(self) -> dict[str, str]: ...
+    @property
+    def mentions(self) -> Mentioned: ...
+    @property
+    def heavy(self) -> bool: ...
+    @property
+    def order(self) -> tuple[str, ...]: ...
+    @property
+    def positive(self) -> frozenset[str]: ...
+    @property
+    def signs(self) -> SignOracle: ...
+
+    def certain_sign(self, value: Formula, question: str, span: Span | None = None) -> int: ...
+
+    def connections(self, state: str) -> tuple[Connection, ...]: ...
+    def host(self, name: str, state: str) -> str: ...
+    def pivot(self, name: str, state: str) -> PointRef | None: ...
+    def line(self, name: str, state: str) -> tuple[Heading, str] | None: ...
+    def drives(self, name: str, state: str) -> tuple[Drive, ...]: ...
+    def balanced(self, name: str, state: str) -> bool: ...
+    def driven(self, name: str, state: str) -> bool: ...
+
+
+class Moment(Protocol):
+    """One moment of a scene as its elements see it: where bodies are, how they move, and the letters for that."""
+
+    @property
+    def configuration(self) -> Surroundings: ...
+    @property
+    def state(self) -> str: ...
+    @property
+    def when(self) -> str: ...
+
+    def ask(
+        self,
+        word: str,
+        owner: str,
+        *,
+        when: str | None = None,
+        component: str = "",
+        words: tuple[str, str] = ("", ""),
+        letter: str = "",
+    ) -> Formula: ...
+    def mode(self, contact: str) -> str: ...
+    def span(self, name: str) -> str: ...
+    def body(self, name: str) -> Body: ...
+    def host(self, name: str) -> str: ...
+    def sense(self, name: str) -> int: ...
+    def turn_words(self, name: str) -> tuple[str, str]: ...
+    def is_round(self, name: str) -> bool: ...
+    def weightless(self, name: str) -> bool: ...
+    def centre_of_mass(self, name: str) -> Vector: ...
+    def motion(self, name: str) -> Motion: ...
+    def line(self, name: str) -> tuple[Heading, str] | None: ...
+    def orbit(self, name: str) -> Orbit | None: ...
+    def point(self, ref: PointRef) -> Vector: ...
+    def velocity(self, ref: PointRef) -> Vector: ...
+    def acceleration(self, ref: PointRef) -> Vector: ...
+    def time(self) -> Formula: ...
+    def now(self, value: Formula) -> Formula: ...
+
+
+class Letters(Protocol):
+    """Makes a letter that no other quantity has, for what the scene leaves out."""
+
+    def make(self, letter: str, owner: str, dimension: str) -> Formula: ...
+
+
+class Orbit(Struct, frozen=True):
+    """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
+
+    `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
+    positive travel goes counterclockwise.
+    """
+
+    owner: str
+    radius: Formula | None
+    level: Formula
+    way: int
+    words: str
+
+
+class Ride(Struct, frozen=True):
+    """A body that a connection makes slide along another, with which it turns; one that is not `free` is held where it is."""
+
+    owner: str
+    rider: PointRef
+    carrier: PointRef
+    free: bool
+
+
+class Surface(Element, frozen=True):
+    """Base of all surfaces."""
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    later: ClassVar[bool] = False
+    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
+    level: ClassVar[bool] = False
+    slanted: ClassVar[bool] = False
+    upright: ClassVar[bool] = False
+    curved: ClassVar[bool] = False
+    away: ClassVar[str] = ""  # the direction of its push in words, if not away from what its word says
+    into: ClassVar[str] = "into the slope"  # the direction in which something presses on it
+    name: str = ""
+
+    @property
+    def normal(self) -> Heading:
+        """Direction out of the surface."""
+        return UP
+
+    def height(self) -> Formula | None:
+        """Height above the floor of an edge."""
+        return None
+
+    def travel(self, moves: str | None) -> tuple[Heading, str]:
+        """Direction in which a body moves along the surface for a declared word, and how to say it."""
+        word = moves if moves in ("left", "right") else "right"
+        return (RIGHT if word == "right" else LEFT), word
+
+
+class ActingElement(Element, frozen=True):
+    """Base of all that acts on bodies. `quantities` can be asked of it."""
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    quantities: ClassVar[tuple[str, ...]] = ()
+    later: ClassVar[bool] = False
+    name: str = ""
+
+    def check(self, scene: Surroundings) -> None:
+        """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def touches(self) -> tuple[PointRef, ...]:
+        """All points that it names."""
+        return ()
+
+    def brakes(self) -> tuple[PointRef, ...]:
+        """Bodies against whose turn it rubs, whichever way that is."""
+        return ()
+
+    def pace(self, configuration: Surroundings, state: str) -> str:
+        """How its forces and rules vary while bodies move (see core.varying)."""
+        return "constant"
+
+    def facts(self, instant: Moment) -> Iterator[Fact]:
+        """The forces, couples, rules and requirements that it adds at a moment."""
+        return iter(())
+
+
+class Action(ActingElement, frozen=True):
+    """Base of all actions. An action between two states is absent before and after."""
+
+    from_: str | None = key("name", "the state at which it begins", default=None, refers=("state",))
+    to: str | None = key("name", "the state at which it ends", default=None, refers=("state",))
+
+    def touches(self) -> tuple[PointRef, ...]:
+        """The point on which it acts."""
+        on = getattr(self, "on", None)
+        return (on,) if on is not None else ()
+
+    def strength(self) -> Formula:
+        """The force, torque or power, under the key of its word; where it varies, a formula of `time` and of paths of bodies."""
+        return getattr(self, self.word, None) or ZERO
+
+    def pace(self, configuration: Surroundings, state: str) -> str:
+        return pace_of(self.strength())
+
+    def now(self, instant: Moment) -> Formula:
+        """Its strength at a moment."""
+        return instant.now(self.strength())
+
+
+class Connection(ActingElement, frozen=True):
+    """Base of all connections. `words` can be said of it in a state.
+
+    `independent` marks one that holds several bodies without making one move with the other, `bodily` one that joins bodies alone and
+    nothing that is fixed, `rimmed` one that runs on the rims of wheels, `repeats` one that may name a body twice, `axial` an axis
+    through the centre of what it holds, `circling` one that carries what it holds steadily round. `kept` are its quantities that an
+    event leaves as they were.
+    """
+
+    words: ClassVar[tuple[str, ...]] = ()
+    independent: ClassVar[bool] = False
+    bodily: ClassVar[bool] = False
+    rimmed: ClassVar[bool] = False
+    repeats: ClassVar[bool] = False
+    axial: ClassVar[bool] = False
+    circling: ClassVar[bool] = False
+    kept: ClassVar[tuple[str, ...]] = ()
+
+    def check(self, scene: Surroundings) -> None:
+        """Two bodies that turn against each other share an axle."""
+        if self.between():
+            first, second = self.between()
+            if scene.held.get(first.owner, first.owner) != scene.held.get(second.owner):
+                help = f"give `axle: [{first.owner}, {second.owner}]`"
+                raise Unsolvable(
+                    f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
+                )
+
+    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+        """The connection with letters for what the scene leaves out; `held` are the bodies on axles and hinges."""
+        return self
+
+    def touches(self) -> tuple[PointRef, ...]:
+        return tuple(ref for field in self.pointed for ref in getattr(self, field))
+
+    def between(self) -> tuple[PointRef, ...]:
+        """The two bodies, if any, whose turning against each other its angles and angular velocities are."""
+        return ()
+
+    def joined(self) -> tuple[PointRef, ...]:
+        """The two points, if any, that it joins, so that their bodies are one."""
+        return ()
+
+    def joint(self) -> tuple[PointRef, ...]:
+        """The points that it keeps at one place, about which their bodies turn."""
+        return ()
+
+    def ride(self) -> Ride | None:
+        """The body, if any, that slides along another."""
+        return None
+
+    def turned(self) -> tuple[str, ...]:
+        """The bodies that it turns by their rims, so that they have a radius."""
+        return ()
+
+    def ropes(self) -> tuple[PointRef, ...]:
+        """The bodies that it holds although they bend freely."""
+        return ()
+
+    def twists(self) -> bool:
+        """Whether a couple of it acts on the bodies that it touches."""
+        return False
+
+    def fixed_points(self) -> tuple[PointRef, ...]:
+        """Points of bodies that it holds to the ground, so that the body turns about them."""
+        return ()
+
+    def track(self, body: Body, configuration: Surroundings, state: str) -> tuple[Heading, str] | None:
+        """Line along which it makes a body travel, with the words for the positive sense."""
+        return None
+
+    def orbit(self, body: Body, configuration: Surroundings, state: str) -> Orbit | None:
+        """Circle along which it makes a body's centre travel."""
+        return None
+
+    def hangs(self, body: Body) -> bool:
+        """Whether a body hangs from it, so that it travels up and down."""
+        return False
+
+    def lays(self, body: Body) -> bool:
+        """Whether a body lays itself out along it, layer by layer, so that less and less of it is left to move."""
+        return False
+
+    def weighs(self, body: Body) -> bool:
+        """Whether it states the weight of a body, part by part."""
+        return False
+
+    def natural_turn(self, body: Body, configuration: Surroundings, state: str) -> int:
+        """Positive turn of a body that goes with its positive travel: +1 counterclockwise, −1 clockwise, 0 no matter."""
+        return 0
+
+    def prescribes(self) -> Iterator[tuple[str, str, str, Formula]]:
+        """Motions that it forces on bodies: (body, word, component, formula of `time`)."""
+        return iter(())
+
+    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
+        """Height of a body's reference point above a level that stays, where it tells that; `height_of` tells that of other points."""
+        return None
+
+    def tension_at(self, name: str, instant: Moment) -> Formula | None:
+        """Its tension where it leaves a body, where it has several."""
+        return None
+
+    def lying(self) -> str:
+        """The body, if any, that it lays on something."""
+        return ""
+
+    def places(self) -> tuple[PointRef, ...]:
+        """What that body lies on: surfaces in the order in which they join, or a body."""
+        return ()
+
+    def carrier(self, configuration: Surroundings) -> str:
+        """The body on which it lays another; '' for what does not move."""
+        return ""
+
+    def surface(self, configuration: Surroundings, state: str) -> Surface | None:
+        """The surface on which it holds a body."""
+        return None
+
+    def touching_angle(self, instant: Moment) -> Formula:
+        """Angle of the touching radius of a curved surface."""
+        raise NotImplementedError
+
+    def touching_arm(self, instant: Moment) -> Vector:
+        """From the reference of the body that it lays on something to the point at which they touch."""
+        raise NotImplementedError
+
+    def grips(self) -> bool:
+        """Whether friction can hold what it lays on something."""
+        return False
+
+    def grip_rule(self, instant: Moment) -> Rule | None:
+        """No slip at a moment, for a state that says so."""
+        return None
+
+    def rubs(self) -> bool:
+        """Whether one of its bodies can slip, against friction of a size that is known."""
+        return False
+
+    def slider(self) -> PointRef:
+        """The body whose slip counts."""
+        raise NotImplementedError
+
+    def static(self) -> Formula | None:
+        """The coefficient by which a push limits the friction that holds; None where the push has no part in it."""
+        return None
+
+    def slip(self, instant: Moment, *, acceleration: bool = False) -> Formula | None:
+        """How fast a body slips along the sense that counts as positive, or the rate of that; None where nothing tells the sense."""
+        return None
+
+    def drift(self, instant: Moment) -> Formula | None:
+        """How fast that body as a whole goes along; of two that turn on each other, their slip."""
+        return self.slip(instant)
+
+
+class Event(Element, frozen=True):
+    """Base of all events: the state before and the state after. `bodily` marks one that is about bodies alone."""
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    quantities: ClassVar[tuple[str, ...]] = ()
+    later: ClassVar[bool] = False
+    bodily: ClassVar[bool] = False
+    name: str = ""
+    from_: str | None = key("name", "the state before", default=None, refers=("state",), required=True)
+    to: str | None = key("name", "the state after", default=None, refers=("state",), required=True)
+
+    def check(self, scene: Surroundings) -> None:
+        """Refuses by name what the scene can't mean: raises Unsolvable."""
+
+    def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
+        """The points that take part, whose bodies and all that is tied to them change their velocities; none where nothing does."""
+        return ()
+
+    def begins(self) -> tuple[str, ...]:
+        """The connections that act only from it on."""
+        return ()
+
+    def ends(self, connections: Sequence[Connection]) -> tuple[str, ...]:
+        """What does not act, or is not there, from it on."""
+        return ()
+
+    def adds(self) -> tuple[Connection, ...]:
+        """Connections that hold bodies from it on."""
+        return ()
+
+    def joined(self) -> tuple[PointRef, ...]:
+        """The two points, if any, that stay together from it on, so that their bodies are one."""
+        return ()
+
+    def spot(self, ref: PointRef, instant: Moment) -> Vector:
+        """Where it acts on the body of a point that takes part, from the body's reference."""
+        return instant.point(ref)
+
+    def holds(self, ref: PointRef, instant: Moment) -> str:
+        """What the point is called at which it holds a body; '' where it holds none."""
+        return ""
+
+    def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
+        """The blows on the body of a point that takes part: as large as it takes along each axis, on the last-named along that."""
+        last = self.points(instant.configuration.problem.connections)[-1]
+        for axis, direction in self.axes(instant):
+            size = instant.ask("impulse", self.name, component=axis)
+            push, arm = unit(direction if ref == last else direction.turned(180)), self.spot(ref, instant)
+            yield Force(self.name, CONTACT, body.name, size, push, arm, "blow", internal=True)
+
+    def axes(self, instant: Moment) -> tuple[tuple[str, Heading], ...]:
+        """The directions of its blows, with the component that each is."""
+        return (("x", RIGHT), ("y", UP))
+
+    def twists(self, body: str, instant: Moment) -> tuple[Formula, ...]:
+        """The angular impulses on a body beside those of its blows."""
+        return ()
+
+    def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:
+        """(e, speed of approach before, speed of separation after), where two bodies bounce."""
+        return None
