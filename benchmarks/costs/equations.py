@@ -71,8 +71,8 @@ def leading(unknowns: list[str]) -> int:
 def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All unknowns as fractions in lowest terms."""
     from rotsolve.algebra.certified.balls import RealBalls
+    from rotsolve.algebra.exact.linear import eliminated as solve
     from rotsolve.algebra.exact.normal import Problem
-    from rotsolve.algebra.exact.solving.linear import eliminated as solve
 
     equations, unknowns, positive, values = made
     found: list[Any] = []
@@ -89,7 +89,7 @@ def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]
 def written(machine: Machine, made: System, runs: int) -> tuple[float, float]:
     """All unknowns, factored as a textbook would write them."""
     from rotsolve.algebra.certified.balls import RealBalls
-    from rotsolve.algebra.exact.solving.linear import solve_all
+    from rotsolve.algebra.exact.linear import solve_all
 
     equations, unknowns, positive, values = made
     found: list[Any] = []

@@ -5,9 +5,8 @@ from __future__ import annotations
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.calculus.derivative import differentiate, in_powers
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.writing.powers import in_powers
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.registry import TIME

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import equal
-from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
@@ -23,7 +23,7 @@ from rotsolve.derivation.results import LONG, Results, readable
 from rotsolve.language.problem import Problem, State, TimeValue
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
-from rotsolve.solver import Ref, Step
+from rotsolve.solver.steps import Ref, Step
 
 
 def state_words(state: State, bare: str) -> Words:

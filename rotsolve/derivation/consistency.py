@@ -11,9 +11,8 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import Precision, evaluate
+from rotsolve.algebra.certified.ball import Precision, decided_by_size, evaluate, note, watched
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
-from rotsolve.algebra.certified.witness import decided_by_size, note, watched
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law

@@ -10,7 +10,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
-from rotsolve.solver import Ref, Step
+from rotsolve.solver.steps import Ref, Step
 
 
 class Draft(Struct):

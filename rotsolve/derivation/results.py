@@ -9,7 +9,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.algebra.units.quantities import unit_for
@@ -24,7 +24,7 @@ from rotsolve.language.problem import ANY_TIME, Body, Find, Given, Problem, Time
 from rotsolve.questions.find import Asked, component
 from rotsolve.search.answers import Answered, Chosen
 from rotsolve.search.search import Search
-from rotsolve.solver import Found
+from rotsolve.solver.steps import Found
 
 
 def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:

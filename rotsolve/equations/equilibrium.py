@@ -9,9 +9,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.solving.linear import solve_linear
-from rotsolve.algebra.exact.solving.roots import solve_trig
+from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.registry import NEAR, REST, SEPARATOR, Registry

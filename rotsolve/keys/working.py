@@ -12,9 +12,8 @@ from collections.abc import Mapping, Sequence
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.ball import Certified, evaluate, witnessed
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.certified.witness import witnessed
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation

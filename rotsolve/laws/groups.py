@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DERIVATIVE, POWER, RATE, Equation

@@ -9,15 +9,12 @@ from itertools import pairwise
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.calculus.periodic import period_of
-from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.calculus.derivative import differentiate, in_powers, period_of
+from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate
 from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
-from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.exact.normal import degree, simplify
-from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.writing.powers import in_powers
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import PI, ZERO, Formula, add
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import REVERSAL, Equation

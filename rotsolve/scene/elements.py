@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from rotsolve.algebra.certified.witness import note
+from rotsolve.algebra.certified.ball import note
 from rotsolve.elements.actions import ACTIONS
 from rotsolve.elements.connections import CONNECTIONS, Friction
 from rotsolve.elements.events import EVENTS

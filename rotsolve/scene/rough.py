@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-from rotsolve.algebra.certified.witness import decided_by_size
+from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
 CALLS: dict[str, Callable[[float], float]] = {}

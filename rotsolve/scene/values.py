@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Collection, Mapping
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.witness import note
+from rotsolve.algebra.certified.ball import evaluate, note
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text

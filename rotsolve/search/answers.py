@@ -8,7 +8,7 @@ from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.language.problem import Find, Problem
 from rotsolve.plan import Shortage
 from rotsolve.questions.find import Asked
-from rotsolve.solver import Found
+from rotsolve.solver.steps import Found
 
 
 class Answered(Struct, frozen=True):

@@ -13,7 +13,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import question_for
 from rotsolve.search.answers import Answered, Chosen, Compared, OptionResult
 from rotsolve.search.search import Search
-from rotsolve.solver import Found
+from rotsolve.solver.steps import Found
 
 DIGITS = 50  # to which two numbers without a closed form are told apart
 HOLDING = {"<": (-1,), ">": (1,), "≤": (-1, 0), "≥": (0, 1), "=": (0,)}

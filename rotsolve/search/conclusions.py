@@ -12,7 +12,7 @@ from rotsolve.core.equation import FOUND
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered
 from rotsolve.search.search import Search
-from rotsolve.solver import Found, Ref, Step
+from rotsolve.solver.steps import Found, Ref, Step
 
 
 class Conclusion(Struct, frozen=True):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
@@ -22,7 +22,7 @@ from rotsolve.search.extrema import as_function_of, extreme_value, place_of_extr
 from rotsolve.search.friction import limiting
 from rotsolve.search.search import Search
 from rotsolve.search.swings import verge_equation
-from rotsolve.solver import Choice
+from rotsolve.solver.steps import PickedRoot
 
 
 def answer_where(search: Search, find: Find) -> None:
@@ -80,7 +80,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     order, positive = search.solver.order, search.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
     roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
-    picked = search.choose_root(letter, roots) if len(roots) > 1 else Choice(0)
+    picked = search.choose_root(letter, roots) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")
     root = search.solver.simplify(picked.of(roots))

@@ -13,7 +13,7 @@ from rotsolve.language.problem import Given
 from rotsolve.plan import Plan, Planner
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered
-from rotsolve.solver import Step
+from rotsolve.solver.steps import Step
 
 
 class Definitions(Struct):

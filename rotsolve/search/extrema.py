@@ -9,9 +9,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.separable import has_root
+from rotsolve.algebra.exact.field import PolynomialSigns
 from rotsolve.algebra.exact.normal import Problem, is_zero
-from rotsolve.algebra.exact.signs import PolynomialSigns
-from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
@@ -24,7 +24,7 @@ from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import Answered
 from rotsolve.search.conclusions import Conclusion, by_answers, by_condition, forget
 from rotsolve.search.search import Search
-from rotsolve.solver import Found
+from rotsolve.solver.steps import Found
 
 
 class Domain(Struct, frozen=True):

@@ -8,9 +8,8 @@ from math import floor
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, ends
+from rotsolve.algebra.certified.ball import Certified, decided_by_size, ends
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.registry import SEPARATOR
 

@@ -8,7 +8,7 @@ from functools import cmp_to_key
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.witness import decided_by_size
+from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, negate
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
@@ -21,7 +21,7 @@ from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.numbers import Numbers
-from rotsolve.solver import Choice
+from rotsolve.solver.steps import PickedRoot
 
 RATES = ("velocity|", "angular_velocity|")
 
@@ -151,7 +151,7 @@ class FirstReached(Struct, frozen=True):
     numbers: Numbers
     definition: Callable[[str], Formula | None]
 
-    def choose(self, name: str, roots: Sequence[tuple[int, Formula]]) -> Choice | None:
+    def choose(self, name: str, roots: Sequence[tuple[int, Formula]]) -> PickedRoot | None:
         """Of several angles the one that a body comes to first on its way; None where nothing tells where it starts.
 
         The roots are all places in one turn at which the condition of the state holds, so that it holds at none before.
@@ -165,7 +165,7 @@ class FirstReached(Struct, frozen=True):
                 ways = [self._way_to(k, root, (root - shift) / scale, *begin) for k, root in roots]
                 first = min(ways, key=cmp_to_key(self._compared))
                 words: Words = ("the first place on the way where this holds",)
-                return Choice(
+                return PickedRoot(
                     first.root, words, first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
                 )
         return None
@@ -251,11 +251,11 @@ class RootChoice(Struct, frozen=True):
     numbers: Numbers
     definition: Callable[[str], Formula | None]
 
-    def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+    def choose(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """The root that is meant, with the reason; a `period` later the equation holds again."""
         outwards = [index for index, root in enumerate(roots) if self._lacks_numbers(root)]
         if outwards and len(roots) > 1 and self._on_shaft(name):
-            return Choice(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))
+            return PickedRoot(outwards[0], ("out from the axis, where the shaft turns fast enough for it",))
         real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
@@ -267,13 +267,13 @@ class RootChoice(Struct, frozen=True):
         if len(moved) < len(real) and moved and self._is_change(name):
             real, dropped = moved, ("the root 0 is the start itself",)
         if len(real) == 1:
-            return Choice(real[0][0], dropped)
+            return PickedRoot(real[0][0], dropped)
         if all(self.numbers.side(roots[index] - roots[real[0][0]]) == 0 for index, _ in real[1:]):
-            return Choice(real[0][0], ("the roots coincide: it is only just reached",))
+            return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
         stable = self._stable(name, [roots[index] for index, _ in real])
         if stable:
             found = nearest_to_zero([real[place] for place in stable])
-            return Choice(found, ("the stable one: a body displaced from it comes back",))
+            return PickedRoot(found, ("the stable one: a body displaced from it comes back",))
         reached = FirstReached(self.scene, self.numbers, self.definition).choose(
             name, [(index, roots[index]) for index, _ in real]
         )
@@ -283,11 +283,11 @@ class RootChoice(Struct, frozen=True):
         if sign:
             fitting = [entry for entry in real if entry[1] * sign > 0]
             if fitting:
-                return Choice(smallest(fitting), words)
+                return PickedRoot(smallest(fitting), words)
         if self._is_angle(name):
-            return Choice(smallest(real), ("the smallest angle",))
+            return PickedRoot(smallest(real), ("the smallest angle",))
         positive = [entry for entry in real if entry[1] >= 0]
-        return Choice(smallest(positive or real), ("the positive root",))
+        return PickedRoot(smallest(positive or real), ("the positive root",))
 
     def _on_shaft(self, name: str) -> bool:
         """Whether a letter tells the angle at which a body stands steadily on a turning shaft."""
@@ -305,7 +305,9 @@ class RootChoice(Struct, frozen=True):
 
         return stable_roots(name, roots, self.scene, self.numbers.signs)
 
-    def _first_moment(self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None) -> Choice | None:
+    def _first_moment(
+        self, name: str, roots: Sequence[tuple[int, Formula]], period: Formula | None
+    ) -> PickedRoot | None:
         """Of times that come again the first one after the state before."""
         quantity = self.scene.registry.quantities.get(name)
         side = self.numbers.side(period) if period is not None else None
@@ -318,7 +320,7 @@ class RootChoice(Struct, frozen=True):
         if not moments:
             return None
         index, count, _ = min(moments, key=lambda entry: self.numbers.of(entry[2]) or 0.0)
-        return Choice(index, ("the first moment at which this holds",), Fraction(count), period)
+        return PickedRoot(index, ("the first moment at which this holds",), Fraction(count), period)
 
     def _begun(self, when: str) -> Formula | None:
         """The time at the state before a state; 0 for the duration of a phase."""
@@ -340,12 +342,12 @@ class RootChoice(Struct, frozen=True):
             return quantity.kind == "angle"
         return given is not None and (given.dimension is None or is_angle(given))
 
-    def _unnumbered(self, name: str, roots: Sequence[Formula]) -> Choice:
+    def _unnumbered(self, name: str, roots: Sequence[Formula]) -> PickedRoot:
         """Without numbers a root is chosen by the sign that the scene suggests: not negative unless said."""
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
         if sign < 0 and len(roots) > 1:
-            return Choice(1, words)
-        return Choice(0, words or ("the root along the positive sense",))
+            return PickedRoot(1, words)
+        return PickedRoot(0, words or ("the root along the positive sense",))
 
     def _lacks_numbers(self, root: Formula) -> bool:
         """Whether a root holds a given without a number."""

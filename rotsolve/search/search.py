@@ -26,7 +26,8 @@ from rotsolve.search.answers import Answered, Chosen, NoAnswer
 from rotsolve.search.definitions import Definitions, Stepwise
 from rotsolve.search.numbers import Numbers
 from rotsolve.search.planning import FORCES, OF_ONE_MOMENT, LawChoice, families_for
-from rotsolve.solver import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Solver
+from rotsolve.solver import Solver
+from rotsolve.solver.steps import Contradiction, Found, NoClosedForm, PickedRoot, Redundant, Ref
 
 if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
@@ -74,7 +75,7 @@ class Search(Struct, dict=True):
             running=frozenset(self.running),
         )
 
-    def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> Choice | None:
+    def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
         from rotsolve.search.roots import RootChoice
 

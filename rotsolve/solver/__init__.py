@@ -1,6 +1,290 @@
-"""Solving: the equations of a plan one unknown at a time, each elimination kept as a step."""
+"""Solve: the equations of a plan one unknown at a time, the asked one last, keeping every step as a textbook would write it.
 
-from rotsolve.solver.solver import ENTANGLED, Solver
-from rotsolve.solver.step import Choice, Contradiction, Found, NoClosedForm, Redundant, Ref, Step
+Trivial equations (I = ½ M R², a = R α) are put into the others without a line of their own; every other elimination is a step.
+"""
 
-__all__ = ["ENTANGLED", "Choice", "Contradiction", "Found", "NoClosedForm", "Redundant", "Ref", "Solver", "Step"]
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+from msgspec import field
+
+from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
+from rotsolve.core.derivation import Equality, Words
+from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
+from rotsolve.plan import Plan
+from rotsolve.solver.isolation import Isolation
+from rotsolve.solver.steps import (
+    Contradiction,
+    Found,
+    Item,
+    NoClosedForm,
+    Redundant,
+    Ref,
+    Step,
+    inner,
+    isolated,
+    kind_of,
+    line_in_letters,
+    line_of,
+    monomial,
+    moved_alone,
+    only_squared,
+    put_square,
+)
+from rotsolve.solver.textbook import part_of_whole, quarters_turned
+
+FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
+ACCELERATIONS = ("acceleration|", "angular_acceleration|")
+ROUNDS = 8  # values put in one after the other, since one may speak of the next
+NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
+SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
+ENTANGLED = "no unknown can be told from the others"
+
+# equation, unknown, its value, and why it is this root; None where the elimination needs no line of its own
+Elimination = tuple[Item, str, Formula, "Words | None"]
+
+
+class Solver(Isolation, kw_only=True):
+    """Solves plans one after the other; remembers answers and steps."""
+
+    pool: list[Equation]
+    refs: dict[int, Ref] = field(default_factory=dict)
+    running: frozenset[str] = frozenset(("time",))  # letters that run during a phase
+    steps: list[Step] = field(default_factory=list)
+    derived: list[tuple[Equation, Ref]] = field(default_factory=list)
+    told: dict[str, Formula] = field(default_factory=dict)  # what was eliminated on the way to the answers
+
+    def solve(self, plan: Plan) -> Found:
+        """Carry a plan out; the steps are kept only when it succeeds."""
+        kept, derived, told = len(self.steps), len(self.derived), dict(self.told)
+        try:
+            found = self._solve(plan)
+        except (Redundant, Contradiction, NoClosedForm, Undefined, ZeroDivisionError) as error:
+            del self.steps[kept:], self.derived[derived:]
+            self.told = told
+            if isinstance(error, ZeroDivisionError):
+                raise NoClosedForm("it would take a division by zero") from None
+            raise
+        self.solved[plan.asked] = found
+        return found
+
+    def with_found(self, value: Formula) -> Formula:
+        """Answers put in, and what was eliminated on the way to them."""
+        for _ in range(ROUNDS):
+            value = self.with_answers(value)
+            used = {name: self.told[name] for name in value.symbols() if name in self.told}
+            if not used:
+                break
+            value = value.substitute(used)
+        return value
+
+    def _solve(self, plan: Plan) -> Found:
+        """Eliminate one unknown after the other, until the last equation holds the asked one alone."""
+        laws = [(index, self.pool[index]) for index in plan.equations]
+        items = [Item(self.refs.get(k, ("law", k)), k, law.left, law.right, law.section) for k, law in laws]
+        for item in items:
+            self._put_in_functions(item)
+        unknowns = set(plan.unknowns)
+        while len(items) > 1:
+            found = self._next(items, unknowns, plan.asked) or self._within_function(items, unknowns, plan.asked)
+            item, name = found[:2] if found else self._eliminate_square(items, unknowns, plan.asked)
+            items.remove(item)
+            unknowns.discard(name)
+            if found is not None:
+                self._eliminate(items, *found, unknowns)
+        if items[0].unknowns(unknowns) - {plan.asked}:
+            raise Redundant(items[0].index)  # an unknown was left over, so that two of the equations said the same
+        return self._last(items[0], plan.asked)
+
+    def _put_in_functions(self, item: Item) -> None:
+        """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros."""
+        running = {
+            name: found.formula
+            for name, found in self.solved.items()
+            if found.formula is not None and (self.running & found.formula.symbols() or found.formula == ZERO)
+        }
+        used = {
+            name: value
+            for name, value in running.items()
+            if name in item.left.symbols() | item.right.symbols() | inner(item)
+        }
+        if used:
+            self._substitute(item, used, [("known", name) for name in used])
+
+    def _next(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
+        """What to eliminate next, the most trivial first; None where that is a square, or none can be told from the others."""
+        ranked: list[tuple[tuple[int, ...], Item, str]] = []
+        held = [item.unknowns(unknowns) for item in items]
+        holders = Counter(name for names in held for name in names)
+        for item, names in zip(items, held, strict=True):
+            self._check_alive(item, names)
+            for name in sorted(names - {asked}):
+                explicit = isolated(item, name)
+                others = holders[name] - 1
+                kind = kind_of(item, name, names, items)
+                if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
+                    kind = 4  # v = a t tells a speed by the acceleration, not the other way round
+                # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
+                away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 4 else 0
+                ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
+        ranked.sort(key=lambda entry: entry[0])
+        return self._first_linear(ranked, items)
+
+    def _first_linear(self, ranked: list[tuple[tuple[int, ...], Item, str]], items: list[Item]) -> Elimination | None:
+        """Of the best-ranked eliminations the one with the shortest result."""
+        best: tuple[int, Elimination] | None = None
+        rank: tuple[int, ...] | None = None
+        for key, item, name in ranked:
+            if best is not None and key[:4] != (rank or ())[:4]:
+                break
+            if key[0] == 3 and self._told_square(item, name, items) is not None:
+                return None
+            found = self.value_in(item, name, alone=key[0] in (1, 3))
+            if found is None:
+                continue
+            value, reason = found
+            summed = item.left.holds(Integral) or item.right.holds(Integral)
+            trivial = key[0] in (0, 2) and (key[0] == 0 or monomial(value)) and not summed
+            if best is None or length(value) < best[0]:
+                best, rank = (length(value), (item, name, value, None if trivial else reason)), key
+        return best[1] if best else None
+
+    def _within_function(self, items: list[Item], unknowns: set[str], asked: str) -> Elimination | None:
+        """The first equation whose only unknown stands within a function and is not within an integral."""
+        for item in items:
+            names = item.unknowns(unknowns)
+            if len(names) == 1 and asked not in names and not names & inner(item):
+                name = names.pop()
+                found = None if self._told_square(item, name, items) is not None else self.value_within(item, name)
+                if found is not None:
+                    return item, name, *found
+        return None
+
+    def _check_alive(self, item: Item, names: set[str]) -> None:
+        """An equation without unknowns left says nothing, or something false."""
+        if not names:
+            gap = self.with_answers(item.left - item.right)
+            raise Redundant(item.index) if is_zero(gap, self.positive) else Contradiction(item.index)
+
+    def _eliminate(
+        self, items: list[Item], item: Item, name: str, value: Formula, reason: Words | None, unknowns: set[str]
+    ) -> None:
+        """Write the step where it deserves a line, and put the value into the other equations."""
+        self.told[name] = value
+        refs: list[Ref] = [item.ref, *item.sources]
+        restated = not item.sources and not reason and isolated(item, name) == value
+        if not restated and (reason is not None or (item.sources and self.pool[item.index].family)):
+            more = [
+                *self.like_terms(item, name),
+                *self.bounds_put_in(item, name, value),
+                *self.function_alone(item, name, value),
+            ]
+            step = self._keep(item, line_of(item, name, value, more), name, reason or ())
+            refs = [("step", step.number)]
+            self.derived.append((FOUND.equation(Symbol(name), value, item.section), refs[0]))
+        for other in items:
+            if name in other.unknowns({name}):
+                self._substitute(other, {name: value}, refs)
+                gap = other.left - other.right
+                if not other.unknowns(unknowns) or (len(items) == 1 and is_zero(gap, self.positive)):
+                    self._check_alive(other, set())
+
+    def _told_square(self, item: Item, name: str, items: list[Item]) -> Formula | None:
+        """The square of an unknown that one equation tells and that all others hold as its square alone."""
+        if not all(only_squared(other, name) for other in items if name in other.unknowns({name})):
+            return None
+        return self.square_in(item.left - item.right, name)
+
+    def _eliminate_square(self, items: list[Item], unknowns: set[str], asked: str) -> tuple[Item, str]:
+        """Where an unknown occurs only as its square, put the square in: v² = 2 a h."""
+        for item in sorted(
+            items, key=lambda item: (len(item.unknowns(unknowns)), self.pool[item.index].family != ENERGY)
+        ):
+            for name in sorted(item.unknowns(unknowns) - {asked}):
+                value = self._told_square(item, name, items)
+                if value is None:
+                    continue
+                square = Symbol(name) ** 2
+                refs: list[Ref] = [item.ref, *item.sources]
+                if (item.left, item.right) != (square, value):
+                    chain = [Equality(item.left, item.right)] if item.sources else []
+                    chain += [
+                        *self.bounds_put_in(item, name),
+                        *self.like_terms(item, name),
+                        Equality(square, value),
+                    ]
+                    refs = [("step", self._keep(item, chain, "", ()).number)]
+                    self.derived.append((FOUND.equation(square, value, item.section), refs[0]))
+                for other in items:
+                    if other is not item and name in other.unknowns({name}):
+                        other.left, other.right = (put_square(side, name, value) for side in (other.left, other.right))
+                        other.sources.extend(ref for ref in refs if ref not in other.sources)
+                return item, name
+        raise NoClosedForm(ENTANGLED)
+
+    def _substitute(self, item: Item, values: Mapping[str, Formula], refs: Sequence[Ref]) -> None:
+        """Put values into an equation, and remember where they come from."""
+        item.left, item.right = (
+            self.tidied(quarters_turned(side.substitute(values))) for side in (item.left, item.right)
+        )
+        item.sources.extend(ref for ref in refs if ref not in item.sources and ref != item.ref)
+
+    def _keep(self, item: Item, chain: Sequence[Equality], name: str, reason: Words) -> Step:
+        """Write a step under the next number; a line that has been written before is only cited."""
+        refs = item.ref, tuple(item.sources), tuple(chain)
+        again = (step for step in self.steps if (step.target, step.sources, step.chain) == refs)
+        if (written := next(again, None)) is not None:
+            return written
+        step = Step(len(self.steps) + 1, *refs, name, item.section, reason)
+        self.steps.append(step)
+        return step
+
+    def _last(self, item: Item, asked: str) -> Found:
+        """The asked unknown from the last equation."""
+        written = isolated(item, asked)
+        candidates, more = self.roots(item, asked)
+        if not candidates:
+            root, words = self.certified_root(item, asked)
+            reason = (*NUMERICALLY, "; ", *words) if words else NUMERICALLY
+            self._keep(item, [Equality(item.left, item.right)], asked, reason)
+            return Found(asked, None, root)
+        picked = self.choice(asked, candidates, item.left - item.right)
+        if picked is None:
+            raise Contradiction(item.index)
+        value = self.chosen(picked, candidates).transform(self.without_bars, "abs")
+        final = self.shortest(self.with_answers(value))
+        more = more or [
+            *self.bounds_put_in(item, asked, final),
+            *self.function_alone(item, asked, candidates[picked.root]),
+        ]
+        more = [*self.like_terms(item, asked), *more]
+        reason = picked.words or (SUMMED_NUMERICALLY if final.holds(Integral) else ())
+        moved = moved_alone(item, asked) or value
+        if item.sources or written is None or moved.symbols() & set(self.solved):
+            value = moved
+        if final != value:
+            used = [name for name in self.solved if name in value.symbols()]
+            first = self._in_letters(asked, value, final, more, written)
+            item.sources[:0] = [("known", name) for name in used]
+            self._keep(item, line_in_letters(item, asked, first, final), asked, reason)
+        elif item.sources or written != final:
+            self._keep(item, line_of(item, asked, final, more), asked, reason)
+        others = tuple(self.simplify(self.with_answers(c)) for k, c in enumerate(candidates) if k != picked.root)
+        return Found(asked, final, None, others)
+
+    def _in_letters(
+        self, asked: str, value: Formula, final: Formula, more: Sequence[Equality], written: Formula | None
+    ) -> list[Equality]:
+        """What stands before an answer: it in the letters found before, and what leads there and on."""
+        letter = Symbol(asked)
+        if written is not None and written.holds(Integral):
+            return [Equality(letter, written), *more]
+        stated = written if written is not None and part_of_whole(written) else value
+        drawn = self.drawn_together(value)
+        together = [Equality(letter, drawn)] if drawn not in (None, value, final) else []
+        return [*more, Equality(letter, stated), *together]

@@ -5,16 +5,24 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.calculus.periodic import period_of
+from rotsolve.algebra.calculus.derivative import period_of
 from rotsolve.algebra.certified.ball import Certified
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import coefficients, degree, is_zero
-from rotsolve.algebra.exact.solving.linear import solve_linear
-from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig, solve_unwrapped
 from rotsolve.algebra.formula import ZERO, Call, Formula, Integral, Number, Sum, Symbol, total
 from rotsolve.core.derivation import Equality, Words
-from rotsolve.solver.item import Item, holds_square, inner, isolated
-from rotsolve.solver.step import Choice, Chooser, Contradiction, NoClosedForm, Redundant
+from rotsolve.solver.steps import (
+    Chooser,
+    Contradiction,
+    Item,
+    NoClosedForm,
+    PickedRoot,
+    Redundant,
+    holds_square,
+    inner,
+    isolated,
+)
 from rotsolve.solver.textbook import Textbook
 
 INVERSES = {"asin": "sin", "acos": "cos", "atan": "tan", "log": "exp"}
@@ -143,14 +151,14 @@ class Isolation(Textbook, kw_only=True):
         choice = self.choice(name, roots, gap) if roots else None
         return (self.chosen(choice, roots), choice.words) if choice else None
 
-    def choice(self, name: str, roots: Sequence[Formula], gap: Formula) -> Choice | None:
+    def choice(self, name: str, roots: Sequence[Formula], gap: Formula) -> PickedRoot | None:
         """The root that is meant, of the equation gap = 0."""
         period = period_of(self.with_answers(self.carried_out(gap)), name)
         if len(roots) == 1 and period is None:
-            return Choice(0)
+            return PickedRoot(0)
         return self.choose(name, [self.with_answers(root) for root in roots], period)
 
-    def chosen(self, choice: Choice, roots: Sequence[Formula]) -> Formula:
+    def chosen(self, choice: PickedRoot, roots: Sequence[Formula]) -> Formula:
         """The root itself, whole turns or periods beyond it."""
         return self.simplify(choice.of(roots)) if choice.turns else roots[choice.root]
 

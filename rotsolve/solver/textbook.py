@@ -7,14 +7,14 @@ from functools import partial, reduce
 
 from msgspec import Struct, field
 
+from rotsolve.algebra.calculus.derivative import in_powers
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.writing.length import length
-from rotsolve.algebra.exact.writing.powers import in_powers
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
 from rotsolve.core.registry import TIME, in_midst
 from rotsolve.core.vectors.heading import heading
-from rotsolve.solver.step import Found
+from rotsolve.solver.steps import Found
 
 LONGEST = 1000  # nodes under a root, beyond which no form is one that a page would hold
 
@@ -97,8 +97,7 @@ class Textbook(Struct, kw_only=True):
         tidy = partial(simplify, order=self.order, positive=self.positive)
         if isinstance(node, Call) and node.function == "exp":
             return Call("exp", (tidy(node.arguments[0]),))
-        from rotsolve.algebra.exact.writing.exponentials import spread
-        from rotsolve.algebra.exact.writing.logarithms import one_logarithm
+        from rotsolve.algebra.exact.exponentials import one_logarithm, spread
 
         return spread(one_logarithm(node, tidy), tidy)
 
@@ -145,7 +144,7 @@ class Textbook(Struct, kw_only=True):
         def change(node: Formula) -> Formula:
             if not isinstance(node, Integral) or self._open(node):
                 return node
-            from rotsolve.solver.integrals import in_closed_form
+            from rotsolve.algebra.calculus.separable import in_closed_form
 
             done = in_closed_form(node, self.sign, self.order, self.positive)
             return node if done is None else self.simplify(done)
@@ -164,7 +163,7 @@ class Textbook(Struct, kw_only=True):
 
     def at_bounds(self, value: Formula) -> Formula | None:
         """All integrals as the antiderivative at both ends; None where one has no antiderivative that a page would hold."""
-        from rotsolve.algebra.calculus.bounds import at_bounds
+        from rotsolve.algebra.calculus.integral import at_bounds
 
         value = value.transform(gathered)
         ends: dict[Formula, Formula] = {}

@@ -6,8 +6,7 @@ from fractions import Fraction
 
 import pytest
 
-from rotsolve.algebra.calculus.bounds import at_bounds
-from rotsolve.algebra.calculus.integral import integrate
+from rotsolve.algebra.calculus.integral import at_bounds, integrate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import Formula, Integral, Number

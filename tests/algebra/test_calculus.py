@@ -8,9 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.algebra.calculus.antiderivative import antiderivative
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.calculus.integral import integrate
+from rotsolve.algebra.calculus.integral import antiderivative, integrate
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call

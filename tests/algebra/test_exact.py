@@ -10,10 +10,10 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.exact.exponentials import one_logarithm
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all, solve_linear, solve_system
 from rotsolve.algebra.exact.normal import coefficients, equal, is_zero, simplify
-from rotsolve.algebra.exact.solving.linear import NotLinear, Singular, solve_all, solve_linear, solve_system
-from rotsolve.algebra.exact.solving.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.exact.writing.logarithms import one_logarithm
+from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     ONE,

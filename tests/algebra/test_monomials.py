@@ -8,9 +8,9 @@ from math import prod
 import pytest
 
 from rotsolve.algebra.exact.field import Field, Poly
+from rotsolve.algebra.exact.grouping import HALF, Monomials
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.exact.writing.length import length
-from rotsolve.algebra.exact.writing.monomials import HALF, Monomials
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Symbol
 from rotsolve.algebra.notation.text import to_text
 

@@ -11,7 +11,7 @@ from rotsolve.algebra.calculus.separable import Stretch, Unending
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import equal, simplify
-from rotsolve.algebra.exact.solving.unwrap import solve_unwrapped
+from rotsolve.algebra.exact.roots import solve_unwrapped
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.parse import parse as parse_any
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.exact.solving.linear import solve_linear
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, Symbol, total
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units import dimension as dims

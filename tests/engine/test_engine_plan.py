@@ -12,7 +12,8 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.equation import RULE, Equation
 from rotsolve.plan import Plan, Planner, Shortage
-from rotsolve.solver import Choice, Contradiction, Redundant, Solver
+from rotsolve.solver import Solver
+from rotsolve.solver.steps import Contradiction, PickedRoot, Redundant
 
 
 def pool(*lines: str, costs: tuple[int, ...] = ()) -> list[Equation]:
@@ -104,8 +105,8 @@ def test_random_triangular_pools_need_just_what_is_reached(seed: int) -> None:
 
 
 def solver(equations: list[Equation], choose: object = None) -> Solver:
-    def first(name: str, roots: object, period: object) -> Choice:
-        return Choice(0)
+    def first(name: str, roots: object, period: object) -> PickedRoot:
+        return PickedRoot(0)
 
     positive = frozenset({"k", "m", "g", "R"})
     return Solver(pool=equations, order=(), signs=SignOracle({}, frozenset(positive)), choose=choose or first)  # type: ignore[arg-type]
@@ -131,9 +132,9 @@ def test_a_square_is_solved_by_the_choice_of_root() -> None:
     assert isinstance(plan, Plan)
     asked_of = []
 
-    def second(name: str, roots: list[Formula], period: object) -> Choice:
+    def second(name: str, roots: list[Formula], period: object) -> PickedRoot:
         asked_of.append((name, len(roots)))
-        return Choice(1, ("it falls",))
+        return PickedRoot(1, ("it falls",))
 
     work = solver(equations, second)
     found = work.solve(plan)

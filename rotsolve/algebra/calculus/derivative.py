@@ -1,11 +1,14 @@
-"""Derivative: df/dx by the rules for sums, products, quotients, powers and function calls, and of an integral by Leibniz."""
+"""Derivatives, and what they tell of a formula: its period, and how it goes by the powers of a letter: ω₀ + a t − ½ b t²."""
 
 from __future__ import annotations
 
+from collections.abc import Collection, Sequence
 from fractions import Fraction
 
+from rotsolve.algebra.exact.normal import Problem, degree, is_zero, simplify
 from rotsolve.algebra.formula import (
     ONE,
+    PI,
     ZERO,
     Call,
     Formula,
@@ -107,3 +110,39 @@ def _leibniz(f: Integral, name: str) -> Formula:
         inner = differentiate(f.integrand, name)
         result = add(result, Integral(inner, f.variable, f.lower, f.upper))
     return result
+
+
+def period_of(function: Formula, letter: str) -> Formula | None:
+    """2π/n of a function in which a letter x stands in sin n x and cos n x only."""
+    calls = {node for node in function.walk(Call) if isinstance(node, Call) and letter in node.symbols()}
+    outside = function.transform(lambda node: PI if node in calls else node, Call)
+    if not calls or letter in outside.symbols() or any(node.function not in ("sin", "cos") for node in calls):
+        return None
+    slopes = {simplify(differentiate(node.arguments[0], letter)) for node in calls}
+    slope = slopes.pop()
+    return None if slopes or letter in slope.symbols() else 2 * PI / slope
+
+
+LONGEST = 12  # powers of a polynomial that is written by them
+
+
+def in_powers(value: Formula, name: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> Formula:
+    """The terms c₀ + c₁ x + c₂ x² + … with cₙ = f⁽ⁿ⁾(0)/n!; as it stands where it is no polynomial in the letter."""
+    if name not in value.symbols() or degree(value, name) is None or is_below(value, name):
+        return value
+    terms: list[Formula] = []
+    slope, factor = value, 1
+    for exponent in range(LONGEST):
+        part = simplify(slope.substitute({name: ZERO}) / factor, order=order, positive=positive)
+        terms.append(simplify(part * Symbol(name) ** exponent, order=order, positive=positive))
+        slope, factor = simplify(differentiate(slope, name)), factor * (exponent + 1)
+        if is_zero(slope):
+            return total(terms)
+    return value
+
+
+def is_below(value: Formula, name: str) -> bool:
+    """Whether a letter stands below the line."""
+    problem = Problem([value], extra=(name,))
+    _, bottom = problem.field.cancel(problem.ratio())
+    return bool(bottom.degrees()[problem.field.index[Symbol(name)]])

@@ -11,12 +11,15 @@ from fractions import Fraction
 
 from msgspec import Struct
 
+from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import Problem, simplify
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
     Call,
     Formula,
+    Integral,
     Negative,
     Number,
     Quotient,
@@ -186,3 +189,25 @@ def needs_care(f: Formula, name: str) -> bool:
 def has_root(f: Formula, name: str) -> bool:
     """Whether the variable stands under a root."""
     return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk("sqrt"))
+
+
+Sign = Callable[[Formula], int | None]
+
+
+def in_closed_form(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
+    """An integral in closed form; None where it has none that a page would hold."""
+    done = separated(node, sign, order, positive)
+    if done is not None:
+        return done
+    summed = integrate_by_hand if has_root(node.integrand, node.variable) else integrate
+    return summed(node.integrand, node.variable, node.lower, node.upper, positive=positive)
+
+
+def separated(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
+    """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""
+    if not needs_care(node.integrand, node.variable):
+        return None
+    try:
+        return Stretch(node.variable, node.lower, node.upper, sign, order, positive).integral(node.integrand)
+    except Unending as error:
+        raise Undefined(str(error)) from None

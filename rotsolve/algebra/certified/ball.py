@@ -1,8 +1,12 @@
-"""Ball: certified numbers. Precision is doubled until the digits asked for are sure; what can't be is never printed."""
+"""Ball: certified numbers. Precision is doubled until the digits asked for are sure; what can't be is never printed.
+
+A witness remembers which numbers a piece of work has asked for: with other numbers of the same signs it takes the same way.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from fractions import Fraction
 from math import floor
 from typing import Any
@@ -10,11 +14,51 @@ from typing import Any
 from msgspec import Struct
 
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
-from rotsolve.algebra.certified.witness import note
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
 from rotsolve.profile import of_kind
+
+
+class Witness:
+    """The formulas whose numbers were asked for; `by_size` where more of a number than its sign has decided something."""
+
+    def __init__(self) -> None:
+        self.asked: dict[Formula, None] = {}
+        self.by_size = False
+
+
+OPEN: list[Witness] = []
+
+
+@contextmanager
+def witnessed() -> Iterator[Witness]:
+    """Note all that numbers are asked for meanwhile."""
+    witness = Witness()
+    OPEN.append(witness)
+    try:
+        yield witness
+    finally:
+        OPEN.pop()
+
+
+def watched() -> bool:
+    """Whether anyone wants to know."""
+    return bool(OPEN)
+
+
+def note(value: Formula, *, by_size: bool = False) -> None:
+    """The number of a formula is asked for."""
+    for witness in OPEN:
+        witness.asked[value] = None
+        witness.by_size |= by_size
+
+
+def decided_by_size() -> None:
+    """Something is decided by the size of a number, or by where the roots of an equation lie."""
+    for witness in OPEN:
+        witness.by_size = True
+
 
 __all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "resolve"]
 

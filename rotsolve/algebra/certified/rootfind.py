@@ -7,9 +7,8 @@ from fractions import Fraction
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, ends, resolve
+from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, decided_by_size, ends, resolve
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
-from rotsolve.algebra.certified.witness import decided_by_size
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Formula, Number, formula

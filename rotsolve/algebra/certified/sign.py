@@ -89,7 +89,7 @@ class SignOracle(Struct, frozen=True):
 
 def sign_within(value: Formula, positive: Collection[str], acute: Collection[str] = ()) -> int | None:
     """The sign of a formula above and below the line, where positive letters and acute angles tell it."""
-    from rotsolve.algebra.exact.signs import PolynomialSigns
+    from rotsolve.algebra.exact.field import PolynomialSigns
 
     problem = Problem([value], positive=positive)
     parts = problem.field.cancel(problem.ratio())

@@ -7,7 +7,7 @@ from fractions import Fraction
 from math import comb
 
 from rotsolve.algebra.exact.field import Field
-from rotsolve.algebra.exact.writing.shape import Shaper
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import (
     ONE,
     PI,

@@ -9,9 +9,9 @@ from collections.abc import Collection, Iterable, Sequence
 from functools import cached_property, lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.exact.rewrite import Rewriter
-from rotsolve.algebra.exact.writing.length import length
-from rotsolve.algebra.exact.writing.shape import Shaper
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, negate
 
 REMEMBERED = 4096  # answers of each function here; three of four questions of a scene have been asked before

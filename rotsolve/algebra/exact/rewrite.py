@@ -13,9 +13,8 @@ from math import lcm
 from rotsolve.algebra.exact import angles
 from rotsolve.algebra.exact.angles import SinCos, Vector
 from rotsolve.algebra.exact.field import Field, is_integer_power
-from rotsolve.algebra.exact.inverses import exact_inverse, known_pair
-from rotsolve.algebra.exact.radicals import Radicals
-from rotsolve.algebra.exact.writing.shape import Shaper
+from rotsolve.algebra.exact.radicals import Radicals, exact_inverse, known_pair
+from rotsolve.algebra.exact.shape import Shaper
 from rotsolve.algebra.formula import (
     ONE,
     PI,

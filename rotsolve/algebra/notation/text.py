@@ -282,6 +282,6 @@ def _unicode_power(base: Formula, exponent: Formula) -> Piece:
 
 def to_latex(formula: Formula) -> str:
     """The formula in LaTeX, without dollar signs."""
-    from rotsolve.algebra.notation.latex import latex  # few runs print LaTeX
+    from rotsolve.algebra.notation.typeset import latex  # few runs print LaTeX
 
     return latex(formula)

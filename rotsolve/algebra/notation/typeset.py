@@ -10,6 +10,7 @@ from collections.abc import Callable
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Call, Constant, Formula, Integral, Number, Power, Product, Quotient, Sum, Symbol
+from rotsolve.algebra.notation.letters import name_to_latex
 from rotsolve.algebra.notation.text import (
     ATOM,
     BARE,
@@ -134,3 +135,29 @@ def _call(function: str, arguments: tuple[Formula, ...], marks: Marks, raised: s
     head = marks.power(name, raised) if raised else name
     bare = function in BARE and may_be_bare(arguments[0])
     return marks.row(head + (f"{marks.applied}{inner}" if bare else marks.signs.brackets(inner))), CALL
+
+
+FUNCTIONS = {"atan2": r"\operatorname{atan2}", "K": "K"}
+
+LATEX = Marks(
+    number=str,
+    letter=name_to_latex,
+    function=lambda name: FUNCTIONS.get(name, rf"\{name}"),
+    row=str,
+    signs=Signs(" + ", " - ", "-", r"\left({}\right)".format),
+    beside=" ",
+    before=" ",
+    dot=r" \cdot ",
+    applied=" ",
+    comma=", ",
+    bars=r"\left|{}\right|".format,
+    root=r"\sqrt{{{}}}".format,
+    fraction=r"\frac{{{}}}{{{}}}".format,
+    power="{}^{{{}}}".format,
+    integral=r"\int_{{{}}}^{{{}}} {}\,\mathrm{{d}}{}".format,
+)
+
+
+def latex(formula: Formula) -> str:
+    """The formula in LaTeX, without dollar signs."""
+    return typeset(formula, LATEX)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Call, Formula, negate, sqrt
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector, unit, vector
 from rotsolve.language.bodies import PointRef

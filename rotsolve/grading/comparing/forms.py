@@ -11,8 +11,7 @@ from fractions import Fraction
 from itertools import pairwise
 from math import ceil, comb, prod
 
-from rotsolve.algebra.exact.field import RADICALS, TRIG, Field, Ratio, is_integer_power
-from rotsolve.algebra.exact.signs import PolynomialSigns
+from rotsolve.algebra.exact.field import RADICALS, TRIG, Field, PolynomialSigns, Ratio, is_integer_power
 from rotsolve.algebra.formula import (
     FUNCTIONS,
     PI,

@@ -14,9 +14,9 @@ from math import floor, log10
 from msgspec import Struct
 
 from rotsolve.algebra.certified.balls import RealBalls, Undefined
+from rotsolve.algebra.exact.linear import solve_linear
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.exact.solving.linear import solve_linear
-from rotsolve.algebra.exact.writing.length import length
+from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality

@@ -1,19 +1,24 @@
-"""Items: equations on their way through the eliminations, and how an unknown stands in them."""
+"""Steps: equations on their way through the eliminations, the lines that are written of each, and the ways in which a plan can fail."""
 
 from __future__ import annotations
 
-from collections.abc import Collection, Sequence
+from collections.abc import Callable, Collection, Sequence
+from fractions import Fraction
 from functools import reduce
 from operator import mul
+from typing import NamedTuple
 
 from msgspec import Struct, field
 
+from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.formula import (
     ONE,
+    PI,
     ZERO,
     Formula,
     Integral,
     Negative,
+    Number,
     Power,
     Product,
     Quotient,
@@ -22,8 +27,71 @@ from rotsolve.algebra.formula import (
     formula,
     negate,
 )
+from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.writing import flat, positive_first
-from rotsolve.solver.step import Ref
+
+# ('law', index in the pool) | ('step', number of the step) | ('known', an answer found before) | ('words', what is to hold)
+Ref = tuple[str, "int | str"]
+
+
+class PickedRoot(NamedTuple):
+    """The root that is meant, why, and the whole turns that an angle has gone beyond it, or the whole periods of a time."""
+
+    root: int
+    words: Words = ()
+    turns: Fraction = Fraction(0)
+    period: Formula = 2 * PI
+
+    def of(self, roots: Sequence[Formula]) -> Formula:
+        """The root itself, with its whole turns."""
+        root = roots[self.root]
+        return root + Number(self.turns) * self.period if self.turns else root
+
+
+# the letter, its roots, and how much later they hold again, where they do
+Chooser = Callable[[str, Sequence[Formula], "Formula | None"], "PickedRoot | None"]
+
+
+class Redundant(ValueError):
+    """An equation of a plan says nothing new once the others are put in."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} says nothing new")
+        self.index = index
+
+
+class Contradiction(ValueError):
+    """The equations of a plan can not all hold."""
+
+    def __init__(self, index: int) -> None:
+        super().__init__(f"equation {index} contradicts the others")
+        self.index = index
+
+
+class NoClosedForm(ValueError):
+    """No unknown can be isolated."""
+
+
+class Step(Struct, frozen=True):
+    """One line of algebra: what is put into what, the chain of equalities, the unknown that it isolates."""
+
+    number: int
+    target: Ref
+    sources: tuple[Ref, ...]
+    chain: tuple[Equality, ...]
+    result: str
+    section: str
+    reason: Words = ()
+
+
+class Found(Struct, frozen=True):
+    """A solved unknown: closed form in givens, or a certified root of the last equation."""
+
+    name: str
+    formula: Formula | None
+    number: Certified | None = None
+    others: tuple[Formula, ...] = ()
+
 
 TWO = formula(2)
 
@@ -137,3 +205,25 @@ def kind_of(item: Item, name: str, names: Collection[str], items: Sequence[Item]
         holds_square(side, name) for other in items if other is not item for side in (other.left, other.right)
     )
     return 3 if squared else 1
+
+
+def line_of(item: Item, name: str, value: Formula, more: Sequence[Equality] = ()) -> list[Equality]:
+    """The line of an elimination; `more` stands before its result."""
+    chain = []
+    if item.sources and isolated(item, name) is None:
+        chain.append(Equality(item.left, item.right))
+    elif item.sources and isolated(item, name) != value:
+        chain.append(Equality(Symbol(name), isolated(item, name) or value))
+    chain.extend(more)
+    result = Equality(Symbol(name), value)
+    if not chain or chain[-1] != result:
+        chain.append(result)
+    return chain
+
+
+def line_in_letters(item: Item, name: str, first: Sequence[Equality], final: Formula) -> list[Equality]:
+    """A line whose `first` equalities are in letters found before, and whose last has them put in."""
+    chain = [equality for k, equality in enumerate(first) if k == 0 or equality != first[k - 1]]
+    if isolated(item, name) is None and any(ref[0] != "known" for ref in item.sources):
+        chain.insert(0, Equality(item.left, item.right))
+    return [*chain, Equality(Symbol(name), final)]

@@ -11,13 +11,19 @@ from fractions import Fraction
 from functools import cached_property, partial
 from math import prod
 
+from rotsolve.algebra.exact.factors import Exponent, Factors, Parts, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
-from rotsolve.algebra.exact.writing.factors import Exponent, Factors, Parts, negative
-from rotsolve.algebra.exact.writing.grouping import FEWEST, MOST, TRIED, Grouping, Piece
-from rotsolve.algebra.exact.writing.length import length
-from rotsolve.algebra.exact.writing.order import Order, late
-from rotsolve.algebra.exact.writing.products import Item, assembled, one_exponential, written_fraction, written_term
-from rotsolve.algebra.exact.writing.splitting import singles, taken_apart
+from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, Grouping, Piece
+from rotsolve.algebra.exact.order import (
+    Item,
+    Order,
+    assembled,
+    late,
+    length,
+    one_exponential,
+    written_fraction,
+    written_term,
+)
 from rotsolve.algebra.formula import PI, ZERO, Call, Formula, Negative, Sum, negate, total
 from rotsolve.algebra.notation.letters import GLYPHS
 

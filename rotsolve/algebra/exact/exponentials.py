@@ -1,10 +1,24 @@
-"""Exponentials: 1 − exp(−x) as a textbook writes it, rather than (exp(x) − 1) exp(−x)."""
+"""Exponentials: 1 − exp(−x) as a textbook writes it, rather than (exp(x) − 1) exp(−x); ln a + ln b as ln(a b), where that is shorter."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Negative, Product, Sum, add, multiply, negate, total
+from rotsolve.algebra.exact.order import length
+from rotsolve.algebra.formula import (
+    ONE,
+    ZERO,
+    Call,
+    Formula,
+    Negative,
+    Product,
+    Sum,
+    add,
+    divide,
+    multiply,
+    negate,
+    total,
+)
 
 Tidy = Callable[[Formula], Formula]
 
@@ -46,3 +60,22 @@ def times(term: Formula, outer: Call, tidy: Tidy) -> tuple[Formula, bool]:
             result = multiply(result, factor)
     last = ONE if exponent == ZERO else Call("exp", (exponent,))
     return multiply(result, last), gone and exponent == ZERO
+
+
+def one_logarithm(node: Formula, tidy: Callable[[Formula], Formula]) -> Formula:
+    """A sum with its logarithms, each of something positive, put together; as it is where that makes it no shorter."""
+    if not isinstance(node, Sum):
+        return node
+    inside: Formula = ONE
+    others, found = list[Formula](), 0
+    for term in node.terms:
+        bare = term.operand if isinstance(term, Negative) else term
+        if not (isinstance(bare, Call) and bare.function == "log"):
+            others.append(term)
+            continue
+        put_in = divide if isinstance(term, Negative) else multiply
+        inside, found = put_in(inside, bare.arguments[0]), found + 1
+    if found < 2:
+        return node
+    whole = add(Call("log", (tidy(inside),)), total(others)) if others else Call("log", (tidy(inside),))
+    return whole if length(whole) < length(node) else node

@@ -1,1 +1,0 @@
-"""Solving: closed forms for the unknown of linear, quadratic and trigonometric equations, and for linear systems."""

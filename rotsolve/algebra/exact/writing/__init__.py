@@ -1,1 +1,0 @@
-"""Writing: polynomials and fractions of a field as a textbook writes them."""
