@@ -1,14 +1,92 @@
-"""`--regenerate` for what the tests hold outputs against."""
+"""`--regenerate`: the one option that writes anew all that the tests hold outputs against: goldens, expected files, tables of messages.
+
+In these files the lists of shapes, formats and the like stand by their names, `{shapes}`: one more of them changes no file.
+"""
 
 from __future__ import annotations
+
+from functools import cache
+from pathlib import Path
 
 import pytest
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
-    parser.addoption("--regenerate", action="store_true", help="write golden outputs anew instead of comparing")
+    parser.addoption(
+        "--regenerate", action="store_true", help="write goldens and expected files anew: read the difference"
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    if config.getoption("--regenerate") and config.getoption("numprocesses", None):
+        raise pytest.UsageError("--regenerate writes files that several tests share: leave -n out")
+
+
+@cache
+def lists() -> dict[str, str]:
+    """What stands for each name between braces, the longest first."""
+    from rotsolve.cli.solve import LAWS
+    from rotsolve.core.quantity import BODY, QUANTITIES
+    from rotsolve.elements.connections import CONNECTIONS
+    from rotsolve.elements.shapes import SHAPES
+    from rotsolve.page.formats import FORMATS
+
+    found = {
+        "{shapes}": ", ".join(item.word for item in SHAPES),
+        "{connections}": ", ".join(item.word for item in CONNECTIONS),
+        "{quantities of a body}": ", ".join(word for word, item in QUANTITIES.items() if BODY in item.owners),
+        "{formats}": ", ".join(FORMATS),
+        "{formats|}": "|".join(FORMATS),
+        "{laws}": ", ".join(LAWS),
+        "{laws|}": "|".join(LAWS),
+    }
+    return dict(sorted(found.items(), key=lambda item: -len(item[1])))
+
+
+class Expected:
+    """Holds texts against files, or writes the files anew."""
+
+    def __init__(self, regenerate: bool) -> None:
+        self.regenerate = regenerate
+
+    def __call__(self, path: Path, text: str) -> None:
+        """The text is that of the file."""
+        if self.regenerate:
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(named(text), encoding="utf-8")
+        assert path.exists(), f"no {path}: write it with --regenerate"
+        assert text == filled(path.read_text(encoding="utf-8"))
+
+    def case(self, table: Path, heads: tuple[str, str], messages: tuple[str, str]) -> None:
+        """One case of a table of messages: its head and its message, as they stand there and as they came out."""
+        if self.regenerate:
+            old, new = f"{heads[0]}{messages[0]}".rstrip("\n"), f"{heads[1]}{named(messages[1])}".rstrip("\n")
+            text = table.read_text(encoding="utf-8")
+            assert text.count(f"{old}\n") == 1
+            table.write_text(text.replace(f"{old}\n", f"{new}\n"), encoding="utf-8")
+            return
+        assert [*heads, messages[1].rstrip("\n")] == [heads[1], heads[1], filled(messages[0]).rstrip("\n")]
+
+
+def filled(text: str) -> str:
+    """A text of a file with its lists."""
+    for name, words in lists().items():
+        text = text.replace(name, words)
+    return text
+
+
+def named(text: str) -> str:
+    """A text with its lists by their names."""
+    for name, words in lists().items():
+        text = text.replace(words, name)
+    return text
 
 
 @pytest.fixture
 def regenerate(request: pytest.FixtureRequest) -> bool:
     return bool(request.config.getoption("--regenerate"))
+
+
+@pytest.fixture
+def expected(regenerate: bool) -> Expected:
+    return Expected(regenerate)

@@ -7,6 +7,7 @@ import importlib.util
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -22,14 +23,10 @@ def simulate(*arguments: str) -> subprocess.CompletedProcess[str]:
     return subprocess.run(command, cwd=ROOT, env=environment, capture_output=True, text=True, timeout=120, check=False)
 
 
-def test_the_table_at_eighty_columns() -> None:
-    """`REWRITE_EXPECTED=1 pytest tests/cli` writes the expected file anew."""
+def test_the_table_at_eighty_columns(expected: Callable[[Path, str], None]) -> None:
     ran = simulate(SCENE, "--until", "2s", "--width", "80")
     assert (ran.returncode, ran.stderr) == (0, "")
-    if os.environ.get("REWRITE_EXPECTED"):
-        EXPECTED.write_text(ran.stdout, encoding="utf-8")
-    told, _, _ = ran.stdout.partition("\nAccuracy\n")
-    assert told == EXPECTED.read_text(encoding="utf-8").partition("\nAccuracy\n")[0]
+    expected(EXPECTED, ran.stdout.partition("\nAccuracy\n")[0] + "\n")  # which depends on the machine's sine
     assert max(map(len, ran.stdout.splitlines())) <= 80
 
 

@@ -1,6 +1,6 @@
 """No module is imported that a scene does not use: what five typical runs load, held against what each should.
 
-What all five load is the core. `expected/imports.txt` says what each loads beside it; `--regenerate` writes it anew.
+What all five load is the core. `expected/imports.txt` says what each loads beside it.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
@@ -89,9 +90,7 @@ def test_a_plain_scene_loads_no_module_of_other_scenes() -> None:
         assert path.is_dir() or path.with_suffix(".py").is_file(), f"{part} is no module any more"
 
 
-def test_each_run_loads_what_it_needs_beside_the_core(regenerate: bool) -> None:
+def test_each_run_loads_what_it_needs_beside_the_core(expected: Callable[[Path, str], None]) -> None:
     core = set.intersection(*map(own, RUNS))
     text = "\n".join(f"{run}\n" + "".join(f"  {name}\n" for name in sorted(own(run) - core)) for run in RUNS)
-    if regenerate:
-        EXPECTED.write_text(text, encoding="utf-8")
-    assert text == EXPECTED.read_text(encoding="utf-8")
+    expected(EXPECTED, text)

@@ -3,6 +3,7 @@
 import ast
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -24,10 +25,12 @@ connections:
 states: {start: at rest, end: {rod.angle: 20 deg}}
 find: {a: block.acceleration at start}
 """
-TEXT = (Path(__file__).parent / "faults.txt").read_text(encoding="utf-8")
+TABLE = Path(__file__).parent / "faults.txt"
 CASES = [
     (ast.literal_eval(old), ast.literal_eval(new), message)
-    for old, new, message in re.findall(r"^===== (.+) => (.+)\n((?:(?!=====).*\n?)*)", TEXT, re.MULTILINE)
+    for old, new, message in re.findall(
+        r"^===== (.+) => (.+)\n((?:(?!=====).*\n?)*)", TABLE.read_text(encoding="utf-8"), re.MULTILINE
+    )
 ]
 
 
@@ -45,9 +48,10 @@ def test_the_scene_itself_is_good() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "message"), CASES, ids=[f"{new[:40]!r}-{number}" for number, (_, new, _) in enumerate(CASES)]
 )
-def test_message(old: str, new: str, message: str) -> None:
+def test_message(old: str, new: str, message: str, expected: Any) -> None:
     assert old in SCENE
-    assert fault_text(SCENE.replace(old, new, 1)) == message.strip("\n")
+    head = f"===== {old!r} => {new!r}\n"
+    expected.case(TABLE, (head, head), (message, fault_text(SCENE.replace(old, new, 1))))
 
 
 @pytest.mark.parametrize(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 import shlex
 from pathlib import Path
@@ -15,8 +14,10 @@ ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "simulate.md"
 
 
-def test_the_example_prints_what_it_shows(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
-    """`REWRITE_EXPECTED=1 pytest tests/simulation` writes the text anew. The figures of the last section depend on the machine's sine."""
+def test_the_example_prints_what_it_shows(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], regenerate: bool
+) -> None:
+    """The figures of the last section depend on the machine's sine."""
     monkeypatch.chdir(ROOT)
     text = PAGE.read_text(encoding="utf-8")
     found = re.search(r"```sh\nrotsolve (.*?)\n```\n\n```text\n(.*?)```", text, re.DOTALL)
@@ -24,7 +25,7 @@ def test_the_example_prints_what_it_shows(monkeypatch: pytest.MonkeyPatch, capsy
     with pytest.raises(SystemExit) as left:
         cli.main(shlex.split(found[1]))
     printed = capsys.readouterr().out
-    if os.environ.get("REWRITE_EXPECTED"):
+    if regenerate:
         PAGE.write_text(text[: found.start(2)] + printed + text[found.end(2) :], encoding="utf-8")
         return
     assert left.value.code == 0

@@ -6,6 +6,7 @@ import json
 import os
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -74,12 +75,11 @@ def test_one_answer_loads_no_module_of_other_commands(checked: set[str]) -> None
         assert path.is_dir() or path.with_suffix(".py").is_file(), f"{part} is no module any more"
 
 
-def test_one_answer_loads_this_beside_what_solves_the_scene(checked: set[str], regenerate: bool) -> None:
+def test_one_answer_loads_this_beside_what_solves_the_scene(
+    checked: set[str], expected: Callable[[Path, str], None]
+) -> None:
     found = sorted(name for name in checked - loaded("solve", SCENE) if name.startswith("rotsolve."))
-    text = "".join(f"{name}\n" for name in found)
-    if regenerate:
-        EXPECTED.write_text(text, encoding="utf-8")
-    assert text == EXPECTED.read_text(encoding="utf-8")
+    expected(EXPECTED, "".join(f"{name}\n" for name in found))
 
 
 def test_a_paper_in_a_file_takes_the_same_way(tmp_path: Path) -> None:

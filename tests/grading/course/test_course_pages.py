@@ -41,13 +41,7 @@ Mallory;1;2;3
 """
 
 
-def held(name: str, text: str, regenerate: bool) -> None:
-    """Hold a text against the file of that name."""
-    path = EXPECTED / name
-    if regenerate:
-        EXPECTED.mkdir(exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    assert text == path.read_text(encoding="utf-8")
+Hold = Callable[[Path, str], None]
 
 
 @pytest.mark.parametrize(
@@ -60,12 +54,11 @@ def held(name: str, text: str, regenerate: bool) -> None:
         (["-f", "json"], "student.json"),
     ],
 )
-def test_a_student(made_up: Command, options: list[str], name: str, regenerate: bool) -> None:
-    """`pytest tests/grading/course --regenerate` writes the expected files anew."""
+def test_a_student(made_up: Command, options: list[str], name: str, expected: Hold) -> None:
     Path("ada.txt").write_text(PAPER, encoding="utf-8")
     ran = made_up("ada.txt", *options)
     assert (ran.code, ran.err) == (1, "")
-    held(name, ran.out, regenerate)
+    expected(EXPECTED / name, ran.out)
     made_up("ada.txt", *options, "-o", f"page{Path(name).suffix}")
     if "--width" not in options or "80" in options:
         expected = Path(f"page{Path(name).suffix}").read_text(encoding="utf-8")
@@ -81,26 +74,26 @@ def test_a_student(made_up: Command, options: list[str], name: str, regenerate: 
         (["-f", "json"], "class.json"),
     ],
 )
-def test_a_class(made_up: Command, options: list[str], name: str, regenerate: bool) -> None:
+def test_a_class(made_up: Command, options: list[str], name: str, expected: Hold) -> None:
     Path("class.csv").write_text(CLASS, encoding="utf-8")
     ran = made_up("class.csv", *options)
     assert (ran.code, ran.err) == (1, "")
-    held(name, ran.out, regenerate)
+    expected(EXPECTED / name, ran.out)
 
 
 @pytest.mark.parametrize("format", ["html", "markdown"])
-def test_a_report(made_up: Command, format: str, regenerate: bool) -> None:
+def test_a_report(made_up: Command, format: str, expected: Hold) -> None:
     Path("class.csv").write_text("\ufeff" + CLASS, encoding="utf-8")
     ran = made_up("class.csv", "-o", "report", "-f", format)
     suffix = {"html": ".html", "markdown": ".md"}[format]
     assert (ran.code, ran.err) == (1, "")
     assert ran.out.endswith(f"The summary is report/summary{suffix}, the marks are in report/marks.csv.\n")
-    held("marks.csv", Path("report/marks.csv").read_text(encoding="utf-8"), regenerate)
+    expected(EXPECTED / "marks.csv", Path("report/marks.csv").read_text(encoding="utf-8"))
     pages = sorted(path.name for path in Path("report/students").iterdir())
     names = ["0001-ada-lovelace", "0002-ada-lovelace", "0003-hyperlink-x", "0007"]
     assert pages == [f"{name}{suffix}" for name in names]
     for page in pages:
-        held(f"report-{page}", Path("report/students", page).read_text(encoding="utf-8"), regenerate)
+        expected(EXPECTED / f"report-{page}", Path("report/students", page).read_text(encoding="utf-8"))
     summary = Path("report", f"summary{suffix}").read_text(encoding="utf-8")
     links = re.findall(r'href="(.*?)"|\]\(<(.*?)>\)', summary)
     assert [left or right for left, right in links] == [f"students/{page}" for page in pages]
