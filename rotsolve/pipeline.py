@@ -84,7 +84,7 @@ def composed(problem: Problem, search: Search, decision: Decision, digits: int, 
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
         before, first = sections_before(decision)
-        composer = DerivationComposer(search, first, moment(at))
+        composer = DerivationComposer(search, first, evaluation_time(at))
     with stage("verify", whole=True):
         held = checks(search, composer.letters)
     with stage("compose", whole=True):
@@ -112,13 +112,13 @@ def sections_before(decision: Decision) -> tuple[tuple[Section, ...], int]:
     return trial_sections(decision.trials)
 
 
-def moment(at: str | None) -> TimeValue | None:
+def evaluation_time(at: str | None) -> TimeValue | None:
     """The time at which functions of time are evaluated."""
     if at is None:
         return None
-    from rotsolve.scene.values import read_moment
+    from rotsolve.scene.values import read_time
 
-    return read_moment(at)
+    return read_time(at)
 
 
 def stages_before() -> Any:

@@ -73,7 +73,7 @@ def elements_command(name: Element = None) -> None:
     from rotsolve.scene import reference
 
     try:
-        text = reference.describe(" ".join(name)) if name else reference.describe_all()
+        text = reference.describe_word(" ".join(name)) if name else reference.describe_all()
     except KeyError as error:
         print(f"error: {error.args[0]}", file=sys.stderr)
         raise typer.Exit(USAGE) from None

@@ -28,10 +28,10 @@ def stage_checked(value: str | None) -> str | None:
 
 def moment_checked(text: str | None) -> str | None:
     """The time as it is written, if it is one."""
-    from rotsolve.scene.values import read_moment
+    from rotsolve.scene.values import read_time
 
     try:
-        return None if text is None else read_moment(text).text
+        return None if text is None else read_time(text).text
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
 

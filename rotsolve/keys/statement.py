@@ -16,7 +16,7 @@ from rotsolve.keys.working import Worked
 from rotsolve.language.problem import Find, Given
 from rotsolve.page.blocks import Math, Phrase, Styled
 from rotsolve.page.values import given_equation, given_value
-from rotsolve.scene.statement import parts, slots
+from rotsolve.scene.statement import prose_and_slots, slots
 
 PATH = re.compile(r"[^\W\d]\w*(?:\.at\([^)]*\)|\.\w+)+")  # rod.end.speed
 WORD = re.compile(r"(?<![\w./^])(?<!\d )[A-Za-z]\w*(?![\w/^])")  # no unit behind its number
@@ -69,7 +69,7 @@ def is_letter(name: str) -> bool:
 def filled_text(text: str, givens: Mapping[str, Given], letters: Collection[str]) -> Phrase:
     """A paragraph with its givens."""
     said: list[str | Formula | Math | Styled] = []
-    for part in parts(text):
+    for part in prose_and_slots(text):
         if isinstance(part, str):
             said += with_letters(part, letters)
         else:

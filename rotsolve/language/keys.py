@@ -76,7 +76,7 @@ def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
         yield name.rstrip("_"), declared
 
 
-def varying(element: Any) -> list[Formula]:
+def varying_values(element: Any) -> list[Formula]:
     """The values of an element under keys that may vary."""
     found = []
     for field in element.variable:

@@ -119,7 +119,7 @@ class Option(Struct, frozen=True):
     signs: tuple[str, ...] = ()
 
 
-class Choice(Struct, frozen=True):
+class WhichOf(Struct, frozen=True):
     """`which of` the options: the `largest` or `smallest`, what is `above` or `below` a bound; no test: whose comparison holds."""
 
     options: tuple[Option, ...]
@@ -143,7 +143,7 @@ class Find(Struct, frozen=True):
     text: str = ""
     span: Span | None = None
     whole: str = ""
-    choice: Choice | None = None
+    choice: WhichOf | None = None
 
     @property
     def group(self) -> str:
@@ -240,13 +240,13 @@ class Problem(Struct, frozen=True):
         return {given.name: given.value for given in self.givens if given.value is not None}
 
 
-def points_of(item: object) -> Iterator[PointRef | Path]:
+def references(item: object) -> Iterator[PointRef | Path]:
     """All points and paths that a part of a scene speaks of."""
     if isinstance(item, (PointRef, Path)):
         yield item
     elif isinstance(item, tuple):
         for part in item:
-            yield from points_of(part)
+            yield from references(part)
     elif isinstance(item, Struct) and not isinstance(item, Formula):
         for name in item.__struct_fields__:
-            yield from points_of(getattr(item, name))
+            yield from references(getattr(item, name))

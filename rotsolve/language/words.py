@@ -15,7 +15,7 @@ def quoted(text: str) -> str:
     return f"`{line[: LONGEST - 1]}…`" if len(line) > LONGEST else f"`{line}`"
 
 
-def listed(names: Iterable[str], last: str = ", ") -> str:
+def joined(names: Iterable[str], last: str = ", ") -> str:
     """The names separated by commas."""
     words = list(names)
     return last.join((", ".join(words[:-1]), words[-1])) if len(words) > 1 and last != ", " else ", ".join(words)
@@ -60,7 +60,7 @@ MEANT = {  # other words for the same thing
 }
 
 
-def nearest(word: str, names: Iterable[str]) -> str | None:
+def nearest_name(word: str, names: Iterable[str]) -> str | None:
     """The name that `word` was most likely meant to be."""
     if not word or len(word) > LONGEST:
         return None
@@ -79,7 +79,7 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
 def hint(word: str, names: Iterable[str], what: str) -> str:
     """The help line for an unknown word: `did you mean …? what: a, b, c`."""
     choices = list(dict.fromkeys(names))
-    guess = nearest(word, choices)
+    guess = nearest_name(word, choices)
     meant = f"did you mean `{guess}`? " if guess else ""
     if not choices:
         name_one = ": name one, such as `states: {start: at rest}`" if what == "states" else ""

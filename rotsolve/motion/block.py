@@ -15,7 +15,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.varying import paths_in
 from rotsolve.language.elements import Action, Connection
-from rotsolve.language.keys import varying
+from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Path, Problem
 
 CLOCK = "the clock"  # in a tie: what can tell, or depends on, how long a motion takes
@@ -124,7 +124,7 @@ def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
     for item in acting(problem):
         names = [item.name]
         names += [ref.owner for ref in item.touches()]
-        for value in varying(item):
+        for value in varying_values(item):
             names += [owner for _, owner, _ in paths_in(value)]
         yield names
     for event in problem.events:

@@ -17,7 +17,7 @@ from rotsolve.core.varying import paths_in
 from rotsolve.elements.connections import guide
 from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
 from rotsolve.language.elements import Action, Connection
-from rotsolve.language.keys import varying
+from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, Given, Part, PointRef, Problem
 from rotsolve.motion.admissible import check
 from rotsolve.motion.configuration import Configuration
@@ -37,7 +37,7 @@ def check_values(configuration: Configuration) -> None:
             configuration.drives(host, state.name)  # refuses what can not be driven so
         instant = Instant(configuration, Registry(), state.name)
         for item in configuration.acting(state.name):
-            for value in varying(item):
+            for value in varying_values(item):
                 for path in paths_in(value):
                     check_path(item, path, instant)
 

@@ -17,7 +17,7 @@ from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.elements import Orbit
-from rotsolve.language.keys import varying
+from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.language.shape import WHEEL
 from rotsolve.motion.configuration import Configuration
@@ -98,7 +98,7 @@ def spoken_of(name: str, instant: Instant) -> bool:
         return True
     if any(drive.word == "angle" for drive in configuration.drives(name, instant.state)):
         return True
-    values = (value for item in (*problem.connections, *problem.actions) for value in varying(item))
+    values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
     return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
 
 

@@ -9,7 +9,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import INSIDE
-from rotsolve.language.problem import Path, Problem, points_of
+from rotsolve.language.problem import Path, Problem, references
 from rotsolve.motion.timeline import Timeline
 
 MEAN = ("mean", "speed")
@@ -54,7 +54,7 @@ class Mentions(Struct, frozen=True, dict=True):
     @cached_property
     def paths(self) -> tuple[Path, ...]:
         """All quantities that the states and questions speak of, those of conditions too."""
-        spoken_of = points_of((self.problem.states, self.problem.finds))
+        spoken_of = references((self.problem.states, self.problem.finds))
         return tuple(path for path in spoken_of if isinstance(path, Path))
 
     @cached_property

@@ -14,7 +14,7 @@ from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
 from rotsolve.core.passage import Travel
 from rotsolve.core.registry import GENERIC
 from rotsolve.core.varying import PLACES, POSITION, RATE, RATES, paths_in, running
-from rotsolve.language.keys import varying
+from rotsolve.language.keys import varying_values
 from rotsolve.motion.instant import Instant, letter_of, line_words
 from rotsolve.motion.timeline import Interval
 
@@ -35,7 +35,7 @@ def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: 
     """The place that the values acting on a group speak of; where there are several, the rules tell the others by it."""
     configuration, state = middle.configuration, middle.state
     acting = [item for item in configuration.acting(state) if any(ref.owner in group for ref in item.touches())]
-    said = [path for item in acting for value in varying(item) for path in paths_in(value)]
+    said = [path for item in acting for value in varying_values(item) for path in paths_in(value)]
     for word in PLACES:
         for _, owner, spoken in said:
             if spoken == word and middle.host(owner) in group:

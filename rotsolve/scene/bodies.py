@@ -15,11 +15,11 @@ from rotsolve.language.problem import Body, Part
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_keys, read_value
 from rotsolve.scene.literals import Want
-from rotsolve.scene.paths import points_of, read_spot
+from rotsolve.scene.paths import point_names, read_spot
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import NAME, Scope
 from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
 Entries = dict[str, tuple[Text, Node]]
 
@@ -34,12 +34,12 @@ def read_body(scope: Scope, name: str, key: Text, node: Node) -> Body | None:
     if isinstance(node, Text):
         body = short_body(scope, name, key, node)
     else:
-        shape = shape_of(scope, node)
-        entries = scope.entries(node, f"body `{name}`", allowed(shape, ()))
-        body = build(scope, name, key, entries, shape)
+        shape = named_shape(scope, node)
+        entries = scope.entries(node, f"body `{name}`", keys_allowed(shape, ()))
+        body = build_body(scope, name, key, entries, shape)
     if body is not None:
         scope.bodies[name] = body
-        scope.points[name] = points_of(body)
+        scope.points[name] = point_names(body)
     return body
 
 
@@ -59,7 +59,7 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     return Body(name, shape(), span=key.span)
 
 
-def shape_of(scope: Scope, node: Node) -> type[Shape] | None:
+def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     """The shape that a body or part names."""
     written = node.get("shape") if isinstance(node, Map) else None
     if written is None or (isinstance(written, Text) and written.empty):
@@ -76,13 +76,13 @@ def shape_of(scope: Scope, node: Node) -> type[Shape] | None:
     return shape
 
 
-def allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
+def keys_allowed(shape: type[Shape] | None, more: tuple[str, ...]) -> list[str]:
     """The keys of a body with this shape."""
     own = [word for word, _ in keys_of(shape)] if shape else ["radius"]
     return list(dict.fromkeys((*own, *(word for word in BODY if word != "radius"), *more)))
 
 
-def build(
+def build_body(
     scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape] | None, skip: tuple[str, ...] = ()
 ) -> Body:
     """The body from its entries."""
@@ -101,18 +101,18 @@ def build(
         reader = READERS.get(declared.kind)
         found: Any
         if declared.kind == "motion":
-            found = {"moved": (*fields.get("moved", ()), *motion(scope, declared, node, word, name))}
+            found = {"moved": (*fields.get("moved", ()), *read_motion(scope, declared, node, word, name))}
         elif word == "density":
-            from rotsolve.scene.coordinates import density
+            from rotsolve.scene.coordinates import read_density
 
-            found = density(scope, node, name, shape, fields)
+            found = read_density(scope, node, name, shape, fields)
         else:
             found = reader(scope, node, name) if reader else read_value(scope, declared, node, word, name)
         if isinstance(found, dict):
             fields.update(found)
         elif found is not None:
             fields[word] = found
-    check(scope, name, entries, fields)
+    check_exclusive(scope, name, entries, fields)
     known = {field: item for field, item in fields.items() if field in Body.__struct_fields__}
     body = Body(name, span=key.span, **known)
     if body.holes:
@@ -126,12 +126,12 @@ def build(
 def check_about(scope: Scope, entries: Entries, body: Body) -> None:
     """A fault where the moment of inertia is about a point that the body does not have."""
     about = body.inertia_about
-    if about is not None and about not in points_of(body):
-        place, help = entries["inertia"][1], hint(about, points_of(body), "points")
+    if about is not None and about not in point_names(body):
+        place, help = entries["inertia"][1], hint(about, point_names(body), "points")
         scope.fault(place, f"`{body.name}` has no point {quoted(about)}", help, "point")
 
 
-def motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
+def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
     """A prescribed motion: one value or formula of `time` for a turn, `[x, y]` for a travel."""
     if word in TURNING:
         parts = {"": node}
@@ -142,7 +142,7 @@ def motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator
         return
     for component, item in parts.items():
         owner = f"{component}_{name}" if component else name
-        found = value(scope, item, Want(word, key.dimension, key.letter, owner, varies=key.varies))
+        found = read_scalar(scope, item, Want(word, key.dimension, key.letter, owner, varies=key.varies))
         if found is not None:
             yield word, component, found
 
@@ -154,7 +154,7 @@ def check_sizes(scope: Scope, name: str, key: Text, entries: Entries, shape: typ
             scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
 
 
-def check(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
+def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
     """What can't be said together."""
     if "gyration" in entries and "inertia" in entries:
         scope.fault(entries["gyration"][0], f"`{name}` has both `inertia` and `gyration`", "give one of them", "form")
@@ -197,20 +197,20 @@ def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ..
         )
 
 
-def inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
+def read_inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
     """A number, `{value: I, about: POINT}`, or a tensor (later)."""
     want = Want("inertia", "moment of inertia", "I", owner, "nonnegative")
     if isinstance(node, List):
         scope.later(node, "inertia tensor")
         return None
     if not isinstance(node, Map):
-        found = value(scope, node, want)
+        found = read_scalar(scope, node, want)
         return None if found is None else {"inertia": found}
     entries = scope.entries(node, "`inertia`", ("value", "about"))
     if "value" not in entries:
         scope.fault(node, "`inertia` needs `value`", "write `inertia: {value: I, about: start}`", "missing")
         return None
-    result: dict[str, Any] = {"inertia": value(scope, entries["value"][1], want)}
+    result: dict[str, Any] = {"inertia": read_scalar(scope, entries["value"][1], want)}
     if "about" in entries:
         about = entries["about"][1]
         if isinstance(about, Text):
@@ -220,7 +220,7 @@ def inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
     return result
 
 
-def parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
+def read_parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
     """Parts or holes by name."""
     entries = scope.entries(node, f"the parts of `{owner}`")
     found = []
@@ -228,24 +228,24 @@ def parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
         if not NAME.fullmatch(name):
             scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
             continue
-        found.append(part(scope, name, key, written))
+        found.append(read_part(scope, name, key, written))
     return tuple(found)
 
 
-def part(scope: Scope, name: str, key: Text, node: Node) -> Part:
-    shape = shape_of(scope, node)
-    entries = scope.entries(node, f"part `{name}`", allowed(shape, tuple(PART)))
+def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
+    shape = named_shape(scope, node)
+    entries = scope.entries(node, f"part `{name}`", keys_allowed(shape, tuple(PART)))
     fields: dict[str, Any] = {}
     for word, declared in PART.items():
         if word in entries:
             fields[word] = read_value(scope, declared, entries[word][1], word, name)
-    body = build(scope, name, key, entries, shape or Particle, tuple(PART))
+    body = build_body(scope, name, key, entries, shape or Particle, tuple(PART))
     if ("start" in entries) != ("end" in entries):
         scope.fault(key, f"part `{name}` needs both `start` and `end`", "or place its centre by `at`", "missing")
     return Part(body, **fields)
 
 
-def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
+def read_points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
     found = []
     for name, (key, written) in scope.entries(node, f"the points of `{owner}`").items():
         if not NAME.fullmatch(name):
@@ -257,7 +257,7 @@ def points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[F
     return tuple(found)
 
 
-def count(scope: Scope, node: Node, owner: str) -> int | None:
+def read_count(scope: Scope, node: Node, owner: str) -> int | None:
     text = node.value.strip() if isinstance(node, Text) else ""
     if text.isascii() and text.isdigit() and 0 < int(text[:6]) <= 1000:
         return int(text)
@@ -265,15 +265,15 @@ def count(scope: Scope, node: Node, owner: str) -> int | None:
     return None
 
 
-def axis(scope: Scope, node: Node, owner: str) -> None:
+def check_axis(scope: Scope, node: Node, owner: str) -> None:
     if isinstance(node, Map):
         scope.fault(node, "`axis` wants `x`, `y`, `z` or `[x, y, z]`", kind="form")
 
 
 READERS: dict[str, Callable[[Scope, Node, str], Any]] = {
-    "inertia": inertia,
-    "parts": parts,
-    "points map": points_map,
-    "count": count,
-    "axis": axis,
+    "inertia": read_inertia,
+    "parts": read_parts,
+    "points map": read_points_map,
+    "count": read_count,
+    "axis": check_axis,
 }

@@ -13,11 +13,11 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.language.grammar import CLAUSES
 from rotsolve.language.problem import ANY_TIME, Condition, PointRef, Term
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import Piece, Want
+from rotsolve.scene.literals import Lexeme, Want
 from rotsolve.scene.paths import read_point
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
 DIRECTIONS = ("right", "left", "up", "down", "x", "y", "z", "tangential", "normal")
 METHODS = ("integration",)
@@ -35,7 +35,7 @@ class Clauses:
         self.where: Condition | None = None
         self.unit: Unit | None = None
 
-    def read(self, words: list[Piece]) -> bool:
+    def read(self, words: list[Lexeme]) -> bool:
         """Read all clauses; False after a fault."""
         faults = len(self.scope.faults)
         index = 0
@@ -52,7 +52,7 @@ class Clauses:
             self.scope.fault(self.node, "`from` and `to` belong together", "write `from A to B`", "find")
         return len(self.scope.faults) == faults
 
-    def clause(self, word: Piece, rest: list[Piece]) -> None:
+    def clause(self, word: Lexeme, rest: list[Lexeme]) -> None:
         span = self.node.part(word.start, word.end)
         if not rest:
             self.scope.fault(span, f"nothing follows `{word.text}`", "", "find")
@@ -67,12 +67,7 @@ class Clauses:
         if key in self.words:
             self.scope.fault(span, f"`{word.text}` stands twice", "", "find")
             return
-        part = Text(
-            self.node.value[rest[0].start : rest[-1].end],
-            self.node.part(rest[0].start, rest[-1].end),
-            True,
-            self.node.exact,
-        )
+        part = self.node.cut(rest[0].start, rest[-1].end)
         self.words[key] = getattr(self, f"read_{key.rstrip('_')}")(part)
 
     def state(self, part: Text) -> str | None:
@@ -111,7 +106,7 @@ class Clauses:
         word = part.value.strip()
         if word in DIRECTIONS or self.scope.kinds.get(word) in ("surface", "body"):
             return word
-        return value(self.scope, part, Want("along", "angle", "theta"))
+        return read_scalar(self.scope, part, Want("along", "angle", "theta"))
 
     def read_by(self, part: Text) -> str | None:
         word = part.value.strip()

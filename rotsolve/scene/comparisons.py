@@ -15,22 +15,22 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.language.grammar import CLAUSES, IS, WHICH
-from rotsolve.language.problem import Choice, Condition, Find, Option, Path
+from rotsolve.language.problem import Condition, Find, Option, Path, WhichOf
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import Piece, Want, named, pieces
+from rotsolve.scene.literals import Lexeme, Want, in_words, lexemes
 from rotsolve.scene.phrases import read_phrase
 from rotsolve.scene.scope import NAME, Scope
 from rotsolve.scene.states import EXTREMES
 from rotsolve.scene.tree import Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
 FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
-Quantity = Callable[[list[Piece]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
+Quantity = Callable[[list[Lexeme]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
 
 
 def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | None:
     """The condition that `part` writes; None after a fault."""
-    words = [piece for piece in pieces(part.value, scope.givens) if piece.kind != "space"]
+    words = [piece for piece in lexemes(part.value, scope.givens) if piece.kind != "space"]
     texts = [piece.text for piece in words]
     if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
         return contact_word(scope, part, texts)
@@ -60,7 +60,7 @@ def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None
     return None
 
 
-def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: Quantity) -> Condition | None:
+def equality(scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity: Quantity) -> Condition | None:
     """`path = value [clauses]` or `path = path [clauses]`; the clauses belong to the paths."""
     end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
     if sign == 0 or end == sign + 1:
@@ -77,10 +77,10 @@ def equality(scope: Scope, part: Text, words: list[Piece], sign: int, quantity: 
         both = replace(find, formula=find.formula - other[0].formula, terms=other[0].terms)
         return Condition(None, ZERO, span=part.span, phrase=both)
     start, stop = words[sign + 1].start, words[end - 1].end
-    right = Text(part.value[start:stop], part.part(start, stop), True, part.exact)
+    right = part.cut(start, stop)
     word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
     owner = find.terms[0].path.owner if find.terms else ""
-    found = value(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
+    found = read_scalar(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
     return None if found is None else Condition(None, found, span=part.span, phrase=find)
 
 
@@ -89,7 +89,7 @@ def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
     if left is None or right is None or left.matches(right):
         return True
     scope.fault(
-        part, f"the sides of {quoted(part.value)} don't agree: {named(left)} and {named(right)}", kind="dimension"
+        part, f"the sides of {quoted(part.value)} don't agree: {in_words(left)} and {in_words(right)}", kind="dimension"
     )
     return False
 
@@ -101,7 +101,7 @@ SIGN = re.compile(r"<=|>=|==|[<>=≤≥]")
 SIGNS = {"<=": "≤", ">=": "≥", "==": "="}
 
 
-def read_choice(scope: Scope, name: str, key: Text, node: Map, answers: dict[str, Any]) -> Find | None:
+def read_which_of(scope: Scope, name: str, key: Text, node: Map, answers: dict[str, Any]) -> Find | None:
     """One entry of `find` that is a map: a choice with its options."""
     faults = len(scope.faults)
     entries = scope.entries(node, f"`{name}`", (WHICH, IS))
@@ -109,7 +109,7 @@ def read_choice(scope: Scope, name: str, key: Text, node: Map, answers: dict[str
         if len(scope.faults) == faults:
             scope.fault(node, f"`{name}` is a map without `{WHICH}`", FORM, "form")
         return None
-    reader = ChoiceReader(scope, name, answers)
+    reader = OptionReader(scope, name, answers)
     test = bound = None
     if IS in entries:
         test, bound = reader.test(entries[IS][1])
@@ -124,10 +124,10 @@ def read_choice(scope: Scope, name: str, key: Text, node: Map, answers: dict[str
         reader.same_dimension(entries[WHICH][1], [side for option in options for side in option.sides])
     scope.choices.add(name)
     terms = tuple(term for side in reader.read for term in side.terms)
-    return Find(name, ZERO, terms, span=key.span, choice=Choice(options, test or "", bound))
+    return Find(name, ZERO, terms, span=key.span, choice=WhichOf(options, test or "", bound))
 
 
-class ChoiceReader:
+class OptionReader:
     """Reads the options of one choice; each side of a comparison is a phrase with a name of its own."""
 
     def __init__(self, scope: Scope, name: str, answers: dict[str, Any]) -> None:
@@ -175,7 +175,7 @@ class ChoiceReader:
 
     def option(self, label: str, node: Text, test: str | None) -> Option | None:
         """One option: a quantity for a test, else a comparison."""
-        marks = [match for match in SIGN.finditer(node.value) if outside(node.value, match.start())]
+        marks = [match for match in SIGN.finditer(node.value) if outside_brackets(node.value, match.start())]
         if test is not None and marks:
             place = node.part(marks[0].start(), marks[0].end())
             self.scope.fault(place, f"with `{IS}: {test}` an option is one quantity", f"leave out `{IS}`", "choice")
@@ -199,8 +199,7 @@ class ChoiceReader:
         if not text.strip():
             self.scope.fault(node, f"a quantity is missing in {quoted(node.value.strip())}", FORM, "find")
             return None
-        shift = start + len(text) - len(text.lstrip())
-        part = Text(text.strip(), node.part(shift, shift + len(text.strip())), True, node.exact)
+        part = node.cut(start, end)
         found = read_phrase(self.scope, self.name, part, part, self.answers)
         if found is None:
             return None
@@ -216,7 +215,7 @@ class ChoiceReader:
         for side in known[1:]:
             first, second = (self.dimensions[item.name] for item in (known[0], side))
             if not first.matches(second):
-                message = f"`{known[0].text}` is {named(first)}, but `{side.text}` is {named(second)}"
+                message = f"`{known[0].text}` is {in_words(first)}, but `{side.text}` is {in_words(second)}"
                 self.scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
                 return
 
@@ -228,7 +227,7 @@ def named_side(find: Find, label: str, number: int) -> Find:
     return replace(find, name=f"{letter}_{index}")
 
 
-def outside(text: str, position: int) -> bool:
+def outside_brackets(text: str, position: int) -> bool:
     """Whether a place in a text is outside all brackets."""
     before = text[:position]
     return before.count("(") == before.count(")")

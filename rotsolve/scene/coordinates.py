@@ -12,12 +12,12 @@ from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.slicing import Range, coordinate
 from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR
-from rotsolve.language.words import hint, listed, quoted
+from rotsolve.language.words import hint, joined, quoted
 from rotsolve.scene.literals import Want
 from rotsolve.scene.rough import rough
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
 MEASURES = {"x": "length", "y": "length", "z": "length", "r": "length", "phi": "angle", "theta": "angle"}
 DENSITIES = {"line": "density per length", "surface": "density per area", "volume": "density"}
@@ -33,7 +33,9 @@ def of_coordinates(scope: Scope, node: Node, names: Collection[str], want: Want)
         scope.fault(node, message, f"give the given another name, such as `{taken[0]}0`", "name")
         return None
     extra: Mapping[str, Dimension] = {name: DIMENSIONS[MEASURES[name]] for name in names if name not in scope.givens}
-    found = value(scope, node, Want(want.label, want.dimension, want.letter, want.owner, want.limits, extra=extra))
+    found = read_scalar(
+        scope, node, Want(want.label, want.dimension, want.letter, want.owner, want.limits, extra=extra)
+    )
     return None if found is None else found.substitute({name: coordinate(name) for name in extra})
 
 
@@ -42,7 +44,7 @@ def mentions(node: Node, name: str) -> bool:
     return isinstance(node, Text) and re.search(rf"(?<!\w){name}(?!\w)", node.value) is not None
 
 
-def limits(scope: Scope, node: Node, name: str, others: Collection[str], label: str, owner: str) -> Range | None:
+def read_range(scope: Scope, node: Node, name: str, others: Collection[str], label: str, owner: str) -> Range | None:
     """`x: [0, a]`, where the limits may be formulas of the other coordinate."""
     if not isinstance(node, List) or len(node.items) != 2:
         scope.fault(node, f"`{name}` wants its limits `[from, to]`", FORM, "form")
@@ -58,7 +60,7 @@ def limits(scope: Scope, node: Node, name: str, others: Collection[str], label: 
     return Range(coordinate(name), ends[0], ends[1])
 
 
-def region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
+def read_region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
     """The limits of x and y, or of r and phi."""
     if not isinstance(node, Map):
         scope.fault(node, f"`{label}` wants the limits of two coordinates", FORM, "form")
@@ -68,7 +70,9 @@ def region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...
     if pair is None:
         scope.fault(node, f"`{label}` wants x and y, or r and phi", FORM, "missing")
         return None
-    found = [limits(scope, written, name, set(pair) - {name}, label, owner) for name, (_, written) in entries.items()]
+    found = [
+        read_range(scope, written, name, set(pair) - {name}, label, owner) for name, (_, written) in entries.items()
+    ]
     if found[0] is None or found[1] is None:
         return None
     one, other = found[0], found[1]
@@ -84,25 +88,27 @@ def leans(one: Range, other: Range) -> bool:
     return other.variable.name in one.lower.symbols() | one.upper.symbols()
 
 
-def profile(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
+def read_profile(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
     """`{z: [0, h], r: R*z/h}`; `r: [inner, outer]` for a hollow body."""
     form = "write `{z: [0, h], r: R*z/h}`"
     entries = scope.entries(node, f"`{label}`", ("z", "r"))
     if set(entries) != {"z", "r"}:
         scope.fault(node, f"`{label}` wants the limits of z, and r", form, "missing")
         return None
-    along = limits(scope, entries["z"][1], "z", (), label, owner)
+    along = read_range(scope, entries["z"][1], "z", (), label, owner)
     written = entries["r"][1]
     want = Want(label, "length", "R", owner)
     if isinstance(written, List):
-        radius = limits(scope, written, "r", ("z",), label, owner)
+        radius = read_range(scope, written, "r", ("z",), label, owner)
     else:
         outer = of_coordinates(scope, written, ("z",), want)
         radius = None if outer is None else Range(coordinate("r"), ZERO, outer)
     return None if along is None or radius is None else (along, radius)
 
 
-def density(scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fields: dict[str, Any]) -> Formula | None:
+def read_density(
+    scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fields: dict[str, Any]
+) -> Formula | None:
     """A density that is the same everywhere, or a formula of the coordinates of the shape."""
     built = fields.get("shape")
     if shape is None or not isinstance(built, Shape) or built.spread not in DENSITIES:
@@ -117,7 +123,7 @@ def density(scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fie
         scope.fault(node, message, known, "unknown")
         return None
     if isinstance(node, (Map, List)):
-        scope.fault(node, f"`density` wants one value or a formula of {listed(names) or 'givens'}", kind="form")
+        scope.fault(node, f"`density` wants one value or a formula of {joined(names) or 'givens'}", kind="form")
         return None
     want = Want("density", DENSITIES[built.spread], LETTERS[built.spread], owner, "nonnegative")
     return of_coordinates(scope, node, names, want)

@@ -52,7 +52,7 @@ class Outline(Struct, frozen=True):
 def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
     """Holes lie within a body, beside each other, and take away less than all of it."""
     if isinstance(body.shape, Shape) and all(isinstance(hole.body.shape, Shape) for hole in body.holes):
-        whole, *cut = (measured(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
+        whole, *cut = (rough_measure(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
         if whole is not None and sum(size or 0.0 for size in cut) >= whole:
             scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
             return
@@ -92,7 +92,7 @@ def outline(scope: Scope, part: Part) -> Outline | None:
     return None if radius is None or inner is None else Outline(spot, radius, inner)
 
 
-def measured(scope: Scope, shape: object) -> float | None:
+def rough_measure(scope: Scope, shape: object) -> float | None:
     """The area or length of a shape as a rough number."""
     try:
         return rough(shape.measure(), scope.numbers) if isinstance(shape, Shape) else None

@@ -13,15 +13,15 @@ from rotsolve.elements.events import EVENTS
 from rotsolve.elements.surfaces import SURFACES
 from rotsolve.language.keys import Element, Key, keys_of
 from rotsolve.language.problem import PointRef
-from rotsolve.language.words import hint, nearest, quoted
+from rotsolve.language.words import hint, nearest_name, quoted
 from rotsolve.scene.literals import Want
 from rotsolve.scene.paths import read_place, read_point, read_spot, running_path
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
-Reader = Callable[[Scope, Key, Node, str, str], Any]
+KeyReader = Callable[[Scope, Key, Node, str, str], Any]
 FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -41,7 +41,9 @@ def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tu
     return result
 
 
-def missing(scope: Scope, cls: type[Element], place: Node, name: str, entries: dict[str, tuple[Text, Node]]) -> None:
+def missing_keys(
+    scope: Scope, cls: type[Element], place: Node, name: str, entries: dict[str, tuple[Text, Node]]
+) -> None:
     """A fault for each required key that is not there."""
     for word, declared in keys_of(cls):
         if declared.required and word not in entries:
@@ -53,31 +55,33 @@ def read_value(scope: Scope, key: Key, node: Node, label: str, owner: str) -> An
     return READERS[key.kind](scope, key, node, label, owner)
 
 
-def quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     want = Want(label, key.dimension, key.letter, owner, key.limits, key.varies)
-    return value(scope, node, want, partial(running_path, scope) if key.varies else None)
+    return read_scalar(scope, node, want, partial(running_path, scope) if key.varies else None)
 
 
-def quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     letters = key.letter.split() or [""]
 
     def read(index: int, item: Node) -> Any:
         letter = letters[min(index, len(letters) - 1)]
-        return value(scope, item, Want(label, key.dimension, letter, owner, key.limits))
+        return read_scalar(scope, item, Want(label, key.dimension, letter, owner, key.limits))
 
-    return every(scope, key, node, label, read)
+    return each_item(scope, key, node, label, read)
 
 
-def every(scope: Scope, key: Key, node: Node, label: str, read: Callable[[int, Node], Any]) -> tuple[Any, ...] | None:
+def each_item(
+    scope: Scope, key: Key, node: Node, label: str, read: Callable[[int, Node], Any]
+) -> tuple[Any, ...] | None:
     """All items of a list, or nothing where one of them is faulty."""
-    items = listed(scope, key, node, label)
+    items = list_items(scope, key, node, label)
     if items is None:
         return None
     found = [read(index, item) for index, item in enumerate(items)]
     return None if None in found else tuple(found)
 
 
-def listed(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ...] | None:
+def list_items(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ...] | None:
     """The items of a list with as many as the key takes; a single thing stands for a list of one."""
     low, high = key.count or (1, 50)
     items = node.items if isinstance(node, List) else (node,)
@@ -89,19 +93,19 @@ def listed(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ...] |
     return None
 
 
-def place(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def place_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return read_place(scope, node, label, owner)
 
 
-def spot(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def spot_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return read_spot(scope, node, label, owner)
 
 
-def places(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return every(scope, key, node, label, lambda _, item: read_place(scope, item, label, owner))
+def places_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return each_item(scope, key, node, label, lambda _, item: read_place(scope, item, label, owner))
 
 
-def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """`{inner: r, outer: R}`; a drum's rims may have any names."""
     entries = scope.entries(node, f"`{label}`", key.choices or None)
     found = []
@@ -109,7 +113,7 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
         if not key.choices and not word.isidentifier():
             scope.fault(name, f"{quoted(word)} can't be the name of a rim", "use letters, digits and `_`", "name")
             continue
-        radius = value(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
+        radius = read_scalar(scope, written, Want(label, "length", "R", f"{owner}_{word}", "positive"))
         if radius is not None:
             found.append((word, radius))
     sizes = dict(found)
@@ -122,22 +126,22 @@ def radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return tuple(found)
 
 
-def limits_of(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_limits(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """The limits of a lamina, or the profile of a solid of revolution."""
-    from rotsolve.scene.coordinates import profile, region
+    from rotsolve.scene.coordinates import read_profile, read_region
 
-    return {"region": region, "profile": profile}[key.kind](scope, node, label, owner)
+    return {"region": read_region, "profile": read_profile}[key.kind](scope, node, label, owner)
 
 
-def choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     if isinstance(node, Text) and node.value.strip() in key.choices:
         return node.value.strip()
-    shown = node.value if isinstance(node, Text) else "a list" if isinstance(node, List) else "a map"
+    shown = node.value if isinstance(node, Text) else node.shown
     scope.fault(node, f"`{label}` can't be {quoted(shown)}", hint(shown, key.choices, "choices"), "choice")
     return None
 
 
-def flag(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_flag(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     word = node.value.strip().lower() if isinstance(node, Text) else ""
     if word in FLAGS:
         return FLAGS[word]
@@ -145,7 +149,7 @@ def flag(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return None
 
 
-def name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """The name of a thing of one of the kinds that the key refers to."""
     what = " or ".join(key.refers)
     if not isinstance(node, Text):
@@ -167,62 +171,62 @@ def name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return None
 
 
-def names(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_names(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     items = node.items if isinstance(node, List) else (node,)
-    found = [name(scope, key, item, label, owner) for item in items]
+    found = [read_name(scope, key, item, label, owner) for item in items]
     return tuple(item for item in found if item is not None)
 
 
-def point(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def point_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return read_point(scope, node, label, owner)
 
 
-def points(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return every(scope, key, node, label, lambda _, item: read_point(scope, item, label, owner))
+def points_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+    return each_item(scope, key, node, label, lambda _, item: read_point(scope, item, label, owner))
 
 
-def directions(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_directions(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     result = []
     for word, (body, written) in scope.entries(node, f"`{label}`").items():
         if scope.kinds.get(word) != "body":
             scope.unknown(body, word, "body", scope.names("body"), "bodies")
-        elif (found := choice(scope, key, written, label, owner)) is not None:
+        elif (found := read_choice(scope, key, written, label, owner)) is not None:
             result.append((word, found))
     return tuple(result)
 
 
-def direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """A word, `[x, y]` (only its direction counts) or an angle from the rightward horizontal."""
     if isinstance(node, List):
-        return vector(scope, key, node, label, owner)
+        return read_vector(scope, key, node, label, owner)
     if isinstance(node, Text) and node.value.strip() in key.choices:
         return node.value.strip()
     if isinstance(node, Text) and node.value.strip().isalpha() and node.value.strip() not in scope.givens:
-        return choice(scope, key, node, label, owner)
-    return value(scope, node, Want(label, "angle", "theta", owner))
+        return read_choice(scope, key, node, label, owner)
+    return read_scalar(scope, node, Want(label, "angle", "theta", owner))
 
 
-def vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     if not isinstance(node, List) or len(node.items) not in (2, 3):
         scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
         return None
     if len(node.items) == 3:
         scope.later(node, "a direction in space")
-    found = [value(scope, item, Want(label)) for item in node.items]
+    found = [read_scalar(scope, item, Want(label)) for item in node.items]
     return None if None in found else tuple(found)
 
 
-def friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_friction(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """`none`, `any`, a coefficient, or `{static: , kinetic: }`."""
     if isinstance(node, Text) and node.value.strip() in ("none", "any"):
         return Friction(node.value.strip())
     want = Want(label, "number", "mu", owner, "nonnegative")
     if not isinstance(node, Map):
-        found = value(scope, node, want)
+        found = read_scalar(scope, node, want)
         return None if found is None else Friction("coefficient", found, found)
     entries = scope.entries(node, f"`{label}`", ("static", "kinetic"))
     both = {
-        word: value(scope, written, Want(word, "number", f"mu_{word[0]}", owner, "nonnegative"))
+        word: read_scalar(scope, written, Want(word, "number", f"mu_{word[0]}", owner, "nonnegative"))
         for word, (_, written) in entries.items()
     }
     known = {word: found for word, found in both.items() if found is not None}
@@ -239,25 +243,25 @@ def smaller(one: float | None, other: float | None) -> bool:
     return one is not None and other is not None and one < other
 
 
-READERS: dict[str, Reader] = {
-    "quantity": quantity,
-    "quantities": quantities,
-    "place": place,
-    "spot": spot,
-    "places": places,
-    "radii": radii,
-    "region": limits_of,
-    "profile": limits_of,
-    "choice": choice,
-    "flag": flag,
-    "name": name,
-    "names": names,
-    "point": point,
-    "points": points,
-    "map of directions": directions,
-    "direction": direction,
-    "vector": vector,
-    "friction": friction,
+READERS: dict[str, KeyReader] = {
+    "quantity": read_quantity,
+    "quantities": read_quantities,
+    "place": place_of_key,
+    "spot": spot_of_key,
+    "places": places_of_key,
+    "radii": read_radii,
+    "region": read_limits,
+    "profile": read_limits,
+    "choice": read_choice,
+    "flag": read_flag,
+    "name": read_name,
+    "names": read_names,
+    "point": point_of_key,
+    "points": points_of_key,
+    "map of directions": read_directions,
+    "direction": read_direction,
+    "vector": read_vector,
+    "friction": read_friction,
 }
 
 
@@ -285,11 +289,11 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     entries = scope.entries(node, f"{kind} `{name}`", [word for word, _ in keys_of(cls)])
     if cls.later:
         scope.later(node.key(cls.word), cls.word)
-    missing(scope, cls, key, name, {**entries, **{entry.value: (entry, value) for entry, value in node.entries}})
+    missing_keys(scope, cls, key, name, {**entries, **{entry.value: (entry, value) for entry, value in node.entries}})
     found = read_keys(scope, cls, name, entries)
     element = cls(name, **found) if complete(cls, found) else None
     if element is not None:
-        scope.touched[name] = tuple(point.owner for point in points_in(element) if point.owner)
+        scope.touched[name] = tuple(point.owner for point in points_named(element) if point.owner)
     return element
 
 
@@ -328,7 +332,7 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
         scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
         return None
     for entry, _ in node.entries:
-        if nearest(entry.value, known):
+        if nearest_name(entry.value, known):
             scope.fault(
                 entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown"
             )
@@ -342,7 +346,7 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
     return None
 
 
-def points_in(element: Element) -> list[PointRef]:
+def points_named(element: Element) -> list[PointRef]:
     """All points that an element names."""
     found: list[PointRef] = []
     for name in element.__struct_fields__:

@@ -14,7 +14,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import LITERAL, Want, named, unit_fault
+from rotsolve.scene.literals import LITERAL, Want, in_words, unit_fault
 from rotsolve.scene.rough import remember
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
@@ -49,7 +49,7 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
     made: dict[str, Formula] = {}
     for name, written in texts.items():
         read_given(scope, name, written, made)
-    settle(scope, made, texts)
+    resolve(scope, made, texts)
     for name, original in originals.items():
         check_setting(scope, name, original)
 
@@ -65,7 +65,7 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
     elif text == "number":
         scope.givens[name] = replace(given, dimension=NUMBER)
         scope.dimensions[name] = NUMBER
-    elif (LITERAL.fullmatch(text) and literal(scope, given, written)) or letter(scope, given):
+    elif (LITERAL.fullmatch(text) and number_with_unit(scope, given, written)) or letter_with_unit(scope, given):
         pass
     elif (
         LITERAL.fullmatch(text)
@@ -86,7 +86,7 @@ def read_given(scope: Scope, name: str, written: Text, made: dict[str, Formula])
             made[name] = formula
 
 
-def literal(scope: Scope, given: Given, written: Text) -> bool:
+def number_with_unit(scope: Scope, given: Given, written: Text) -> bool:
     """`2 kg`, also where `kg` is a given too: in this section a number and a unit is a quantity."""
     try:
         quantity = parse_quantity(given.text)
@@ -98,7 +98,7 @@ def literal(scope: Scope, given: Given, written: Text) -> bool:
     return True
 
 
-def letter(scope: Scope, given: Given) -> bool:
+def letter_with_unit(scope: Scope, given: Given) -> bool:
     """`m: kg`, a letter with a dimension and no number."""
     if re.search(r"\d", given.text.replace("^", "")) and not re.fullmatch(r"[^\d]*(\^?-?\d[^\d]*)*", given.text):
         return False
@@ -111,19 +111,19 @@ def letter(scope: Scope, given: Given) -> bool:
     return True
 
 
-def settle(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:
+def resolve(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:
     """Dimensions and rough numbers of givens made of others, in the order of dependence; cycles are faults."""
     pending = dict(made)
     while pending:
         ready = [name for name, formula in pending.items() if not formula.symbols() & pending.keys()]
         if not ready:
-            cycle(scope, pending, texts)
+            name_circle(scope, pending, texts)
             return
         for name in ready:
-            settle_one(scope, name, pending.pop(name), texts[name])
+            resolve_one(scope, name, pending.pop(name), texts[name])
 
 
-def settle_one(scope: Scope, name: str, formula: Formula, written: Text) -> None:
+def resolve_one(scope: Scope, name: str, formula: Formula, written: Text) -> None:
     known = {symbol: scope.dimensions.get(symbol) for symbol in formula.symbols()}
     dimension = None
     if None not in known.values():
@@ -137,7 +137,7 @@ def settle_one(scope: Scope, name: str, formula: Formula, written: Text) -> None
     remember(scope.numbers, name, formula)
 
 
-def cycle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text]) -> None:
+def name_circle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text]) -> None:
     """Name one circle of givens."""
     name = next(iter(pending))
     way = [name]
@@ -162,6 +162,6 @@ def check_setting(scope: Scope, name: str, original: Text | None) -> None:
     except UnitError:
         return
     if old is not None and new is not None and not new.matches(old):
-        message = f"--set {name}: `{name}` is {named(old)} in the file, but this is {named(new)}"
+        message = f"--set {name}: `{name}` is {in_words(old)} in the file, but this is {in_words(new)}"
         scope.fault(None, message, kind="dimension")
         scope.dimensions[name] = old  # no further faults from the same cause

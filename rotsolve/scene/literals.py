@@ -25,7 +25,7 @@ from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
 
 
-def named(dimension: Dimension) -> str:
+def in_words(dimension: Dimension) -> str:
     """The dimension in words, with article and unit: `a force (N)`."""
     return describe(dimension, article=True)
 
@@ -66,7 +66,7 @@ MORE = rf"(?:\s*[*·]\s*|\s*/\s*|\s+)(?P<word>[^\W\d_]+){POWER}"
 CALL = rf"\.{NAME}"
 
 
-class Piece(Struct, frozen=True):
+class Lexeme(Struct, frozen=True):
     """A part of an expression: kind is number, quantity, name, path, mark or space."""
 
     kind: str
@@ -75,7 +75,7 @@ class Piece(Struct, frozen=True):
     end: int
 
 
-def pieces(text: str, names: Collection[str]) -> Iterator[Piece]:
+def lexemes(text: str, names: Collection[str]) -> Iterator[Lexeme]:
     """The expression in pieces; a number before a unit is one piece, a path with its `at(…)` is one piece."""
     position = 0
     while position < len(text):
@@ -88,7 +88,7 @@ def pieces(text: str, names: Collection[str]) -> Iterator[Piece]:
             kind, end = "path", path_end(text, end)
         elif kind == "name" and "." in match[0]:
             kind = "path"
-        yield Piece(kind, text[position:end], position, end)
+        yield Lexeme(kind, text[position:end], position, end)
         position = end
 
 
@@ -108,18 +108,23 @@ def path_end(text: str, position: int) -> int:
 def unit_end(text: str, position: int, names: Collection[str]) -> int:
     """Where the unit after a number ends; `position` itself when none stands there."""
     match = UNIT.match(text, position)
-    if not match or not is_unit(match["word"]) or text[match.end() : match.end() + 1] in ("_", "(", "."):
+    if not match or not names_unit(match["word"]) or text[match.end() : match.end() + 1] in ("_", "(", "."):
         return position
     position = match.end()
     while position < len(text) and (match := re.compile(MORE).match(text, position)):
         following = text[match.end() : match.end() + 1]
-        if match["word"] in names or following in ("_", "(", ".") or following.isdigit() or not is_unit(match["word"]):
+        if (
+            match["word"] in names
+            or following in ("_", "(", ".")
+            or following.isdigit()
+            or not names_unit(match["word"])
+        ):
             break
         position = match.end()
     return position
 
 
-def is_unit(word: str) -> bool:
+def names_unit(word: str) -> bool:
     try:
         parse_unit(word)
     except UnitError:
@@ -164,7 +169,7 @@ class Want(Struct, frozen=True):
     words: tuple[str, ...] = ()  # other words that may have been meant
 
 
-def unknown(scope: Scope, node: Text, want: Want) -> Formula | None:
+def asked_letter(scope: Scope, node: Text, want: Want) -> Formula | None:
     """`force: unknown`: a letter that is asked for."""
     if not want.letter:
         scope.fault(node, f"`{want.label}` can't be unknown here", "name it in `given`: `x: unknown`", "form")
@@ -188,7 +193,15 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
     if scope.kinds.get(unit) == "given":
         ambiguous(scope, node, node.value.strip(), unit)
         return None
-    return settled(scope, node, want, quantity)
+    return literal_value(scope, node, want, quantity)
+
+
+def parsed_quantity(text: str) -> Quantity | None:
+    """The quantity that a text writes; None where it writes none."""
+    try:
+        return parse_quantity(text)
+    except UnitError:
+        return None
 
 
 def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> None:
@@ -210,7 +223,7 @@ def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> None:
     )
 
 
-def settled(scope: Scope, node: Text, want: Want, quantity: Quantity) -> Formula | None:
+def literal_value(scope: Scope, node: Text, want: Want, quantity: Quantity) -> Formula | None:
     """A literal quantity, checked, as a number or an automatic letter."""
     text = node.value.strip()
     unit = quantity.unit.text if quantity.unit else ""
@@ -241,7 +254,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
         help = "write `2 rev/s` or `12.6 rad/s`"
         scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
         return False
-    shown = "has no unit" if found == NUMBER else f"is {named(found)}"
+    shown = "has no unit" if found == NUMBER else f"is {in_words(found)}"
     example = EXAMPLES.get(want.dimension) if found == NUMBER else None
     help = f"write a unit: `{example}`" if example else ""
     scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")
@@ -254,7 +267,7 @@ def as_letter(scope: Scope, span: Span, want: Want, quantity: Quantity) -> Formu
         return ZERO
     share = share_of_pi(quantity.value)
     if quantity.dimension == DIMENSIONS["angle"] and share is not None and share % STEP == 0:
-        return times_pi(share)
+        return multiple_of_pi(share)
     if not want.letter or (quantity.dimension == NUMBER and want.dimension != "number"):
         return quantity.value
     return scope.automatic(want.letter, want.owner, quantity, span, want.hint)
@@ -280,7 +293,7 @@ def share_of_pi(formula: Formula) -> Fraction | None:
     return None
 
 
-def times_pi(share: Fraction) -> Formula:
+def multiple_of_pi(share: Fraction) -> Formula:
     """q·π as textbooks write it: π/6, −π/2, 3 π/4."""
     result = Number(Fraction(abs(share.numerator))) * PI / Number(Fraction(share.denominator))
     return -result if share < 0 else result

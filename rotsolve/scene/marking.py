@@ -11,13 +11,13 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.units.dimension import NONE, Dimension
-from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.algebra.units.quantities import Quantity, parse_quantity
 from rotsolve.language.grammar import DEDUCT, MARKING
 from rotsolve.language.keys import Key
 from rotsolve.language.marks import ALL, FLAWS, Deduction, Marking, Tolerance
 from rotsolve.language.words import quoted
 from rotsolve.scene.elements import read_value
-from rotsolve.scene.literals import named
+from rotsolve.scene.literals import in_words, parsed_quantity
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Map, Node, Text
 
@@ -42,7 +42,7 @@ def read_marking(scope: Scope, node: Node | None, asked: Mapping[str, Dimension 
     if ALL in entries:
         others = {name: dimension for name, dimension in asked.items() if name not in entries}
         for name, dimension in others.items():
-            measures(scope, usual.tolerance, entries[ALL][1], name, dimension)
+            check_measure(scope, usual.tolerance, entries[ALL][1], name, dimension)
     return (*own, usual)
 
 
@@ -50,7 +50,7 @@ def of_answer(scope: Scope, usual: Marking, key: Text, node: Node, dimension: Di
     """The marking of one answer: points, or a map of what differs from what is usual."""
     written = replace(usual, span=key.span)
     if isinstance(node, Text):
-        points = number(scope, MARKING["points"], node, "points", MOST_POINTS)
+        points = read_marks(scope, MARKING["points"], node, "points", MOST_POINTS)
         return written if points is None else replace(written, points=points)
     entries = scope.entries(node, f"the marking of `{usual.name}`", MARKING)
     found = {word: READERS[MARKING[word].kind](scope, MARKING[word], item, word) for word, (_, item) in entries.items()}
@@ -59,51 +59,51 @@ def of_answer(scope: Scope, usual: Marking, key: Text, node: Node, dimension: Di
         known["deduct"] = tuple((dict(usual.deduct) | known["deduct"]).items())
     marking = replace(written, **known)
     if "tolerance" in known:
-        measures(scope, marking.tolerance, entries["tolerance"][1], usual.name, dimension)
+        check_measure(scope, marking.tolerance, entries["tolerance"][1], usual.name, dimension)
     return marking
 
 
-def measures(scope: Scope, tolerance: Tolerance, node: Node, name: str, dimension: Dimension | None) -> None:
+def check_measure(scope: Scope, tolerance: Tolerance, node: Node, name: str, dimension: Dimension | None) -> None:
     """A fault where an amount is of another dimension than the answer."""
     if tolerance.amount is None or dimension is None:
         return
     found = parse_quantity(tolerance.text).dimension
     if not found.matches(dimension):
-        shown = "has no unit" if found == NONE else f"is {named(found)}"
-        message = f"the tolerance {quoted(tolerance.text)} {shown}, but `{name}` is {named(dimension)}"
+        shown = "has no unit" if found == NONE else f"is {in_words(found)}"
+        message = f"the tolerance {quoted(tolerance.text)} {shown}, but `{name}` is {in_words(dimension)}"
         scope.fault(node, message, "write a share, `1 %`, an amount with its unit, or `3 figures`", "dimension")
 
 
-def tolerance(scope: Scope, key: Key, node: Node, label: str) -> Tolerance | None:
+def read_tolerance(scope: Scope, key: Key, node: Node, label: str) -> Tolerance | None:
     """`2 %`, `0.05 m/s^2` or `3 figures`."""
     text = node.value.strip() if isinstance(node, Text) else ""
     figures = FIGURES.fullmatch(text)
     if figures and 1 <= int(figures[1]) <= MOST_FIGURES:
         return Tolerance(text, figures=int(figures[1]))
-    amount = None if figures else quantity(text)
+    amount = None if figures else parsed_quantity(text)
     if amount is not None and amount.unit is not None and amount.unit.text == "%":
         share = amount.value
         if isinstance(share, Number) and 0 <= share.value < 1:
             return Tolerance(text, share=share.value)
     elif amount is not None and not text.startswith(("-", "−")):
         return Tolerance(text, amount=amount.value)
-    scope.fault(node, f"`{label}` can't be {said(node)}", "write `2 %`, `0.05 m/s^2` or `3 figures`", "form")
+    scope.fault(node, f"`{label}` can't be {node.shown}", "write `2 %`, `0.05 m/s^2` or `3 figures`", "form")
     return None
 
 
-def deductions(scope: Scope, key: Key, node: Node, label: str) -> dict[str, Deduction] | None:
+def read_deductions(scope: Scope, key: Key, node: Node, label: str) -> dict[str, Deduction] | None:
     """What each flaw costs; one value stands for all of them."""
     if not isinstance(node, Map):
-        cost = deduction(scope, key, node, label)
+        cost = read_deduction(scope, key, node, label)
         return None if cost is None else dict.fromkeys(FLAWS, cost)
     entries = scope.entries(node, f"`{label}`", DEDUCT)
-    found = {word: deduction(scope, DEDUCT[word], item, word) for word, (_, item) in entries.items()}
+    found = {word: read_deduction(scope, DEDUCT[word], item, word) for word, (_, item) in entries.items()}
     return {word: cost for word, cost in found.items() if cost is not None}
 
 
-def deduction(scope: Scope, key: Key, node: Node, label: str) -> Deduction | None:
+def read_deduction(scope: Scope, key: Key, node: Node, label: str) -> Deduction | None:
     """`25 %` of the points, or a number of marks."""
-    amount = quantity(node.value.strip()) if isinstance(node, Text) else None
+    amount = parsed_quantity(node.value.strip()) if isinstance(node, Text) else None
     if amount is not None and amount.unit is not None and amount.unit.text == "%":
         share = amount.value
         if isinstance(share, Number) and 0 <= share.value <= 1:
@@ -111,16 +111,16 @@ def deduction(scope: Scope, key: Key, node: Node, label: str) -> Deduction | Non
         amount = None
     marks = None if amount is None else plain_number(amount, MOST_POINTS)
     if marks is None:
-        scope.fault(node, f"`{label}` can't be {said(node)}", "write a share, `25 %`, or marks, `1/2`", "form")
+        scope.fault(node, f"`{label}` can't be {node.shown}", "write a share, `25 %`, or marks, `1/2`", "form")
     return None if marks is None else Deduction(marks)
 
 
-def number(scope: Scope, key: Key, node: Node, label: str, most: int = MOST_POINTS) -> Fraction | None:
+def read_marks(scope: Scope, key: Key, node: Node, label: str, most: int = MOST_POINTS) -> Fraction | None:
     """A number of marks."""
-    amount = quantity(node.value.strip()) if isinstance(node, Text) else None
+    amount = parsed_quantity(node.value.strip()) if isinstance(node, Text) else None
     marks = None if amount is None else plain_number(amount, most)
     if marks is None:
-        scope.fault(node, f"`{label}` can't be {said(node)}", f"write a number from 0 to {most}, such as 2", "form")
+        scope.fault(node, f"`{label}` can't be {node.shown}", f"write a number from 0 to {most}, such as 2", "form")
     return marks
 
 
@@ -131,25 +131,14 @@ def plain_number(amount: Quantity, most: int) -> Fraction | None:
     return value.value if plain and isinstance(value, Number) and 0 <= value.value <= most else None
 
 
-def choice(scope: Scope, key: Key, node: Node, label: str) -> str | None:
+def read_form(scope: Scope, key: Key, node: Node, label: str) -> str | None:
     found: str | None = read_value(scope, key, node, label, "")
     return found
 
 
-def quantity(text: str) -> Quantity | None:
-    try:
-        return parse_quantity(text)
-    except UnitError:
-        return None
-
-
-def said(node: Node) -> str:
-    return quoted(node.value) if isinstance(node, Text) else "a map" if isinstance(node, Map) else "a list"
-
-
 READERS: dict[str, Callable[[Scope, Key, Node, str], Any]] = {
-    "marks": number,
-    "tolerance": tolerance,
-    "choice": choice,
-    "deductions": deductions,
+    "marks": read_marks,
+    "tolerance": read_tolerance,
+    "choice": read_form,
+    "deductions": read_deductions,
 }

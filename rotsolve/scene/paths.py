@@ -14,16 +14,16 @@ from rotsolve.elements.shapes import WHEEL
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.language.words import an, hint, quoted
-from rotsolve.scene.literals import Piece, Want, path_end
+from rotsolve.scene.literals import Lexeme, Want, path_end
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.values import read_scalar
 
 DOTTED = re.compile(r"\s*(?P<owner>[^\W\d]\w*)(?:\.(?P<point>[^\W\d]\w*)\s*(?P<call>\(.*\))?)?\s*", re.DOTALL)
 KINDS = {"body": "bodies", "surface": "surfaces", "connection": "connections"}
 
 
-def points_of(body: Body) -> tuple[str, ...]:
+def point_names(body: Body) -> tuple[str, ...]:
     """The names of a body's points."""
     shape = body.shape
     if shape is not None:
@@ -49,7 +49,7 @@ def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formul
     if len(node.items) == 3:
         scope.later(node, "a place in space")
     x, y = (
-        value(scope, item, Want(label, "length", letter, owner))
+        read_scalar(scope, item, Want(label, "length", letter, owner))
         for item, letter in zip(node.items[:2], "xy", strict=True)
     )
     return None if x is None or y is None else (x, y)
@@ -61,7 +61,7 @@ def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula
         scope.fault(node, f"`{label}` wants a place `[x, y]` or `[x, y, z]`", kind="form")
         return None
     found = [
-        value(scope, item, Want(label, "length", letter, owner))
+        read_scalar(scope, item, Want(label, "length", letter, owner))
         for item, letter in zip(node.items, "xyz", strict=False)
     ]
     return tuple(item for item in found if item is not None) if None not in found else None
@@ -127,8 +127,7 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
             )
             return None
         start, end = match.start("call") + 1, match.end("call") - 1
-        inner = Text(node.value[start:end], node.part(start, end), True, node.exact)
-        argument = value(scope, inner, Want("at(…)", "length", "x", name, "nonnegative"))
+        argument = read_scalar(scope, node.cut(start, end), Want("at(…)", "length", "x", name, "nonnegative"))
         return None if argument is None else PointRef(name, "at", argument, None, node.span)
     if match["call"] or point not in scope.points[name]:
         names = [*scope.points[name], *(["at(x)"] if rod else [])]
@@ -208,7 +207,7 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     return reader(scope, node, words, span)
 
 
-def place(node: Text, word: Segment) -> Span:
+def word_place(node: Text, word: Segment) -> Span:
     return node.part(word.start, word.start + len(word))
 
 
@@ -217,9 +216,9 @@ def owner_fault(scope: Scope, node: Text, word: Segment, kind: str | None) -> No
         return
     if kind:
         help = f"{PLURALS} have quantities: {', '.join(scope.names(*OWNERS))}"
-        scope.fault(place(node, word), f"`{word}` is {an(kind)} and has no quantities", help, "kind")
+        scope.fault(word_place(node, word), f"`{word}` is {an(kind)} and has no quantities", help, "kind")
     else:
-        scope.unknown(place(node, word), word, "name", scope.names(*OWNERS), "names")
+        scope.unknown(word_place(node, word), word, "name", scope.names(*OWNERS), "names")
 
 
 def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | None:
@@ -258,7 +257,9 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     if rest[0] == "at" and rest[0].inner:
         if body.shape is None or not body.shape.slender:
             help = f"points: {', '.join(scope.points[owner])}"
-            scope.fault(place(node, rest[0]), f"`at(…)` is a point of rods only, and `{owner}` is none", help, "point")
+            scope.fault(
+                word_place(node, rest[0]), f"`at(…)` is a point of rods only, and `{owner}` is none", help, "point"
+            )
             return None
         argument = point_argument(scope, node, rest[0], owner)
         if argument is None:
@@ -292,7 +293,7 @@ def point_argument(scope: Scope, node: Text, word: Segment, owner: str) -> Formu
     assert word.inner is not None
     start, end = word.inner
     inner = Text(node.value[start:end], node.part(start, end), True, node.exact)
-    return value(scope, inner, Want("at(…)", "length", "x", owner, "nonnegative"))
+    return read_scalar(scope, inner, Want("at(…)", "length", "x", owner, "nonnegative"))
 
 
 def words_of(kind: str) -> list[str]:
@@ -328,37 +329,41 @@ def finish(
     word = rest[0]
     of = f"`{owner}.{point}`" if point else f"`{owner}`"
     if word not in allowed:
-        scope.fault(place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity")
+        scope.fault(
+            word_place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity"
+        )
         return None
     entry = QUANTITIES[word]
     component = None
     if len(rest) > 1:
-        component = component_of(scope, node, entry, rest[1])
+        component = read_component(scope, node, entry, rest[1])
         if component is None:
             return None
     if len(rest) > 2:
-        scope.fault(place(node, rest[2]), f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}", "", "path")
+        scope.fault(
+            word_place(node, rest[2]), f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}", "", "path"
+        )
         return None
     if entry.later:
         scope.later(span, word)
     return Path(owner, str(word), point, argument, component, span)
 
 
-def component_of(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
+def read_component(scope: Scope, node: Text, entry: QuantityKind, word: Segment) -> str | None:
     allowed = [*entry.components]
     if entry.word in ANY_FORCE:
         allowed += scope.names("connection", "action")
     if word in allowed:
         return str(word)
     message = f"`{entry.word}` has no component {quoted(word)}"
-    scope.fault(place(node, word), message, hint(word, allowed, "components"), "component")
+    scope.fault(word_place(node, word), message, hint(word, allowed, "components"), "component")
     return None
 
 
 WORDS = (*PLACES, *RATES)
 
 
-def running_path(scope: Scope, node: Text, piece: Piece) -> Formula | None:
+def running_path(scope: Scope, node: Text, piece: Lexeme) -> Formula | None:
     """The letter that stands for a path in a value that varies, named as the path is written; None after a fault."""
     path = read_path(scope, node, piece.start, piece.end)
     if path is None:

@@ -22,7 +22,7 @@ from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS
 from rotsolve.language.problem import Condition, Find, Path, Term
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.clauses import Clauses
-from rotsolve.scene.literals import Piece, Want, named, pieces, stand_in
+from rotsolve.scene.literals import Lexeme, Want, in_words, lexemes, stand_in
 from rotsolve.scene.paths import read_path
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
@@ -61,14 +61,14 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     """A phrase as a question, with its dimension where that is known."""
     phrase = Phrase()
     faults = len(scope.faults)
-    formula = Reader(scope, node, phrase, answers).read(0, len(node.value), True)
+    formula = PhraseReader(scope, node, phrase, answers).read(0, len(node.value), True)
     if formula is None or len(scope.faults) > faults:
         return None
     dimension = dimension_found(scope, node, formula, phrase, answers)
     if dimension is None and len(scope.faults) > faults:
         return None
     if phrase.unit and dimension is not None and not dimension.matches(phrase.unit.dimension):
-        message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {named(dimension)}"
+        message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {in_words(dimension)}"
         scope.fault(node, message, "", "dimension")
         return None
     text = node.value.strip()
@@ -93,7 +93,7 @@ def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, 
         return None
 
 
-class Reader:
+class PhraseReader:
     """Reads a phrase or a bracketed part of one; the terms of all parts are numbered through."""
 
     def __init__(self, scope: Scope, node: Text, phrase: Phrase, answers: dict[str, Any]) -> None:
@@ -104,14 +104,14 @@ class Reader:
 
     def read(self, start: int, end: int, outer: bool) -> Formula | None:
         """The formula of text[start:end], its clauses given to the terms of its own."""
-        found = [shifted(piece, start) for piece in pieces(self.node.value[start:end], self.scope.givens)]
+        found = [shifted(piece, start) for piece in lexemes(self.node.value[start:end], self.scope.givens)]
         words = [piece for piece in found if piece.kind != "space"]
         if not words:
             self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
             return None
         return self.quantity(words, outer)
 
-    def quantity(self, words: list[Piece], outer: bool) -> Formula | None:
+    def quantity(self, words: list[Lexeme], outer: bool) -> Formula | None:
         """[modifier] EXPRESSION [clauses], given in pieces."""
         given = words
         modifier, words = self.modifier(words)
@@ -141,9 +141,9 @@ class Reader:
     def condition(self, part: Text) -> Condition | None:
         """What follows `where`; the phrase that it speaks of is read like any other."""
         phrase = Phrase()
-        reader = Reader(self.scope, part, phrase, self.answers)
+        reader = PhraseReader(self.scope, part, phrase, self.answers)
 
-        def quantity(words: list[Piece]) -> tuple[Find, Any] | None:
+        def quantity(words: list[Lexeme]) -> tuple[Find, Any] | None:
             formula = reader.quantity(words, False)
             if formula is None:
                 return None
@@ -155,7 +155,7 @@ class Reader:
 
         return read_condition(self.scope, part, quantity)
 
-    def swings(self, modifier: str, words: list[Piece], outer: bool) -> Formula | None:
+    def swings(self, modifier: str, words: list[Lexeme], outer: bool) -> Formula | None:
         """`small swings of BODY about STATE`, `swings from STATE`, as a term of its own."""
         found = read_swings(self.scope, self.node, words, modifier)
         if found is None:
@@ -169,7 +169,7 @@ class Reader:
         self.phrase.terms.append(term)
         return Symbol(f"#{len(self.phrase.terms) - 1}")
 
-    def modifier(self, words: list[Piece]) -> tuple[str | None, list[Piece]]:
+    def modifier(self, words: list[Lexeme]) -> tuple[str | None, list[Lexeme]]:
         """The modifier in front and the rest; None after a fault."""
         first = words[0].text
         if len(words) > 1 and words[1].text == "of":
@@ -193,7 +193,7 @@ class Reader:
             return first, words[1:]
         return "", words
 
-    def modified(self, formula: Formula, modifier: str, first: int, outer: bool, place: Piece) -> Formula | None:
+    def modified(self, formula: Formula, modifier: str, first: int, outer: bool, place: Lexeme) -> Formula | None:
         """The modifier goes to the only term, or to the whole."""
         if not modifier:
             return formula
@@ -234,7 +234,7 @@ class Reader:
 
     def groups(self, start: int, end: int) -> list[tuple[int, int]]:
         """The outermost brackets that hold a phrase: a modifier or a clause word."""
-        found = [shifted(piece, start) for piece in pieces(self.node.value[start:end], self.scope.givens)]
+        found = [shifted(piece, start) for piece in lexemes(self.node.value[start:end], self.scope.givens)]
         result: list[tuple[int, int]] = []
         stack: list[int] = []
         speaks = -1
@@ -252,7 +252,7 @@ class Reader:
                 speaks = piece.start
         return innermost(result)
 
-    def term(self, node: Text, piece: Piece) -> Formula | None:
+    def term(self, node: Text, piece: Lexeme) -> Formula | None:
         path = read_path(self.scope, node, piece.start, piece.end)
         if path is None:
             return None
@@ -265,11 +265,11 @@ def innermost(groups: list[tuple[int, int]]) -> list[tuple[int, int]]:
     return [group for group in groups if not any(other[0] < group[0] and group[1] < other[1] for other in groups)]
 
 
-def shifted(piece: Piece, by: int) -> Piece:
+def shifted(piece: Lexeme, by: int) -> Lexeme:
     return replace(piece, start=piece.start + by, end=piece.end + by)
 
 
-def at_top(words: list[Piece]) -> list[tuple[int, Piece]]:
+def at_top(words: list[Lexeme]) -> list[tuple[int, Lexeme]]:
     """The pieces outside all brackets, with their index."""
     depth, result = 0, []
     for index, piece in enumerate(words):
@@ -283,7 +283,7 @@ SMALL, LARGE = "small swings", "swings"
 FORM = "write `period of small swings`, with `of BODY` and `about STATE` where there are several, or `period of swings from STATE`"
 
 
-def read_swings(scope: Scope, node: Text, words: list[Piece], modifier: str) -> tuple[Term, list[Piece]] | None:
+def read_swings(scope: Scope, node: Text, words: list[Lexeme], modifier: str) -> tuple[Term, list[Lexeme]] | None:
     """What follows `period of`, and the words after that.
 
     The term's modifier says which swings, `at` about which state, `start` from which.
@@ -311,7 +311,7 @@ def read_swings(scope: Scope, node: Text, words: list[Piece], modifier: str) -> 
     return Term(path, kind, at=found["about"] or None, start=found["from"] or None), rest
 
 
-def trailing(scope: Scope, node: Text, rest: list[Piece]) -> None:
+def trailing(scope: Scope, node: Text, rest: list[Lexeme]) -> None:
     """A fault for words that can't follow."""
     place = node.part(rest[0].start, rest[-1].end)
     what = quoted(node.value[rest[0].start : rest[-1].end])
@@ -319,7 +319,7 @@ def trailing(scope: Scope, node: Text, rest: list[Piece]) -> None:
     scope.fault(place, f"{what} can't follow here", help, "find")
 
 
-def name_after(scope: Scope, node: Text, word: Piece, kind: str) -> str | None:
+def name_after(scope: Scope, node: Text, word: Lexeme, kind: str) -> str | None:
     """The name of a body or state; None after a fault."""
     if scope.kinds.get(word.text) == kind:
         return word.text
@@ -340,7 +340,7 @@ def swings_said(text: str) -> bool:
 
 def swings_path(scope: Scope, line: Text) -> Path | None:
     """The period or frequency of small swings that a line of a state gives; None after a fault."""
-    words = [piece for piece in pieces(line.value, scope.givens) if piece.kind != "space"]
+    words = [piece for piece in lexemes(line.value, scope.givens) if piece.kind != "space"]
     modifier = f"{words[0].text} {words[1].text}"
     found = read_swings(scope, line, words[2:], modifier)
     if found is None:

@@ -15,9 +15,9 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
 from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.language.grammar import SECTIONS
-from rotsolve.language.problem import Given, Problem, points_of
+from rotsolve.language.problem import Given, Problem, references
 from rotsolve.language.words import quoted
-from rotsolve.scene.answers import read_answer
+from rotsolve.scene.answers import read_published
 from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
 from rotsolve.scene.givens import read_givens
@@ -27,8 +27,8 @@ from rotsolve.scene.phrases import read_find
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.states import read_phase, read_state
-from rotsolve.scene.tree import BYTES, List, Map, Node, Text, compose, plain
-from rotsolve.scene.values import value
+from rotsolve.scene.tree import BYTES, List, Map, Node, Text, compose
+from rotsolve.scene.values import read_scalar
 
 if TYPE_CHECKING:
     from rotsolve.language.problem import Variation
@@ -50,14 +50,14 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
     try:
         size = os.path.getsize(name)
         if size > BYTES:
-            raise too_large(size, name)
+            raise file_too_large(size, name)
         with open(name, "rb") as stream:
             content = stream.read(BYTES + 1)
     except OSError as error:
         reason = error.strerror or "it can't be read"
         raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
     if len(content) > BYTES:
-        raise too_large(len(content), name)
+        raise file_too_large(len(content), name)
     if b"\0" in content:
         raise SceneError(
             [Fault("this is no text file: it holds a NUL byte", None, "a scene is YAML text in UTF-8", "file")],
@@ -73,7 +73,7 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
     return read_text(text, name, settings)
 
 
-def too_large(size: int, name: str) -> SceneError:
+def file_too_large(size: int, name: str) -> SceneError:
     return SceneError(
         [Fault(f"the file has {size} bytes, more than {BYTES}", None, "a scene is a page of text", "limit")], (), name
     )
@@ -82,7 +82,7 @@ def too_large(size: int, name: str) -> SceneError:
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
     if len(text) > BYTES:
-        raise too_large(len(text), file)
+        raise file_too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
     control = CONTROL.search(text)
     if control is not None:
@@ -242,9 +242,9 @@ class Sections:
                 continue
             if key.value in own or self.asked(key.value):
                 if isinstance(item, Map):
-                    from rotsolve.scene.comparisons import read_choice
+                    from rotsolve.scene.comparisons import read_which_of
 
-                    find = read_choice(self.scope, key.value, key, item, asked)
+                    find = read_which_of(self.scope, key.value, key, item, asked)
                 else:
                     find = read_find(self.scope, key.value, key, item, asked)
                 asked.setdefault(key.value, None)
@@ -256,7 +256,7 @@ class Sections:
         if node is None:
             return ()
         entries = self.scope.entries(node, "`answers`", asked)
-        found = [read_answer(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
+        found = [read_published(self.scope, name, key, item, asked) for name, (key, item) in entries.items()]
         return tuple(answer for answer in found if answer is not None)
 
     def text(self, name: str) -> str:
@@ -283,7 +283,7 @@ class Sections:
         if isinstance(node, Text) and node.value.strip() == "none":
             return None
         if node is not None:
-            return value(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
+            return read_scalar(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
         given = scope.givens.get("g")
         if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
             if given.dimension is None:
@@ -298,14 +298,6 @@ class Sections:
         self.scope.later(self.top["assume"][0], "assume")
         items = node.items if isinstance(node, List) else (node,)
         return tuple(item.value for item in items if isinstance(item, Text))
-
-    def raw(self, name: str) -> object | None:
-        node = self.node(name)
-        if node is None:
-            return None
-        if not isinstance(node, Map):
-            self.scope.fault(node, f"`{name}` wants a map", kind="form")
-        return plain(node)
 
     def vary(self) -> Variation | None:
         node = self.node("vary")
@@ -337,7 +329,7 @@ def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Faul
     known = {name: size(length, numbers) for name, length in rods.items() if length is not None}
     lengths = {name: number for name, number in known.items() if number is not None}
     parts = (problem.connections, problem.actions, problem.states, problem.events, problem.finds)
-    for ref in dict.fromkeys(points_of(parts)):
+    for ref in dict.fromkeys(references(parts)):
         place = None if ref.argument is None else size(ref.argument, numbers)
         length = rods.get(ref.owner)
         if place is not None and length is not None and ref.argument is not None:

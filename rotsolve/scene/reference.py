@@ -20,15 +20,15 @@ LATER = " *(not solved yet)*"
 
 def describe_all() -> str:
     """The whole reference, plain enough for a terminal."""
-    return "\n\n".join(text for _, text in chapters())
+    return "\n\n".join(text for _, text in reference_chapters())
 
 
-def describe(name: str) -> str:
+def describe_word(name: str) -> str:
     """What one word means, in every place where it can stand. Raises KeyError with a hint for an unknown word."""
     wanted = " ".join(name.split())
-    found = [text for word, text in words() if word == wanted]
+    found = [text for word, text in word_entries() if word == wanted]
     if not found:
-        known = dict.fromkeys(word for word, _ in words())
+        known = dict.fromkeys(word for word, _ in word_entries())
         raise KeyError(f"unknown word {quoted(name)}; {hint(wanted, known, 'words')}")
     return "\n\n".join(dict.fromkeys(found))
 
@@ -38,54 +38,54 @@ def generate() -> str:
     return f"{BEGIN}\n\n{describe_all()}\n\n{END}\n"
 
 
-def words() -> Iterator[tuple[str, str]]:
+def word_entries() -> Iterator[tuple[str, str]]:
     """Every word of the language with its text."""
     for word, key in SECTIONS.items():
-        yield word, f"`{word}` (top level): {key.help}{later(key.later)}"
+        yield word, f"`{word}` (top level): {key.help}{later_mark(key.later)}"
     for shape in SHAPES:
-        yield shape.word, element(shape, "shape")
+        yield shape.word, element_text(shape, "shape")
     for kind, table in TABLES.values():
         for cls in table:
-            yield cls.word, element(cls, kind)
+            yield cls.word, element_text(cls, kind)
     for entry in QUANTITIES.values():
         yield (
             entry.word,
-            f"`{entry.word}` (quantity): {entry.help}{later(entry.later)}{owned(entry)}{parts(entry)}",
+            f"`{entry.word}` (quantity): {entry.help}{later_mark(entry.later)}{owners_text(entry)}{components_text(entry)}",
         )
     for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE), ("marking", MARKING), ("deduction", DEDUCT)):
         for word, key in keys.items():
-            yield word, f"`{word}` (of a {title}): {meaning(key)}"
+            yield word, f"`{word}` (of a {title}): {key_meaning(key)}"
     for modifier in MODIFIERS:
         yield modifier, f"`{modifier}`: stands before an expression of `find` and belongs to the whole of it"
     for clause in CLAUSES:
         yield clause, f"`{clause}`: begins a clause of `find`, after the expression"
 
 
-def chapters() -> Iterator[tuple[str, str]]:
+def reference_chapters() -> Iterator[tuple[str, str]]:
     """The reference by chapter."""
-    yield "sections", chapter("Top level", rows(SECTIONS.items()))
-    yield "bodies", chapter("Keys of a body", rows(BODY.items()))
-    yield "parts", chapter("Keys of a part or hole, beside those of a body", rows(PART.items()))
-    yield "shapes", chapter("Shapes", [element(shape, "shape") for shape in SHAPES])
+    yield "sections", chapter_text("Top level", key_rows(SECTIONS.items()))
+    yield "bodies", chapter_text("Keys of a body", key_rows(BODY.items()))
+    yield "parts", chapter_text("Keys of a part or hole, beside those of a body", key_rows(PART.items()))
+    yield "shapes", chapter_text("Shapes", [element_text(shape, "shape") for shape in SHAPES])
     for section, (kind, table) in TABLES.items():
-        yield section, chapter(section.capitalize(), [element(cls, kind) for cls in table])
-    yield "phases", chapter("Keys of a phase", rows(PHASE.items()))
-    yield "marking", chapter("Keys of an answer's marking", rows(MARKING.items()))
-    yield "deductions", chapter("Keys of `deduct`", rows(DEDUCT.items()))
+        yield section, chapter_text(section.capitalize(), [element_text(cls, kind) for cls in table])
+    yield "phases", chapter_text("Keys of a phase", key_rows(PHASE.items()))
+    yield "marking", chapter_text("Keys of an answer's marking", key_rows(MARKING.items()))
+    yield "deductions", chapter_text("Keys of `deduct`", key_rows(DEDUCT.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
-    lines += [quantity(entry) for entry in QUANTITIES.values()]
+    lines += [quantity_row(entry) for entry in QUANTITIES.values()]
     yield "quantities", "### Quantities\n\n" + "\n".join(lines)
 
 
-def chapter(title: str, items: Iterable[str]) -> str:
+def chapter_text(title: str, items: Iterable[str]) -> str:
     return f"### {title}\n\n" + "\n".join(f"- {item}" for item in items)
 
 
-def rows(keys: Iterable[tuple[str, Key]]) -> list[str]:
-    return [f"`{word}`: {meaning(key)}" for word, key in keys]
+def key_rows(keys: Iterable[tuple[str, Key]]) -> list[str]:
+    return [f"`{word}`: {key_meaning(key)}" for word, key in keys]
 
 
-def meaning(key: Key) -> str:
+def key_meaning(key: Key) -> str:
     """The help of a key with its choices, limits and example."""
     text = key.help
     if key.choices and not any(choice in key.help for choice in key.choices[:1]):
@@ -99,17 +99,17 @@ def meaning(key: Key) -> str:
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""
     text += f", e.g. `{key.example}`" if key.example else ""
-    return text + later(key.later)
+    return text + later_mark(key.later)
 
 
-def later(flag: bool) -> str:
+def later_mark(flag: bool) -> str:
     return LATER if flag else ""
 
 
-def element(cls: Any, kind: str) -> str:
+def element_text(cls: Any, kind: str) -> str:
     """An element with its keys, points, quantities and words."""
-    lines = [f"`{cls.word}` ({kind}): {cls.about}{later(cls.later)}"]
-    lines += [f"  - `{word}`: {meaning(key)}" for word, key in keys_of(cls)]
+    lines = [f"`{cls.word}` ({kind}): {cls.about}{later_mark(cls.later)}"]
+    lines += [f"  - `{word}`: {key_meaning(key)}" for word, key in keys_of(cls)]
     if kind == "shape":
         lines.append(f"  - points: {', '.join((*cls.points, 'cm'))}")
     if getattr(cls, "quantities", ()):
@@ -119,21 +119,21 @@ def element(cls: Any, kind: str) -> str:
     return "\n".join(lines)
 
 
-def owned(entry: QuantityKind) -> str:
+def owners_text(entry: QuantityKind) -> str:
     return f"; of: {', '.join(entry.owners)}" if entry.owners else ""
 
 
-def parts(entry: QuantityKind) -> str:
+def components_text(entry: QuantityKind) -> str:
     return f"; components: {', '.join(entry.components)}" if entry.components else ""
 
 
-def quantity(entry: QuantityKind) -> str:
+def quantity_row(entry: QuantityKind) -> str:
     cells = (
         f"`{entry.word}`",
         entry.letter,
         ", ".join(entry.owners),
         ", ".join(entry.components),
-        entry.help + later(entry.later),
+        entry.help + later_mark(entry.later),
     )
     return f"| {' | '.join(cells)} |"
 
@@ -185,7 +185,7 @@ DEDUCTIONS: dict[str, Any] = {
 
 def json_schema() -> dict[str, Any]:
     """The schema of a scene file."""
-    properties = {name: described(section(name, key), key) for name, key in SECTIONS.items()}
+    properties = {name: described(section_schema(name, key), key) for name, key in SECTIONS.items()}
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
         "title": "rotsolve scene",
@@ -193,7 +193,7 @@ def json_schema() -> dict[str, Any]:
         "properties": properties,
         "required": [name for name, key in SECTIONS.items() if key.required],
         "additionalProperties": False,
-        "$defs": {"body": body({}), "part": body(PART)},
+        "$defs": {"body": body_schema({}), "part": body_schema(PART)},
     }
 
 
@@ -203,28 +203,28 @@ def described(schema: dict[str, Any], key: Key) -> dict[str, Any]:
     return {**schema, "description": text}
 
 
-def named(schema: dict[str, Any]) -> dict[str, Any]:
+def named_map(schema: dict[str, Any]) -> dict[str, Any]:
     """A map from names to things."""
     return {"type": "object", "propertyNames": {"pattern": f"^{NAME.pattern}$"}, "additionalProperties": schema}
 
 
-def section(name: str, key: Key) -> dict[str, Any]:
+def section_schema(name: str, key: Key) -> dict[str, Any]:
     """The schema of a top-level key."""
     if name in TABLES:
-        return named({"anyOf": [element_schema(cls) for cls in TABLES[name][1]] + single_words(name)})
+        return named_map({"anyOf": [element_schema(cls) for cls in TABLES[name][1]] + single_words(name)})
     special: dict[str, dict[str, Any]] = {
-        "given": named(SCALAR),
-        "bodies": named({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, {"$ref": "#/$defs/body"}]}),
-        "states": named({"anyOf": [{"const": "at rest"}, {"type": "object"}]}),
-        "phases": named(table(PHASE)),
-        "find": {**named({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
+        "given": named_map(SCALAR),
+        "bodies": named_map({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, {"$ref": "#/$defs/body"}]}),
+        "states": named_map({"anyOf": [{"const": "at rest"}, {"type": "object"}]}),
+        "phases": named_map(map_schema(PHASE)),
+        "find": {**named_map({"anyOf": [{"type": ["string", "number"]}, CHOICE]}), "minProperties": 1},
         "answers": {"type": "object"},
-        "marking": named({"anyOf": [SCALAR, table(MARKING)]}),
-        "vary": named({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
+        "marking": named_map({"anyOf": [SCALAR, map_schema(MARKING)]}),
+        "vary": named_map({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
         "assume": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]},
         "unknown": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
     }
-    return special.get(name) or value(key)
+    return special.get(name) or value_schema(key)
 
 
 def single_words(name: str) -> list[dict[str, Any]]:
@@ -235,24 +235,24 @@ def single_words(name: str) -> list[dict[str, Any]]:
 
 def element_schema(cls: type) -> dict[str, Any]:
     """The schema of one element."""
-    return table(dict(keys_of(cls)))
+    return map_schema(dict(keys_of(cls)))
 
 
-def table(keys: dict[str, Key]) -> dict[str, Any]:
+def map_schema(keys: dict[str, Key]) -> dict[str, Any]:
     return {
         "type": "object",
-        "properties": {word: described(value(key), key) for word, key in keys.items()},
+        "properties": {word: described(value_schema(key), key) for word, key in keys.items()},
         "required": [word for word, key in keys.items() if key.required],
         "additionalProperties": False,
     }
 
 
-def body(more: dict[str, Key]) -> dict[str, Any]:
+def body_schema(more: dict[str, Key]) -> dict[str, Any]:
     """A body: the keys of all bodies and of all shapes."""
     keys: dict[str, Key] = {}
     for shape in SHAPES:
         keys |= dict(keys_of(shape))
-    properties = {word: described(value(key, word), key) for word, key in {**keys, **BODY, **more}.items()}
+    properties = {word: described(value_schema(key, word), key) for word, key in {**keys, **BODY, **more}.items()}
     for word in ("sides", "corners"):  # their number depends on the shape
         properties[word] = {
             "type": "array",
@@ -262,7 +262,7 @@ def body(more: dict[str, Key]) -> dict[str, Any]:
     return {"type": "object", "properties": properties, "additionalProperties": False}
 
 
-def value(key: Key, word: str = "") -> dict[str, Any]:
+def value_schema(key: Key, word: str = "") -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
         "text": SCALAR,
@@ -276,15 +276,15 @@ def value(key: Key, word: str = "") -> dict[str, Any]:
         "names": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
         "place": PLACE,
         "spot": PLACE,
-        "region": named(LIMITS),
-        "profile": named({"anyOf": [SCALAR, LIMITS]}),
+        "region": named_map(LIMITS),
+        "profile": named_map({"anyOf": [SCALAR, LIMITS]}),
         "places": {"type": "array", "items": PLACE},
         "quantities": {"type": "array", "items": SCALAR},
         "radii": {"type": "object", "additionalProperties": SCALAR},
         "point": POINT,
-        "points": points(key),
-        "points map": named(PLACE),
-        "parts": named({"$ref": "#/$defs/part"}),
+        "points": points_schema(key),
+        "points map": named_map(PLACE),
+        "parts": named_map({"$ref": "#/$defs/part"}),
         "map of directions": {"type": "object", "additionalProperties": {"enum": list(key.choices)}},
         "direction": {"anyOf": [SCALAR, PLACE]},
         "vector": PLACE,
@@ -301,7 +301,7 @@ def value(key: Key, word: str = "") -> dict[str, Any]:
     return kinds.get(key.kind, ANYTHING)
 
 
-def points(key: Key) -> dict[str, Any]:
+def points_schema(key: Key) -> dict[str, Any]:
     low, high = key.count or (1, 50)
     several = {"type": "array", "items": POINT, "minItems": low, "maxItems": high}
     return {"anyOf": [{"type": "string"}, several]} if low == 1 else several

@@ -101,13 +101,7 @@ class Scope:
     ) -> dict[str, tuple[Text, Node]]:
         """The entries of a map by name; duplicates, unknown keys and missing values are faults and left out."""
         if not isinstance(node, Map):
-            found = (
-                "nothing"
-                if isinstance(node, Text) and node.empty
-                else "a list"
-                if not isinstance(node, Text)
-                else quoted(node.value)
-            )
+            found = "nothing" if isinstance(node, Text) and node.empty else node.shown
             self.fault(node, f"{what} wants `name: value` lines, but this is {found}", "write `{name: value}`", "form")
             return {}
         names = None if allowed is None else list(allowed)

@@ -24,7 +24,7 @@ class Slot(Struct, frozen=True):
     text: str
 
 
-def parts(text: str) -> Iterator[str | Slot]:
+def prose_and_slots(text: str) -> Iterator[str | Slot]:
     """The text in pieces of prose and slots; `{{` and `}}` are braces."""
     position = 0
     for match in BRACES.finditer(text):
@@ -41,7 +41,7 @@ def parts(text: str) -> Iterator[str | Slot]:
 
 def slots(text: str) -> Iterator[Slot]:
     """The slots of a text."""
-    return (part for part in parts(text) if isinstance(part, Slot))
+    return (part for part in prose_and_slots(text) if isinstance(part, Slot))
 
 
 def check_slots(scope: Scope, node: Node, lines: tuple[str, ...]) -> None:

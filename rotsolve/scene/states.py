@@ -11,8 +11,8 @@ from rotsolve.scene.literals import Want
 from rotsolve.scene.paths import read_path
 from rotsolve.scene.phrases import swings_path, swings_said
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import value
+from rotsolve.scene.tree import List, Node, Text
+from rotsolve.scene.values import read_scalar
 
 EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
@@ -33,22 +33,22 @@ def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
     flags = {"balance": False, "steady": False}
     for word, (line, written) in scope.entries(node, f"state `{name}`").items():
         if word in flags:
-            flags[word] = flag(scope, line, written)
+            flags[word] = read_true(scope, line, written)
         elif word == "at rest":
-            conditions.extend(at_rest(scope, written))
+            conditions.extend(read_at_rest(scope, written))
         else:
-            conditions.extend(condition(scope, name, line, written))
+            conditions.extend(conditions_of_line(scope, name, line, written))
     return State(name, tuple(conditions), flags["balance"], flags["steady"], key.span)
 
 
-def flag(scope: Scope, key: Text, node: Node) -> bool:
+def read_true(scope: Scope, key: Text, node: Node) -> bool:
     if isinstance(node, Text) and node.value.strip() == "true":
         return True
     scope.fault(node, f"`{key.value}` can only be `true`", "leave the line out otherwise", "choice")
     return False
 
 
-def at_rest(scope: Scope, node: Node) -> list[Condition]:
+def read_at_rest(scope: Scope, node: Node) -> list[Condition]:
     """`at rest: all`, one body, or a list of bodies."""
     items = node.items if isinstance(node, List) else (node,)
     found = []
@@ -61,7 +61,7 @@ def at_rest(scope: Scope, node: Node) -> list[Condition]:
     return found
 
 
-def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Condition]:
+def conditions_of_line(scope: Scope, state: str, line: Text, node: Node) -> list[Condition]:
     """One line: a word about a connection, an extreme, a component each for a list, or a value."""
     text = line.value.strip()
     if " from " in text:
@@ -85,17 +85,17 @@ def condition(scope: Scope, state: str, line: Text, node: Node) -> list[Conditio
         parts = []
         for component, item in zip("xy", node.items, strict=True):
             part = Path(path.owner, path.quantity, path.point, path.argument, component, path.span)
-            parts.extend(valued(scope, state, part, line, item))
+            parts.extend(value_condition(scope, state, part, line, item))
         return parts
-    return valued(scope, state, path, line, node)
+    return value_condition(scope, state, path, line, node)
 
 
-def valued(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
+def value_condition(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
     kind = QUANTITIES[path.quantity]
     owner = "_".join(part for part in (path.owner, path.point if path.point != "at" else "", path.component) if part)
     limits = "nonnegative" if path.quantity in POSITIVE else ""
     want = Want(line.value.strip(), dimension_word(path.quantity), kind.letter, owner or state, limits, hint=state)
-    found = value(scope, node, want)
+    found = read_scalar(scope, node, want)
     return [] if found is None else [Condition(path, found, span=line.span)]
 
 
@@ -117,7 +117,7 @@ def connection_word(scope: Scope, name: str, line: Text, node: Node) -> list[Con
     if word in allowed:
         return [Condition(Path(name, "", span=line.span), word=word, owner=name, span=line.span)]
     if allowed:
-        shown = word or ("a map" if isinstance(node, Map) else "a list")
+        shown = word or node.shown
         scope.fault(node, f"`{name}` can't be {quoted(shown)}", hint(word, allowed, "it can be"), "choice")
     else:
         quantities = ", ".join(getattr(cls, "quantities", ()))

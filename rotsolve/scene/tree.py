@@ -6,7 +6,7 @@ The tree is made from parse events, so that limits hold before anything grows: a
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, ClassVar
 
 import yaml
 from msgspec import Struct
@@ -42,12 +42,24 @@ class Text(Struct, frozen=True):
         shift = 0 if self.plain else 1
         return Span(self.span.line, self.span.column + shift + start, max(1, end - start))
 
+    def cut(self, start: int, end: int) -> Text:
+        """value[start:end] without the blanks round it, in its place."""
+        text = self.value[start:end]
+        start += len(text) - len(text.lstrip())
+        return Text(text.strip(), self.part(start, start + len(text.strip())), True, self.exact)
+
+    @property
+    def shown(self) -> str:
+        """What messages say that stands here."""
+        return quoted(self.value)
+
 
 class List(Struct, frozen=True):
     """A sequence."""
 
     items: tuple[Node, ...]
     span: Span
+    shown: ClassVar[str] = "a list"
 
 
 class Map(Struct, frozen=True):
@@ -55,6 +67,7 @@ class Map(Struct, frozen=True):
 
     entries: tuple[tuple[Text, Node], ...]
     span: Span
+    shown: ClassVar[str] = "a map"
 
     def get(self, name: str) -> Node | None:
         for key, value in self.entries:
@@ -76,7 +89,7 @@ def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
     """The tree of the one document in `source`, and its lines."""
     lines = tuple(source.split("\n"))
     try:
-        return Composer(source, lines).document(), lines
+        return TreeBuilder(source, lines).document(), lines
     except SceneError as error:
         raise SceneError(error.faults, lines, file) from None
     except yaml.MarkedYAMLError as error:
@@ -88,7 +101,7 @@ def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
         ) from None
 
 
-class Composer:
+class TreeBuilder:
     """Builds the tree from the parser's events, counting nodes and levels on the way."""
 
     def __init__(self, source: str, lines: tuple[str, ...]) -> None:
@@ -170,12 +183,3 @@ class Composer:
 def stop(message: str, span: Span | None, help: str, kind: str = "yaml") -> None:
     """Raise one fault at once: what follows in the file can't be trusted."""
     raise SceneError([Fault(message, span, help, kind)])
-
-
-def plain(node: Node) -> object:
-    """A node as ordinary maps, lists and texts."""
-    if isinstance(node, Text):
-        return node.value
-    if isinstance(node, List):
-        return [plain(item) for item in node.items]
-    return {key.value: plain(item) for key, item in node.entries}

@@ -21,27 +21,27 @@ from rotsolve.scene.literals import (
     EXPRESSION,
     LITERAL,
     NAME,
-    Piece,
+    Lexeme,
     Want,
     ambiguous,
     as_letter,
+    asked_letter,
     dimension_holds,
     infer,
-    is_unit,
+    lexemes,
     limits_hold,
-    pieces,
+    multiple_of_pi,
+    names_unit,
     share_of_pi,
     stand_in,
-    times_pi,
     unit_fault,
-    unknown,
     whole_literal,
 )
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
-from rotsolve.scene.tree import List, Node, Text
+from rotsolve.scene.tree import Node, Text
 
-PathReader = Callable[[Text, Piece], Formula | None]
+PathReader = Callable[[Text, Lexeme], Formula | None]
 
 
 def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -> Formula | None:
@@ -50,7 +50,7 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
     stand_ins: dict[str, Formula] = {}
     text: list[str] = []
     before = ""
-    for piece in pieces(node.value, scope.givens):
+    for piece in lexemes(node.value, scope.givens):
         place = node.part(piece.start, piece.end)
         if piece.kind == "quantity" and before in ("/", "^", "**"):
             message = f"`{before} {piece.text}` can be read in two ways"
@@ -90,7 +90,7 @@ def divides_by_zero(scope: Scope, node: Text, formula: Formula) -> bool:
 def replacement(
     scope: Scope,
     node: Text,
-    piece: Piece,
+    piece: Lexeme,
     place: Span,
     want: Want,
     names: Collection[str],
@@ -109,7 +109,7 @@ def replacement(
             return None
         share = share_of_pi(quantity.value)
         if share is not None:
-            return times_pi(share)
+            return multiple_of_pi(share)
         return as_letter(scope, place, Want(want.label, None, want.letter or "q", want.owner), quantity)
     if piece.kind == "path":
         if paths is not None:
@@ -149,7 +149,7 @@ def formula_fault(
         scope.fault(span, "`time` can't stand here: this value is constant", help, "formula")
     elif kind and kind != "given":
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", hint("", letters, "givens"), "formula")
-    elif is_unit(wrong):
+    elif names_unit(wrong):
         scope.fault(
             span, f"`{wrong}` is a unit without a number", f"write `2 {wrong}`, or choose a letter for it", "unit"
         )
@@ -157,20 +157,16 @@ def formula_fault(
         scope.fault(span, f"unknown letter {quoted(wrong)}", hint(wrong, [*letters, *want.words], "givens"), "unknown")
 
 
-__all__ = ["Want", "value"]
-
-
-def value(scope: Scope, node: Node, want: Want, paths: PathReader | None = None) -> Formula | None:
+def read_scalar(scope: Scope, node: Node, want: Want, paths: PathReader | None = None) -> Formula | None:
     """The formula that a scalar writes; None after a fault."""
     if not isinstance(node, Text):
-        found = "a list" if isinstance(node, List) else "a map"
-        scope.fault(node, f"`{want.label}` wants one value, but this is {found}", kind="form")
+        scope.fault(node, f"`{want.label}` wants one value, but this is {node.shown}", kind="form")
         return None
     if not node.value.strip():
         scope.fault(node, f"`{want.label}` is empty", kind="form")
         return None
     if node.value.strip() == "unknown":
-        return unknown(scope, node, want)
+        return asked_letter(scope, node, want)
     literal = LITERAL.fullmatch(node.value)
     if literal and (result := whole_literal(scope, node, want, (literal["unit"] or "").strip())) is not EXPRESSION:
         return result
@@ -245,25 +241,25 @@ def check_limits(scope: Scope, node: Text, formula: Formula, want: Want) -> bool
     return limits_hold(scope, node, number, want, shown)
 
 
-def read_moment(text: str) -> TimeValue:
+def read_time(text: str) -> TimeValue:
     """`t=2s`, or `2 s` alone. Raises ValueError for what is no time."""
     name, sign, written = (part.strip() for part in text.rpartition("="))
     if (sign and name not in ("t", "time")) or not written:
         raise ValueError(f"{quoted(text)} is no moment; write t=2s")
-    found = read_time(written, text, "t=2s")
+    found = parsed_time(written, text, "t=2s")
     number = written.removesuffix(found.unit.text).strip() if found.unit is not None else written
     return TimeValue(f"{number} {found.unit.text}" if found.unit is not None else written, found.value)
 
 
 def read_seconds(text: str) -> float:
     """`10s`, `0.5 min` in seconds. Raises ValueError for what is no time, or not positive."""
-    seconds = evaluate(read_time(text, text, "10s").value, {}, digits=17).float
+    seconds = evaluate(parsed_time(text, text, "10s").value, {}, digits=17).float
     if not seconds > 0:
         raise ValueError(f"{quoted(text)} is not positive; write 10s")
     return seconds
 
 
-def read_time(written: str, text: str, example: str) -> Quantity:
+def parsed_time(written: str, text: str, example: str) -> Quantity:
     """The time that is written in a text; a ValueError shows an example."""
     try:
         found = parse_quantity(written)

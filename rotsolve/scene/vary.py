@@ -12,7 +12,7 @@ from rotsolve.algebra.units.quantities import Quantity, UnitError, in_unit, pars
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.language.problem import Comparison, Given, Variation, Varied
 from rotsolve.language.words import quoted
-from rotsolve.scene.literals import Want, named, unit_fault
+from rotsolve.scene.literals import Want, in_words, unit_fault
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import as_written, expression
@@ -35,7 +35,7 @@ def read_vary(scope: Scope, node: Node) -> Variation | None:
     before = len(scope.faults)
     entries = scope.entries(node, "`vary`")
     where = entries.pop(WHERE, None)
-    letters = [letter(scope, name, key, written) for name, (key, written) in entries.items()]
+    letters = [read_varied(scope, name, key, written) for name, (key, written) in entries.items()]
     if not entries and len(scope.faults) == before:
         scope.fault(node, "`vary` names no letter that varies", FORM, "form")
     varied = tuple(item for item in letters if item is not None)
@@ -54,7 +54,7 @@ def check_told(scope: Scope, variation: Variation, told: Mapping[str, Node]) -> 
                 scope.fault(node.part(*found.span()), message, help, "form")
 
 
-def letter(scope: Scope, name: str, key: Text, node: Node) -> Varied | None:
+def read_varied(scope: Scope, name: str, key: Text, node: Node) -> Varied | None:
     """One given with its values."""
     given = scope.givens.get(name)
     if given is None or scope.kinds.get(name) != "given":
@@ -64,16 +64,16 @@ def letter(scope: Scope, name: str, key: Text, node: Node) -> Varied | None:
         scope.fault(key, f"`{name}` is asked for: it can't vary", "let givens vary that have a value", "form")
         return None
     if isinstance(node, List):
-        values = choices(scope, given, node)
+        values = listed_values(scope, given, node)
     elif isinstance(node, Text) and (match := RANGE.fullmatch(node.value)):
-        values = steps(scope, given, node, match)
+        values = stepped_values(scope, given, node, match)
     else:
         scope.fault(node, f"`{name}` varies over nothing", FORM, "form")
         return None
     return Varied(name, values) if values else None
 
 
-def quantity(scope: Scope, given: Given, node: Text) -> Quantity | None:
+def read_value(scope: Scope, given: Given, node: Text) -> Quantity | None:
     """One value, with the dimension that the given has."""
     try:
         found = parse_quantity(node.value.strip())
@@ -85,13 +85,15 @@ def quantity(scope: Scope, given: Given, node: Text) -> Quantity | None:
         scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
         return None
     if wanted is not None and not found.dimension.matches(wanted):
-        message = f"`{given.name}` is {named(wanted)}, but {quoted(node.value.strip())} is {named(found.dimension)}"
+        message = (
+            f"`{given.name}` is {in_words(wanted)}, but {quoted(node.value.strip())} is {in_words(found.dimension)}"
+        )
         scope.fault(node, message, kind="dimension")
         return None
     return found
 
 
-def choices(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
+def listed_values(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
     """The values of a list, all different."""
     found: dict[Formula, str] = {}
     before = len(scope.faults)
@@ -99,7 +101,7 @@ def choices(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
         if not isinstance(item, Text):
             scope.fault(item, f"`{given.name}` wants a list of values", FORM, "form")
             continue
-        value = quantity(scope, given, item)
+        value = read_value(scope, given, item)
         if value is not None and value.value in found:
             scope.fault(item, f"{quoted(item.value.strip())} stands twice in the list", kind="choice")
         elif value is not None:
@@ -109,14 +111,14 @@ def choices(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
     return tuple(found.values()) if len(scope.faults) == before else ()
 
 
-def steps(scope: Scope, given: Given, node: Text, match: re.Match[str]) -> tuple[str, ...]:
+def stepped_values(scope: Scope, given: Given, node: Text, match: re.Match[str]) -> tuple[str, ...]:
     """The values of a range, from its start by equal steps to its stop."""
     if match["step"] is None:
         help = f"write `{match['start']} to {match['stop']} by …`"
         scope.fault(node, f"the range {quoted(node.value.strip())} has no step", help, "form")
         return ()
-    parts = [part_of(node, *match.span(word)) for word in ("start", "stop", "step")]
-    found = [quantity(scope, given, part) for part in parts]
+    parts = [node.cut(*match.span(word)) for word in ("start", "stop", "step")]
+    found = [read_value(scope, given, part) for part in parts]
     known = [value for value in found if value is not None]
     if len(known) < len(found):
         return ()
@@ -131,13 +133,13 @@ def steps(scope: Scope, given: Given, node: Text, match: re.Match[str]) -> tuple
         return ()
     point = DECIMALS.match(match["start"].lstrip("+-−"))
     least = len(point[1]) if point else 0
-    return tuple(written(start + step * count, least, unit) for count in range(int((stop - start) / step) + 1))
+    return tuple(decimal_text(start + step * count, least, unit) for count in range(int((stop - start) / step) + 1))
 
 
 def in_steps(scope: Scope, node: Text, match: re.Match[str], start: Fraction, stop: Fraction, step: Fraction) -> bool:
     """Whether equal steps lead from the start to the stop, and not too many."""
     if step <= 0:
-        scope.fault(part_of(node, *match.span("step")), "the step of a range must be positive", kind="limits")
+        scope.fault(node.cut(*match.span("step")), "the step of a range must be positive", kind="limits")
     elif stop <= start:
         scope.fault(node, f"the range {quoted(node.value.strip())} ends before it begins", kind="limits")
     elif ((stop - start) / step).denominator > 1:
@@ -150,7 +152,7 @@ def in_steps(scope: Scope, node: Text, match: re.Match[str], start: Fraction, st
     return False
 
 
-def written(number: Fraction, least: int, unit: Unit) -> str:
+def decimal_text(number: Fraction, least: int, unit: Unit) -> str:
     """A number as a scene writes it, as a decimal where it has an end, with as many places as the start of its range at least."""
     for places in range(least, least + 40):
         scaled = number * 10**places
@@ -159,13 +161,6 @@ def written(number: Fraction, least: int, unit: Unit) -> str:
             text = f"{digits[:-places]}.{digits[-places:]}" if places else digits
             return unit.after(f"{'-' * (number < 0)}{text}")
     return unit.after(str(number))
-
-
-def part_of(node: Text, start: int, end: int) -> Text:
-    """A part of a text, without blanks round it, in its place."""
-    text = node.value[start:end]
-    start += len(text) - len(text.lstrip())
-    return Text(text.strip(), node.part(start, start + len(text.strip())), True, node.exact)
 
 
 def conditions_of(scope: Scope, node: Node, varied: set[str]) -> Iterator[Comparison]:
@@ -177,15 +172,15 @@ def conditions_of(scope: Scope, node: Node, varied: set[str]) -> Iterator[Compar
             continue
         before = set(scope.givens)
         places = [0, *(place for mark in marks for place in mark.span()), len(item.value)]
-        sides = [side(scope, part_of(item, *places[k : k + 2]), varied) for k in range(0, len(places), 2)]
+        sides = [read_side(scope, item.cut(*places[k : k + 2]), varied) for k in range(0, len(places), 2)]
         made = {name: given for name, given in scope.givens.items() if name not in before}
-        yield from compared(scope, item, [SIGNS[mark[0]] for mark in marks], sides, made)
+        yield from comparisons_of(scope, item, [SIGNS[mark[0]] for mark in marks], sides, made)
         for name in made:  # the quantities in a condition are numbers, not letters of the scene
             del scope.givens[name], scope.dimensions[name]
             scope.numbers.pop(name, None)
 
 
-def side(scope: Scope, node: Text, varied: set[str]) -> Formula | None:
+def read_side(scope: Scope, node: Text, varied: set[str]) -> Formula | None:
     """One side of a comparison, whose letters all have numbers."""
     if not node.value:
         scope.fault(node, "a comparison lacks a side", "write `where: M > m`", "form")
@@ -198,7 +193,7 @@ def side(scope: Scope, node: Text, varied: set[str]) -> Formula | None:
     return formula
 
 
-def compared(
+def comparisons_of(
     scope: Scope, node: Text, signs: list[tuple[int, ...]], sides: list[Formula | None], made: Mapping[str, Given]
 ) -> Iterator[Comparison]:
     """A comparison for each sign, between what stands on its two sides."""

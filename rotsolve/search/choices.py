@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.units.dimension import NONE
-from rotsolve.language.problem import Choice, Find
+from rotsolve.language.problem import Find, WhichOf
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import question_for
 from rotsolve.search.answers import Answered, Chosen, Compared, OptionResult
@@ -22,7 +22,7 @@ RELATION = {-1: "<", 0: "=", 1: ">"}
 BOUND = {"above": ">", "below": "<"}
 
 
-def choose(find: Find, choice: Choice, search: Search, answer: Callable[[Find], Answered]) -> Chosen:
+def choose(find: Find, choice: WhichOf, search: Search, answer: Callable[[Find], Answered]) -> Chosen:
     """Decide a choice; `answer` settles one of the quantities that it compares."""
     bound = [] if choice.bound is None else [side_answer(choice.bound, find.name, search, answer)]
     options = [

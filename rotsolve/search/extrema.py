@@ -17,7 +17,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.registry import SEPARATOR
-from rotsolve.language.problem import Condition, Find, points_of
+from rotsolve.language.problem import Condition, Find, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
 from rotsolve.questions.find import Asked, question_for
@@ -37,7 +37,7 @@ class Domain(Struct, frozen=True):
 def domain_of(letter: str, search: Search) -> Domain:
     """A place along a rod lies between its ends, an angle may be any, everything else with a dimension is positive."""
     configuration = search.scene.configuration
-    for ref in points_of(configuration.problem):
+    for ref in references(configuration.problem):
         body = configuration.bodies.get(ref.owner)
         length = body.shape.reach() if body is not None and body.shape is not None else None
         if ref.argument == Symbol(letter) and length is not None:
@@ -184,7 +184,7 @@ def over_a_letter(find: Find, search: Search) -> bool:
 
 def free_letters(find: Find, search: Search) -> list[str]:
     """Letters without a value that say at which place of a rod a quantity is asked, or on which an earlier answer depends."""
-    formulas = [point.argument for point in points_of(find.terms) if point.argument is not None]
+    formulas = [point.argument for point in references(find.terms) if point.argument is not None]
     earlier = next((item for item in search.answered if Symbol(item.asked.find.name) == find.formula), None)
     if earlier is not None:
         sought = [letter for formula, letter, _ in search.extrema if formula == earlier.asked.formula]

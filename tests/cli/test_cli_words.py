@@ -71,11 +71,11 @@ def test_an_unknown_command(rotsolve: Run) -> None:
 
 
 def test_elements(rotsolve: Run) -> None:
-    from rotsolve.scene.reference import describe, describe_all
+    from rotsolve.scene.reference import describe_all, describe_word
 
     assert rotsolve("elements").out == describe_all() + "\n"
-    assert rotsolve("elements", "string").out == describe("string") + "\n"
-    assert rotsolve("elements", "spherical", "shell").out == describe("spherical shell") + "\n"
+    assert rotsolve("elements", "string").out == describe_word("string") + "\n"
+    assert rotsolve("elements", "spherical", "shell").out == describe_word("spherical shell") + "\n"
 
 
 def test_an_unknown_element(rotsolve: Run) -> None:

@@ -10,7 +10,7 @@ import yaml
 from rotsolve.core.faults import SceneError
 from rotsolve.pipeline import solve
 from rotsolve.scene.read import read_text
-from rotsolve.scene.reference import BEGIN, describe, generate, json_schema, words
+from rotsolve.scene.reference import BEGIN, describe_word, generate, json_schema, word_entries
 
 ROOT = Path(__file__).parent.parent.parent
 DOC = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
@@ -50,7 +50,7 @@ def test_every_scene_of_the_page_is_solved(scene: str) -> None:
 def test_every_word_that_has_its_physics_stands_in_a_scene_of_the_page() -> None:
     """Save for the internal word behind `period of small swings`, and what begins a clause that comes later."""
     scenes = "\n".join(SCENES)
-    spoken = {word for word, text in words() if "*(not solved yet)*" not in text.splitlines()[0]}
+    spoken = {word for word, text in word_entries() if "*(not solved yet)*" not in text.splitlines()[0]}
     missing = {word for word in spoken if not re.search(rf"(?<!\w){re.escape(word)}(?!\w)", scenes)}
     assert missing <= {"swing_period", "angle of", "across", "relative"}
 
@@ -98,7 +98,7 @@ def test_the_finding_page_names_files_that_are_there() -> None:
 
 
 def test_every_word_can_be_described() -> None:
-    for word, _ in words():
-        assert f"`{word}`" in describe(word)
+    for word, _ in word_entries():
+        assert f"`{word}`" in describe_word(word)
     with pytest.raises(KeyError, match="did you mean `hinge`"):
-        describe("hing")
+        describe_word("hing")

@@ -18,7 +18,7 @@ from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.language.marks import Marking, marking_of
-from rotsolve.language.problem import Choice, Find, Problem
+from rotsolve.language.problem import Find, Problem, WhichOf
 from rotsolve.motion.positive import positive_letters
 from rotsolve.solution import Solution
 
@@ -213,7 +213,7 @@ def scalar_of(
     )
 
 
-def option_labels(choice: Choice | None) -> tuple[str, ...]:
+def option_labels(choice: WhichOf | None) -> tuple[str, ...]:
     return () if choice is None else tuple(option.label for option in choice.options)
 
 
