@@ -5,27 +5,26 @@ from __future__ import annotations
 import csv
 import io
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rotsolve.core.derivation import Answer
 from rotsolve.keys.sheets import (
     Sheet,
     SheetPage,
-    given_phrases,
     key_blocks,
     key_data,
     solution_pages,
-    statement_data,
 )
 from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Title
-from rotsolve.page.data import answer_data
 from rotsolve.page.formats import DATA, FORMATS, Format
-from rotsolve.page.text import plain_text
 from rotsolve.run.delivery import harmless
 
 NamedText = tuple[str, str]  # the name of a file, and its text
-CSV = "csv"  # a table of answers is no page, so that it is none of the formats of pages
+Row = tuple[str, ...]
+CSV = "csv"
+CSV_FORMAT = Format(
+    CSV, (".csv",), "tables for spreadsheets", ""
+)  # a table is no page: it is none of the formats of pages
 PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
 
@@ -33,7 +32,7 @@ ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "dir
 def sheet_files(format: str, numbers: int, digits: int, *, solved: bool) -> SheetFiles:
     """What makes the files of a format."""
     if format == CSV:
-        return TableFiles(numbers, digits)
+        return TableFiles(CSV_FORMAT, numbers, digits, False)
     chosen = FORMATS[format]
     return (DataFiles if chosen.use == DATA else PageFiles)(chosen, numbers, digits, solved)
 
@@ -41,8 +40,9 @@ def sheet_files(format: str, numbers: int, digits: int, *, solved: bool) -> Shee
 class SheetFiles(ABC):
     """Makes the files of one format; `numbers` is how many digits the number of a variant has in a file's name, 0 without variants."""
 
-    def __init__(self, numbers: int, digits: int) -> None:
-        self.numbers, self.digits = numbers, digits
+    def __init__(self, format: Format, numbers: int, digits: int, solved: bool) -> None:
+        self.format, self.numbers, self.digits = format, numbers, digits
+        self.solved = solved  # whether the derivations are wanted too
 
     @abstractmethod
     def add(self, sheet: Sheet) -> Iterator[NamedText]:
@@ -52,23 +52,19 @@ class SheetFiles(ABC):
     def close(self) -> Iterator[NamedText]:
         """The files that hold all variants."""
 
-    @property
-    def all(self) -> str:
-        """The name of a file that holds all sheets: `sheets`, or `sheet` where there is one."""
-        return "sheets" if self.numbers else "sheet"
+    def name(self, word: str, variant: int = 0) -> str:
+        """The name of a file: `sheet-07.html` for a variant; of all sheets `sheets.html`, or `sheet.html` where there is one."""
+        word = "sheets" if word == "sheet" and self.numbers and not variant else word
+        return f"{word}{f'-{variant:0{self.numbers}}' if variant else ''}{self.format.suffixes[0]}"
 
 
 class PageFiles(SheetFiles):
     """Pages to be read: a sheet and, if wanted, the solutions of each variant; all sheets; one key."""
 
     def __init__(self, format: Format, numbers: int, digits: int, solved: bool) -> None:
-        super().__init__(numbers, digits)
-        self.format, self.solved = format, solved  # whether the derivations are wanted too
+        super().__init__(format, numbers, digits, solved)
         self.sheets: list[str] = []
         self.key: list[PageBlock] = [Title(1, ("Answer key",))]
-
-    def name(self, word: str, variant: int = 0) -> str:
-        return f"{word}{f'-{variant:0{self.numbers}}' if variant else ''}{self.format.suffixes[0]}"
 
     def add(self, sheet: Sheet) -> Iterator[NamedText]:
         if sheet.variant and not self.sheets:
@@ -82,7 +78,7 @@ class PageFiles(SheetFiles):
             yield self.name("solutions", sheet.variant), self.format.document(bodies)
 
     def close(self) -> Iterator[NamedText]:
-        yield self.name(self.all), self.format.document(self.sheets)
+        yield self.name("sheet"), self.format.document(self.sheets)
         yield self.name("key"), self.format.document([self.format.body(FixedPage(tuple(self.key)))])
 
 
@@ -90,8 +86,7 @@ class DataFiles(SheetFiles):
     """Data for programs: all sheets, all answers and all derivations, a file each."""
 
     def __init__(self, format: Format, numbers: int, digits: int, solved: bool) -> None:
-        super().__init__(numbers, digits)
-        self.format, self.solved = format, solved
+        super().__init__(format, numbers, digits, solved)
         self.sheets: list[dict[str, Any]] = []
         self.key: list[dict[str, Any]] = []
         self.bodies: list[str] = []
@@ -104,60 +99,53 @@ class DataFiles(SheetFiles):
         yield from ()
 
     def close(self) -> Iterator[NamedText]:
-        ending = self.format.suffixes[0]
-        for name, sheets in ((self.all, self.sheets), ("key", self.key)):
-            yield f"{name}{ending}", self.format.document([self.format.body(FixedPage(values={"sheets": sheets}))])
+        for name, sheets in (("sheet", self.sheets), ("key", self.key)):
+            yield self.name(name), self.format.document([self.format.body(FixedPage(values={"sheets": sheets}))])
         if self.solved:
-            yield f"solutions{ending}", self.format.document(self.bodies)
+            yield self.name("solutions"), self.format.document(self.bodies)
 
 
-class TableFiles(SheetFiles):
+class TableFiles(DataFiles):
     """CSV for spreadsheets: all statements and all answers, a row each; no cell can be a formula."""
 
-    def __init__(self, numbers: int, digits: int) -> None:
-        super().__init__(numbers, digits)
-        self.sheets: list[tuple[str, ...]] = []
-        self.key: list[tuple[str, ...]] = []
-
-    def add(self, sheet: Sheet) -> Iterator[NamedText]:
-        self.sheets.extend(problem_cells(sheet))
-        self.key.extend(answer_cells(sheet, self.digits))
-        yield from ()
-
     def close(self) -> Iterator[NamedText]:
-        yield f"{self.all}.csv", csv_text(PROBLEM_COLUMNS, self.sheets)
-        yield "key.csv", csv_text(ANSWER_COLUMNS, self.key)
+        yield self.name("sheet"), csv_text(PROBLEM_COLUMNS, rows_of_sheets(self.sheets, problem_cells))
+        yield self.name("key"), csv_text(ANSWER_COLUMNS, rows_of_sheets(self.key, answer_cells))
 
 
-def problem_cells(sheet: Sheet) -> Iterator[tuple[str, ...]]:
-    """The statements of one variant, a row each."""
-    for name, worked in sheet.problems:
-        said = statement_data(name, worked)
-        lists = (said["text"].replace("\n", " "), *("; ".join(said[key]) for key in ("given", "find", "positive")))
-        yield (str(sheet.variant or ""), name, said["title"], *lists)
+def rows_of_sheets(
+    sheets: Iterable[Mapping[str, Any]], cells: Callable[[Mapping[str, Any]], Iterator[Row]]
+) -> Iterator[Row]:
+    """Rows for the data of each problem, with its variant and its name in front."""
+    for sheet in sheets:
+        for problem in sheet["problems"]:
+            yield from ((str(sheet.get("variant", "")), problem["problem"], *row) for row in cells(problem))
 
 
-def answer_cells(sheet: Sheet, digits: int) -> Iterator[tuple[str, ...]]:
-    """The answers of one variant, a row each; the components of a vector have rows of their own behind it."""
-    for name, worked in sheet.problems:
-        givens = "; ".join(map(plain_text, given_phrases(worked)))
-        for label, answer in with_components(worked.answers):
-            data = answer_data(answer, digits)
-            exact = data["exact"]["text"] if data["exact"] else ""
-            cells = (label, data["value"] or "", data["unit"], data["direction"], data["word"], exact, data["note"])
-            yield (str(sheet.variant or ""), name, givens, *cells)
+def problem_cells(problem: Mapping[str, Any]) -> Iterator[Row]:
+    """A statement."""
+    lists = ("; ".join(problem[key]) for key in ("given", "find", "positive"))
+    yield (problem["title"], problem["text"].replace("\n", " "), *lists)
 
 
-def with_components(answers: Iterable[Answer], whole: str = "") -> Iterator[tuple[str, Answer]]:
+def answer_cells(problem: Mapping[str, Any]) -> Iterator[Row]:
+    """The answers, a row each."""
+    givens = "; ".join(given["text"] for given in problem["given"])
+    for label, answer in with_components(problem["answers"]):
+        texts = (answer[key] or "" for key in ("value", "unit", "direction", "word"))
+        yield (givens, label, *texts, answer["exact"]["text"] if answer["exact"] else "", answer["note"])
+
+
+def with_components(answers: Iterable[Mapping[str, Any]], whole: str = "") -> Iterator[tuple[str, Mapping[str, Any]]]:
     """The answers with their components, which take the name of their vector or matrix in front."""
     for answer in answers:
-        label = f"{whole}.{answer.name.removeprefix(f'{whole}_')}" if whole else answer.name
-        if not answer.rows:
+        label = f"{whole}.{answer['name'].removeprefix(f'{whole}_')}" if whole else answer["name"]
+        if "rows" not in answer:
             yield label, answer
-        yield from with_components(answer.components, label)
+        yield from with_components(answer["components"], label)
 
 
-def csv_text(columns: tuple[str, ...], rows: Iterable[tuple[str, ...]]) -> str:
+def csv_text(columns: tuple[str, ...], rows: Iterable[Row]) -> str:
     """Comma-separated values with their heading."""
     stream = io.StringIO()
     writer = csv.writer(stream, lineterminator="\n")

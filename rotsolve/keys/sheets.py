@@ -10,7 +10,7 @@ from msgspec.structs import replace
 
 from rotsolve.keys.statement import statement
 from rotsolve.keys.working import Worked
-from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Phrase, Title
+from rotsolve.page.blocks import Answers, Labelled, Labels, Page, PageBlock, Paragraph, Title
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.text import plain_text
 from rotsolve.page.values import answer_row, given_equation
@@ -68,11 +68,6 @@ def with_variant(sheet: Sheet, problems: list[dict[str, Any]]) -> dict[str, Any]
     return {**({"variant": sheet.variant, "seed": sheet.seed} if sheet.variant else {}), "problems": problems}
 
 
-def given_phrases(worked: Worked) -> tuple[Phrase, ...]:
-    """The givens of a problem that its derivation speaks of."""
-    return tuple((given_equation(given),) for given in worked.shown())
-
-
 def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
     """The answers of one variant."""
     level = 2
@@ -81,7 +76,7 @@ def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
         level += 1
     for number, (_, worked) in enumerate(sheet.problems, 1):
         yield Title(level, (f"{number}. {worked.problem.title}",))
-        givens = given_phrases(worked)
+        givens = tuple((given_equation(given),) for given in worked.shown())
         yield Labels((Labelled("Given", givens, ", "),) if givens else ())
         yield Answers(tuple(answer_row(answer, digits) for answer in worked.answers))
 

@@ -71,14 +71,14 @@ def filled_text(text: str, givens: Mapping[str, Given], letters: Collection[str]
     said: list[str | Formula | Math | Styled] = []
     for part in prose_and_slots(text):
         if isinstance(part, str):
-            said += with_letters(part, letters)
+            said += prose_with_letters(part, letters)
         else:
             value = given_value(givens[part.name]) if part.alone else None
             said.append(given_equation(givens[part.name]) if value is None else Math((value,)))
     return tuple(said)
 
 
-def with_letters(prose: str, letters: Collection[str]) -> Iterator[str | Symbol]:
+def prose_with_letters(prose: str, letters: Collection[str]) -> Iterator[str | Symbol]:
     """Prose in which words that are letters of the scene, such as `m2` and `theta`, are letters."""
     position = 0
     for match in WORD.finditer(prose):

@@ -58,7 +58,7 @@ def equation(equality: Equality) -> Math:
     return Math((equality.left, equality.relation, equality.right))
 
 
-def joined(phrases: Iterable[Phrase], *between: str | Math) -> Phrase:
+def joined_phrases(phrases: Iterable[Phrase], *between: str | Math) -> Phrase:
     """Phrases one behind the other, with something between two."""
     found: list[str | Formula | Math | Styled] = []
     for phrase in phrases:
@@ -132,7 +132,7 @@ class Labels(PageBlock, frozen=True):
 
     def simpler(self) -> Iterator[PageBlock]:
         for row in self.rows:
-            yield Paragraph((Styled(LABEL, row.label), *joined(row.items, row.separator)))
+            yield Paragraph((Styled(LABEL, row.label), *joined_phrases(row.items, row.separator)))
 
 
 class Listed(Struct, frozen=True):
@@ -159,7 +159,13 @@ class Listing(PageBlock, frozen=True):
     def bullet(row: Listed) -> Bullet:
         beside = f" — {row.beside}" if row.beside else ""
         return Bullet(
-            (Styled(NAME, row.name), ": ", *joined(row.said, "; "), beside, *in_brackets(joined(row.remarks, "; ")))
+            (
+                Styled(NAME, row.name),
+                ": ",
+                *joined_phrases(row.said, "; "),
+                beside,
+                *in_brackets(joined_phrases(row.remarks, "; ")),
+            )
         )
 
 
@@ -180,7 +186,7 @@ class FormulaRow(Struct, frozen=True):
         """All that is said of it."""
         if self.numbered:
             return (*self.said, *in_brackets(self.remark))
-        return joined(filter(None, (self.said, self.remark)), ": ")
+        return joined_phrases(filter(None, (self.said, self.remark)), ": ")
 
     @property
     def mark(self) -> str:
@@ -196,6 +202,10 @@ class Formulas(PageBlock, frozen=True):
     remarks: tuple[Phrase, ...]
     rows: tuple[FormulaRow, ...]
 
+    def continues(self, other: Formulas) -> bool:
+        """Whether its rows may go on those of the formulas before it: both stand below the title of one section."""
+        return self.level == other.level > 2 and not self.remarks
+
     def simpler(self) -> Iterator[PageBlock]:
         yield Title(self.level, (self.caption,), minor=True)
         yield from map(Paragraph, self.remarks)
@@ -204,7 +214,7 @@ class Formulas(PageBlock, frozen=True):
 
     @staticmethod
     def bullet(row: FormulaRow) -> Bullet:
-        chain = joined(((equation(equality),) for equality in row.chain), " ", Math((ARROW,)), " ")
+        chain = joined_phrases(((equation(equality),) for equality in row.chain), " ", Math((ARROW,)), " ")
         said = (*row.said, ": ") if row.said else ()
         if row.numbered:
             return Bullet((f"{row.mark} ", *said, *chain, *in_brackets(row.remark)))
@@ -275,7 +285,7 @@ class Note(Struct, frozen=True):
         return None if self.start is None else (self.start, max(self.start + 1, self.end or 0))
 
 
-class JudgedText(Struct, frozen=True):
+class AssessedText(Struct, frozen=True):
     """A text that someone wrote, what is thought of it in a word and in marks, and notes; `read_as` where it was not clear."""
 
     label: Phrase
@@ -287,16 +297,16 @@ class JudgedText(Struct, frozen=True):
     read_as: str = ""
 
 
-class JudgedTexts(PageBlock, frozen=True):
+class AssessedTexts(PageBlock, frozen=True):
     """Texts below each other, each with what is thought of it, and what is said of it below."""
 
-    rows: tuple[JudgedText, ...]
+    rows: tuple[AssessedText, ...]
 
     def simpler(self) -> Iterator[PageBlock]:
         yield Bullets(tuple(map(self.bullet, self.rows)))
 
     @staticmethod
-    def bullet(row: JudgedText) -> Bullet:
+    def bullet(row: AssessedText) -> Bullet:
         text: Phrase = (Styled(CODE, clipped(row.text)), " — ") if row.text else ()
         said = row.said if row.tone == GOOD else Styled(STRONG, row.said)
         inner = [Bullet(note.words, code=carets(row.text, note)) for note in row.notes]

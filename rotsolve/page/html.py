@@ -2,30 +2,21 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 from urllib.parse import quote
 
 from rotsolve.algebra.notation import mathml
 from rotsolve.page import blocks
-from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, Formulas, JudgedTexts
+from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullets
+from rotsolve.page.html_rows import HtmlRows, table_of, whole_page
 from rotsolve.page.printer import Lines, Printer
-from rotsolve.page.style import JUDGED_STYLE, STYLE
 
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.algebra.units.unit_table import Unit
 
 SPECIAL = str.maketrans({"&": "&amp;", "<": "&lt;", ">": "&gt;", '"': "&quot;", "'": "&#39;"})
-HEADING = re.compile(r"<h1>(.*?)</h1>")
-HEAD = """\
-<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-"""
 
 
 class Html(Printer):
@@ -64,7 +55,12 @@ class Html(Printer):
         return f"<mrow><mo>(</mo><mtable>{body}</mtable><mo>)</mo></mrow>"
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
-        return super().own() | {Formulas: self.formulas, Answers: self.answers, JudgedTexts: self.judged}
+        rows = HtmlRows(self)
+        return super().own() | {
+            blocks.Formulas: rows.formulas,
+            blocks.Answers: rows.answers,
+            blocks.AssessedTexts: rows.assessed,
+        }
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         yield f"<h{block.level}>{self.words(block.words)}</h{block.level}>"
@@ -89,77 +85,13 @@ class Html(Printer):
             rows.append("".join(f"<td>{cell}</td>" for cell in (link, *others)))
         yield from table_of(rows)
 
-    def formulas(self, block: Formulas) -> Iterator[str]:
-        """A row for each equality: the first says where it comes from, the last has the number, which stands before a law."""
-        yield from self.title(blocks.Title(block.level, (block.caption,)))
-        for remark in block.remarks:
-            yield from self.paragraph(blocks.Paragraph(remark))
-        rows = []
-        for row in block.rows:
-            for number, (left, right) in enumerate(map(self.sides, row.chain)):
-                said = cell("→", "then") if number else cell(self.words(row.words), "said")
-                mark = cell(row.mark if row.numbered or number == len(row.chain) - 1 else "")
-                formulas = cell(self.math(left), "left") + cell(self.math(right), "right")
-                rows.append(f"{mark}{said}{formulas}" if row.numbered else f"{said}{formulas}{mark}")
-        yield from table_of(rows)
-
-    def answers(self, block: Answers) -> Iterator[str]:
-        yield from table_of([line for row in block.rows for line in self._answer_rows(row)])
-
-    def _answer_rows(self, row: AnswerRow) -> Iterator[str]:
-        """An answer and its components; of a matrix the numbers stand below the exact entries."""
-        symbol = self.math(self.formula(row.symbol))
-        said = cell(self.words(row.behind).removeprefix(", ").strip(), "said")
-        sides = [cell(self.math(f"{self.part('=')}{self.part(form)}"), "right") for form in row.forms]
-        if row.matrix:
-            for number, side in enumerate(sides):
-                last = number == len(sides) - 1
-                yield f"{cell('' if number else symbol, 'left')}{side}{cell('')}{said if last else ''}"
-            return
-        yield f"{cell(symbol, 'left')}{''.join([*sides, *[cell('', 'right')] * 2][:2])}{said}"
-        for component in row.components:
-            yield from self._answer_rows(component)
-
-    def judged(self, block: JudgedTexts) -> Iterator[str]:
-        """A text with what is thought of it, and below it what is said of it."""
-        rows = []
-        for row in block.rows:
-            thought = cell(self.prose(row.said), f"verdict {row.tone}") + cell(row.marks, "marks")
-            rows.append(f"{cell(self.words(row.label))}<td><code>{self._marked(row)}</code></td>{thought}")
-            remarks = [self.words(note.words) for note in row.notes]
-            remarks += [f"read as {self.styled(CODE, row.read_as)}"] if row.read_as else []
-            rows += [f'<td></td><td class="remark" colspan="3">{remark}</td>' for remark in remarks]
-        yield from table_of(rows)
-
-    def _marked(self, row: blocks.JudgedText) -> str:
-        """The text with the columns of the first note that has any marked."""
-        text = blocks.clipped(row.text)
-        start, end = next((note.columns for note in row.notes if note.columns and note.columns[0] < len(text)), (0, 0))
-        before, inside, after = (self.prose(part) for part in (text[:start], text[start:end], text[end:]))
-        return f"{before}<mark>{inside}</mark>{after}" if end else before + after
-
     def body(self, page: blocks.Page, width: int) -> str:
         """The page as an article, which is printed on a sheet of its own."""
         return f"<article>\n{super().body(page, width)}</article>\n"
 
     def document(self, bodies: Sequence[str]) -> str:
         """A page of several articles; it has the title of the first."""
-        found = HEADING.search(bodies[0]) if bodies else None
-        judged = any("<th>" in body or "<code>" in body for body in bodies)
-        style = f"{STYLE}{JUDGED_STYLE if judged else ''}"
-        title = found[1] if found else "rotsolve"
-        return f"{HEAD}<title>{title}</title>\n<style>\n{style}</style>\n</head>\n<body>\n{''.join(bodies)}</body>\n</html>\n"
-
-
-def cell(inner: str, kind: str = "") -> str:
-    return f'<td class="{kind}">{inner}</td>' if kind else f"<td>{inner}</td>"
-
-
-def table_of(rows: Iterable[str]) -> Iterator[str]:
-    """Rows with their columns aligned; a wide table can be scrolled by itself."""
-    found = [f"<tr>{row}</tr>" for row in rows]
-    if found:
-        yield from ('<div class="wide"><table>', *found, "</table></div>")
+        return whole_page(bodies)
 
 
 PRINTER = Html()

@@ -3,24 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
-from rotsolve.algebra.notation.text import to_latex
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
-from rotsolve.page.letters import LATEX_PREAMBLE, LATEX_RELATIONS, latex_number, latex_prose, pmatrix
-from rotsolve.page.printer import Lines, Printer
-
-if TYPE_CHECKING:
-    from rotsolve.algebra.formula import Formula
-    from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.page.printer import Lines
+from rotsolve.page.tex import LATEX_PREAMBLE, TexPrinter, latex_prose
 
 
-class Latex(Printer):
+class Latex(TexPrinter):
     """Pages as LaTeX."""
 
-    blank = r"\,"
-    relations: ClassVar = LATEX_RELATIONS
     styles: ClassVar = {
         NAME: r"\emph{{{}}}",
         LABEL: r"\textbf{{{}}}\quad ",
@@ -31,21 +24,6 @@ class Latex(Printer):
 
     def prose(self, text: str) -> str:
         return latex_prose(text)
-
-    def formula(self, formula: Formula) -> str:
-        return to_latex(formula)
-
-    def unit(self, unit: Unit) -> str:
-        return unit.latex
-
-    def number(self, mantissa: str, exponent: str) -> str:
-        return latex_number(mantissa, exponent)
-
-    def math(self, inner: str) -> str:
-        return f"${inner}$"
-
-    def bracketed(self, rows: Sequence[Sequence[str]]) -> str:
-        return pmatrix(rows)
 
     def own(self) -> dict[type[blocks.PageBlock], Callable[..., Lines]]:
         return super().own() | {Formulas: self.formulas, Answers: self.answers}

@@ -4,45 +4,22 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator, Sequence
-from typing import TYPE_CHECKING, ClassVar
+from typing import ClassVar
 
-from rotsolve.algebra.notation.text import to_latex
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, Bullet, Bullets, Paragraph, Table, Title
-from rotsolve.page.letters import LATEX_RELATIONS, latex_number, pmatrix
-from rotsolve.page.printer import Printer
-
-if TYPE_CHECKING:
-    from rotsolve.algebra.formula import Formula
-    from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.page.tex import TexPrinter
 
 SPECIAL = re.compile(r"([\\`*_\[\]<>$|#~])")
 
 
-class Markdown(Printer):
+class Markdown(TexPrinter):
     """Pages as Markdown."""
 
-    blank = r"\,"
     between = "\n\n"
-    relations: ClassVar = LATEX_RELATIONS | {"→": r"\;\to\;"}
     styles: ClassVar = {NAME: "**{}**", LABEL: "**{}:** ", STRONG: "**{}**", FAULT: "**{}**"}
 
     def prose(self, text: str) -> str:
         return SPECIAL.sub(r"\\\1", text)
-
-    def formula(self, formula: Formula) -> str:
-        return to_latex(formula)
-
-    def unit(self, unit: Unit) -> str:
-        return unit.latex
-
-    def number(self, mantissa: str, exponent: str) -> str:
-        return latex_number(mantissa, exponent)
-
-    def math(self, inner: str) -> str:
-        return f"${inner}$"
-
-    def bracketed(self, rows: Sequence[Sequence[str]]) -> str:
-        return pmatrix(rows)
 
     def styled(self, style: str, text: str) -> str:
         return inline_code(text) if style == CODE else super().styled(style, text)

@@ -11,7 +11,20 @@ from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.derivation import Equality
-from rotsolve.page.blocks import Amount, Bullets, Math, Matrix, Page, PageBlock, Paragraph, Phrase, Styled, Table, Title
+from rotsolve.page.blocks import (
+    LABEL,
+    Amount,
+    Bullets,
+    Math,
+    Matrix,
+    Page,
+    PageBlock,
+    Paragraph,
+    Phrase,
+    Styled,
+    Table,
+    Title,
+)
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
@@ -30,7 +43,7 @@ class Printer:
     blank = " "  # between a number and its unit
     between = "\n"  # two blocks
     relations: ClassVar[Mapping[str, str]] = {}  # signs that the format writes otherwise
-    styles: ClassVar[Mapping[str, str]] = {}  # of words that stand out, with {} for them
+    styles: ClassVar[Mapping[str, str]] = {LABEL: "{}: "}  # of words that stand out, with {} for them
 
     def prose(self, text: str) -> str:
         """Words, in which the format sees no markup."""

@@ -2,30 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
-from typing import TYPE_CHECKING, Any, ClassVar
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.page import text_rows
 from rotsolve.page.blocks import (
-    LABEL,
     AnswerRow,
-    Answers,
-    Bullet,
-    Bullets,
-    Checks,
-    Formulas,
-    JudgedTexts,
-    Labels,
-    Listing,
     Page,
-    PageBlock,
-    Paragraph,
     Phrase,
-    Table,
     Title,
 )
-from rotsolve.page.columns import SEPARATOR, TextLine, boxed, hold, page_text, paragraph_lines, release
+from rotsolve.page.columns import SEPARATOR, TextLine, boxed, hold, page_text, release
 from rotsolve.page.printer import Printer, simplified
 
 if TYPE_CHECKING:
@@ -37,8 +25,6 @@ RAISED = str.maketrans("+-−0123456789", "⁺⁻⁻⁰¹²³⁴⁵⁶⁷⁸⁹"
 
 class PlainText(Printer):
     """Pages as plain text; blanks within mathematics are held, so that no line is broken there."""
-
-    styles: ClassVar = {LABEL: "{}: "}
 
     def prose(self, text: str) -> str:
         return text
@@ -59,52 +45,16 @@ class PlainText(Printer):
     def bracketed(self, rows: Sequence[Sequence[str]]) -> str:
         return "\n".join(boxed(rows))
 
-    def in_columns(self) -> dict[type[PageBlock], Callable[[Any, int, int], Iterator[TextLine]]]:
-        """How each block is set, from a column on, on a page of some width."""
-        rows = text_rows.Rows(self)
-        return {
-            Title: self.title_lines,
-            Paragraph: lambda block, indent, width: paragraph_lines(self.words(block.words), indent, width),
-            Bullets: self.bullet_lines,
-            Table: rows.table,
-            Labels: rows.labels,
-            Listing: rows.listing,
-            Formulas: rows.formulas,
-            Answers: rows.answers,
-            Checks: rows.checks,
-            JudgedTexts: rows.judged,
-        }
-
     def lines(self, page: Page, width: int) -> list[TextLine]:
         """The page line by line."""
         found: list[TextLine] = []
-        indent, own = 0, self.in_columns()
+        indent, own = 0, text_rows.TextRows(self).own()
         for block in text_rows.merged(simplified(page.blocks(), own.keys())):
             if isinstance(block, Title) and block.level > 1:
                 indent = 2
                 found += [TextLine("")] if page.spaced and found and found[-1].text else []
             found += own[type(block)](block, indent, width)
         return found
-
-    def title_lines(self, block: Title, indent: int, width: int) -> Iterator[TextLine]:
-        """A heading; that of the page has a blank line below it."""
-        first = block.level == 1
-        yield from paragraph_lines(
-            self.words(block.words), max(0, 2 * block.level - 4), width, "title" if first else "heading"
-        )
-        yield from [TextLine("")] if first else []
-
-    def bullet_lines(self, block: Bullets, indent: int, width: int) -> Iterator[TextLine]:
-        """A list, its items marked by dashes."""
-        for item in block.items:
-            yield from self._bullet(item, indent, width)
-
-    def _bullet(self, item: Bullet, indent: int, width: int) -> Iterator[TextLine]:
-        for number, line in enumerate(paragraph_lines(self.words(item.words), 0, width - indent - 2)):
-            yield TextLine(f"{' ' * indent}{' ' if number else '-'} {line.text}")
-        for inner in item.inner:
-            yield from self._bullet(inner, indent + 2, width)
-        yield from (TextLine(" " * (indent + 2) + line) for line in item.code)
 
     def body(self, page: Page, width: int) -> str:
         return page_text(self.lines(page, width)).rstrip("\n") + "\n"
@@ -116,7 +66,7 @@ class PlainText(Printer):
 
 def answer_text(row: AnswerRow) -> str:
     """An answer alone, its components below it."""
-    return "\n".join(release(f"{line.left} {line.middle}") for line in text_rows.Rows(PRINTER).answer_rows(row))
+    return "\n".join(release(f"{line.left} {line.middle}") for line in text_rows.TextRows(PRINTER).answer_rows(row))
 
 
 def plain_text(phrase: Phrase) -> str:

@@ -1,32 +1,13 @@
-"""Rows of a page of plain text: how labels, forces, formulas, answers, checks, tables and judged texts stand below each other."""
+"""Rows of a page of plain text: how labels, forces, formulas, answers, checks, tables and assessed texts stand below each other."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.page.blocks import (
-    ARROW,
-    BAD,
-    GOOD,
-    Amount,
-    AnswerRow,
-    Answers,
-    Checks,
-    FormulaRow,
-    Formulas,
-    JudgedText,
-    JudgedTexts,
-    Labelled,
-    Labels,
-    Listed,
-    Listing,
-    Matrix,
-    PageBlock,
-    Table,
-    equation,
-)
+from rotsolve.page import blocks
 from rotsolve.page.columns import (
     GAP,
     HELD,
@@ -46,33 +27,67 @@ from rotsolve.page.printer import Printer
 
 WIDEST = 76  # columns of a matrix
 LONG = 40  # a first side of a chain behind which the arrows do not stand below each other
-ROLES = {GOOD: "answer", BAD: "fault"}
+ROLES = {blocks.GOOD: "answer", blocks.BAD: "fault"}
 
 
-def merged(blocks: Iterable[PageBlock]) -> list[PageBlock]:
+def merged(page_blocks: Iterable[blocks.PageBlock]) -> list[blocks.PageBlock]:
     """The blocks; formulas that follow each other within a section become one, so that they have their columns in common."""
-    found: list[PageBlock] = []
-    for block in blocks:
+    found: list[blocks.PageBlock] = []
+    for block in page_blocks:
         last = found[-1] if found else None
-        if isinstance(block, Formulas) and isinstance(last, Formulas) and block.level == last.level > 2:
+        if isinstance(block, blocks.Formulas) and isinstance(last, blocks.Formulas) and block.continues(last):
             found[-1] = replace(last, rows=last.rows + block.rows)
         else:
             found.append(block)
     return found
 
 
-class Rows:
+class TextRows:
     """Sets blocks in rows, from a column on, on a page of some width."""
 
     def __init__(self, printer: Printer) -> None:
-        self.words, self.part, self.formula, self.with_unit = (
-            printer.words,
-            printer.part,
-            printer.formula,
-            printer.with_unit,
-        )
+        self.words, self.part = printer.words, printer.part
+        self.formula, self.with_unit = printer.formula, printer.with_unit
 
-    def labels(self, block: Labels, indent: int, width: int) -> Iterator[TextLine]:
+    def own(self) -> dict[type[blocks.PageBlock], Callable[[Any, int, int], Iterator[TextLine]]]:
+        """How each kind of block is set."""
+        return {
+            blocks.Title: self.title,
+            blocks.Paragraph: self.paragraph,
+            blocks.Bullets: self.bullets,
+            blocks.Table: self.table,
+            blocks.Labels: self.labels,
+            blocks.Listing: self.listing,
+            blocks.Formulas: self.formulas,
+            blocks.Answers: self.answers,
+            blocks.Checks: self.checks,
+            blocks.AssessedTexts: self.assessed,
+        }
+
+    def title(self, block: blocks.Title, indent: int, width: int) -> Iterator[TextLine]:
+        """A heading; that of the page has a blank line below it."""
+        first = block.level == 1
+        yield from paragraph_lines(
+            self.words(block.words), max(0, 2 * block.level - 4), width, "title" if first else "heading"
+        )
+        yield from [TextLine("")] if first else []
+
+    def paragraph(self, block: blocks.Paragraph, indent: int, width: int) -> Iterator[TextLine]:
+        yield from paragraph_lines(self.words(block.words), indent, width)
+
+    def bullets(self, block: blocks.Bullets, indent: int, width: int) -> Iterator[TextLine]:
+        """A list, its items marked by dashes."""
+        for item in block.items:
+            yield from self._bullet(item, indent, width)
+
+    def _bullet(self, item: blocks.Bullet, indent: int, width: int) -> Iterator[TextLine]:
+        for number, line in enumerate(paragraph_lines(self.words(item.words), 0, width - indent - 2)):
+            yield TextLine(f"{' ' * indent}{' ' if number else '-'} {line.text}")
+        for inner in item.inner:
+            yield from self._bullet(inner, indent + 2, width)
+        yield from (TextLine(" " * (indent + 2) + line) for line in item.code)
+
+    def labels(self, block: blocks.Labels, indent: int, width: int) -> Iterator[TextLine]:
         """Labels in a column of their own; what may stand beside the row above does so where both fit."""
         rows, widest = [*block.rows], max((len(row.label) for row in block.rows), default=0)
         while rows:
@@ -86,10 +101,10 @@ class Rows:
             yield from labelled_lines(row.label, items, separator, width, indent, widest)
         yield TextLine("")
 
-    def _items(self, row: Labelled) -> list[str]:
+    def _items(self, row: blocks.Labelled) -> list[str]:
         return [together(self.words(item)) if len(item) == 1 else self.words(item) for item in row.items]
 
-    def listing(self, block: Listing, indent: int, width: int) -> Iterator[TextLine]:
+    def listing(self, block: blocks.Listing, indent: int, width: int) -> Iterator[TextLine]:
         """A row a name; what is said of a single one stands behind the caption."""
         if block.level == 2:
             yield TextLine(block.caption, "heading")
@@ -102,7 +117,7 @@ class Rows:
             yield TextLine(f"  {block.caption}", "", len(block.caption) + 2)
         yield from self._listed_lines(block.rows, 2 if block.level == 2 else 4, width)
 
-    def _listed_lines(self, rows: Sequence[Listed], indent: int, width: int) -> Iterator[TextLine]:
+    def _listed_lines(self, rows: Sequence[blocks.Listed], indent: int, width: int) -> Iterator[TextLine]:
         """One row a name: what is said of it, what stands beside it, and its remarks in brackets below."""
         column = indent + max(len(row.name) for row in rows) + 3
         said = ["; ".join(map(self.words, row.said)) for row in rows]
@@ -118,31 +133,31 @@ class Rows:
             below += wrap(f"({remarks})", width - column, 1) if remarks else []
             yield from (TextLine(release(" " * column + part)) for part in below)
 
-    def formulas(self, block: Formulas, indent: int, width: int) -> Iterator[TextLine]:
+    def formulas(self, block: blocks.Formulas, indent: int, width: int) -> Iterator[TextLine]:
         """What is said of each formula, the formula, and its remark; only where there is nothing above has it a caption."""
         if block.level == 2:
             yield TextLine(block.caption, "heading")
         for remark in block.remarks:
             yield from paragraph_lines(self.words(remark), 2, width)
-        starts = [len(self.words((equation(row.chain[0]),))) for row in block.rows if len(row.chain) > 1]
+        starts = [len(self.words((blocks.equation(row.chain[0]),))) for row in block.rows if len(row.chain) > 1]
         start = max((length for length in starts if length <= LONG), default=0)
         yield from column_lines([self._formula_row(row, start) for row in block.rows], 2, width)
 
-    def _formula_row(self, row: FormulaRow, start: int) -> ColumnRow:
+    def _formula_row(self, row: blocks.FormulaRow, start: int) -> ColumnRow:
         """A row of formulas, its first arrow at `start` where there is one."""
         said, remark = self.words(row.said), f"({self.words(row.remark)})" if row.remark else ""
-        chain = [self.words((equation(equality),)) for equality in row.chain]
+        chain = [self.words((blocks.equation(equality),)) for equality in row.chain]
         if row.numbered:
             return ColumnRow(f"{row.mark} {said}", chain[0], remark)
         if len(chain) > 1:
             chain[0] = chain[0].ljust(start, HELD)
-        steps = f"{HELD * 3} {ARROW}{HELD * 3}".join(chain)  # one blank, at which a long chain may be broken
+        steps = f"{HELD * 3} {blocks.ARROW}{HELD * 3}".join(chain)  # one blank, at which a long chain may be broken
         return ColumnRow(said, steps, " ".join(filter(None, (row.mark, remark))))
 
-    def answers(self, block: Answers, indent: int, width: int) -> Iterator[TextLine]:
+    def answers(self, block: blocks.Answers, indent: int, width: int) -> Iterator[TextLine]:
         yield from column_lines([line for row in block.rows for line in self.answer_rows(row)], 2, width, "answer")
 
-    def answer_rows(self, row: AnswerRow, inset: str = "") -> Iterator[ColumnRow]:
+    def answer_rows(self, row: blocks.AnswerRow, inset: str = "") -> Iterator[ColumnRow]:
         """An answer and, further in, its components: symbol, exact form, certified number, direction."""
         if row.matrix:
             yield from self._matrix_rows(row)
@@ -158,15 +173,13 @@ class Rows:
         for component in row.components:
             yield from self.answer_rows(component, inset + HELD * 2)
 
-    def _matrix_rows(self, row: AnswerRow) -> Iterator[ColumnRow]:
+    def _matrix_rows(self, row: blocks.AnswerRow) -> Iterator[ColumnRow]:
         """A matrix: its exact entries, then its numbers; entries too wide for a page follow one by one."""
-        formulas, numbers = self._box(row, amounts=False), self._box(row, amounts=True)
+        matrices = [form for form in row.forms if isinstance(form, blocks.Matrix)]
+        formulas, numbers = self._box(matrices, amounts=False), self._box(matrices, amounts=True)
         fits = bool(formulas) and len(formulas[0]) <= WIDEST
         boxes = [box for box in (formulas if fits else [], numbers) if box]
-        symbol, unit = (
-            self.formula(row.symbol),
-            next((form.unit for form in row.forms if isinstance(form, Matrix) and form.unit), None),
-        )
+        symbol, unit = self.formula(row.symbol), next((box.unit for box in matrices[-1:]), None)
         for place, lines in enumerate(zip(*boxes, strict=True)):
             middle = place == len(boxes[0]) // 2
             head = f"{symbol} = " if middle else " " * (len(symbol) + 3)
@@ -178,14 +191,12 @@ class Rows:
         for note in row.notes:
             yield ColumnRow(f"{HELD * 2}({self.words(note)})")
 
-    def _box(self, row: AnswerRow, *, amounts: bool) -> list[str]:
-        """The lines of the numbers of a matrix, or of its formulas; none where it has no such."""
-        for form in row.forms:
-            if isinstance(form, Matrix) and isinstance(form.rows[0][0], Amount) == amounts:
-                return boxed([[*map(self.part, cells)] for cells in form.rows])
-        return []
+    def _box(self, matrices: Sequence[blocks.Matrix], *, amounts: bool) -> list[str]:
+        """The lines of the matrix of numbers, or of that of formulas; none where there is no such."""
+        fitting = [matrix for matrix in matrices if isinstance(matrix.rows[0][0], blocks.Amount) == amounts]
+        return boxed([[*map(self.part, cells)] for cells in fitting[0].rows]) if fitting else []
 
-    def checks(self, block: Checks, indent: int, width: int) -> Iterator[TextLine]:
+    def checks(self, block: blocks.Checks, indent: int, width: int) -> Iterator[TextLine]:
         """What holds, in one paragraph; then what fails and what could not be decided, one a line."""
         items = [self.words(check.words) for check in block.checks if check.holds]
         good = " · ".join(item.replace(" ", HELD) if len(item) <= width // 2 else item for item in items)
@@ -195,7 +206,7 @@ class Rows:
                 said = self.words((*block.verdict(check), *check.words))
                 yield from paragraph_lines(said, 2, width, "fault")
 
-    def table(self, block: Table, indent: int, width: int) -> Iterator[TextLine]:
+    def table(self, block: blocks.Table, indent: int, width: int) -> Iterator[TextLine]:
         """Aligned columns; a last column that is too long goes on below."""
         cells = [[release(self.words(cell)) for cell in row] for row in block.rows]
         sizes = [max(map(len, column)) for column in zip(block.columns, *cells, strict=True)]
@@ -206,7 +217,7 @@ class Rows:
             yield TextLine(f"  {head}{first}".rstrip(), "check" if number == 0 else "")
             yield from (TextLine(" " * last + part) for part in more)
 
-    def judged(self, block: JudgedTexts, indent: int, width: int) -> Iterator[TextLine]:
+    def assessed(self, block: blocks.AssessedTexts, indent: int, width: int) -> Iterator[TextLine]:
         """Texts below each other, each with what is thought of it behind it, and what is said of it below."""
         labels = [release(self.words(row.label)) for row in block.rows]
         start = 2 + max(map(len, labels)) + 3
@@ -221,7 +232,9 @@ class Rows:
             yield TextLine(line.ljust(behind) + verdict, ROLES.get(row.tone, "doubt"))
             yield from self._note_lines(row, start, room, width, first)
 
-    def _note_lines(self, row: JudgedText, start: int, room: int, width: int, first: int) -> Iterator[TextLine]:
+    def _note_lines(
+        self, row: blocks.AssessedText, start: int, room: int, width: int, first: int
+    ) -> Iterator[TextLine]:
         """Each note below the columns that it speaks of, and how the text was read."""
         after = first
         for note in row.notes:

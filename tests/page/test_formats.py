@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 from collections.abc import Callable
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +17,11 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.core.derivation import Answer, Check, Derivation
+from rotsolve.page.blocks import Bullets, Paragraph, Table, Title
 from rotsolve.page.derivation import DerivationPage
-from rotsolve.page.formats import FORMATS, WIDTH, format_named, format_of_file
-from rotsolve.page.letters import LATEX_SPECIAL, MATHEMATICS
+from rotsolve.page.formats import FORMATS, WIDTH, Format, format_named, format_of_file
+from rotsolve.page.printer import simplified
+from rotsolve.page.tex import LATEX_SPECIAL, MATHEMATICS
 from rotsolve.page.text import plain_text
 from rotsolve.page.values import given_equation
 
@@ -205,3 +209,25 @@ def test_latex_compiles(crowded: Derivation, rod_released: Derivation, tmp_path:
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", "page.tex"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, check=False)
     assert done.returncode == 0, done.stdout.decode(errors="replace")[-2000:]
+
+
+@pytest.mark.parametrize("format", FORMATS.values(), ids=FORMATS)
+def test_a_format_is_one_short_file(format: Format) -> None:
+    file = find_spec(format.module)
+    assert file is not None and file.origin is not None
+    assert len(Path(file.origin).read_text(encoding="utf-8").splitlines()) <= 100
+
+
+@pytest.mark.parametrize("page", ["README.md", "docs/checking.md", "docs/keys.md"])
+def test_the_docs_tell_every_format(page: str) -> None:
+    text = (Path(__file__).resolve().parents[2] / page).read_text(encoding="utf-8")
+    rows = [line for line in text.splitlines() if re.match(r"\| `(-f|… --format) text`", line)]
+    assert rows and set(FORMATS) <= set(re.findall(r"\w+", rows[0]))
+
+
+def test_what_a_format_does_not_print_is_said_in_plain_blocks(rod_released: Derivation) -> None:
+    plain = {Title, Paragraph, Bullets, Table}
+    found = [*simplified(DerivationPage(rod_released).blocks(), plain)]
+    assert {type(block) for block in found} == {Title, Paragraph, Bullets}
+    with pytest.raises(NotImplementedError, match="every format has to print it"):
+        Title(1, ("Rod",)).simpler()

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from rotsolve.grading.course.report.student import marks_text
-from rotsolve.page.blocks import BAD, FixedPage, JudgedText, JudgedTexts, Note, Title
+from rotsolve.page.blocks import BAD, AssessedText, AssessedTexts, FixedPage, Note, Title
 from rotsolve.page.columns import clipped_around
 from rotsolve.page.formats import FORMATS
 from rotsolve.page.text import PRINTER
@@ -164,8 +164,8 @@ def test_nothing_that_a_student_writes_is_markup(made_up: Command) -> None:
 
 def test_long_answers_are_clipped_around_their_remarks() -> None:
     text = "x" * 5000 + "odd" + "y" * 5000
-    item = JudgedText(("a",), text, BAD, "wrong", notes=(Note(("unexpected `odd`",), 5000, 5003),))
-    page = FixedPage((Title(1, ("A title",)), Title(2, ("Answers",)), JudgedTexts((item,))))
+    item = AssessedText(("a",), text, BAD, "wrong", notes=(Note(("unexpected `odd`",), 5000, 5003),))
+    page = FixedPage((Title(1, ("A title",)), Title(2, ("Answers",)), AssessedTexts((item,))))
     found = [line.text for line in PRINTER.lines(page, 80)]
     assert all(len(line) <= 80 for line in found)
     answer, caret = found[3:5]

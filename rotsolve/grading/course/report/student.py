@@ -17,8 +17,8 @@ from rotsolve.page.blocks import (
     BAD,
     GOOD,
     OPEN,
-    JudgedText,
-    JudgedTexts,
+    AssessedText,
+    AssessedTexts,
     Note,
     Page,
     PageBlock,
@@ -54,10 +54,10 @@ class StudentPage(Page, frozen=True):
         if whose:
             yield Paragraph((printable(whose),))
         yield Title(2, ("Answers",))
-        yield JudgedTexts(tuple(judged_answer(self.task, part) for part in self.marked.parts))
+        yield AssessedTexts(tuple(judged_answer(self.task, part) for part in self.marked.parts))
         if self.marked.lines:
             yield Title(2, ("Working",))
-            yield JudgedTexts(tuple(judged_line(number, line) for number, line in enumerate(self.marked.lines, 1)))
+            yield AssessedTexts(tuple(judged_line(number, line) for number, line in enumerate(self.marked.lines, 1)))
         yield Title(2, ("Marks",))
         yield Paragraph((sum_of_marks(self.marked),))
 
@@ -74,7 +74,7 @@ def sum_of_marks(marked: Marked) -> str:
     return marks_of(marked.marks, marked.of) + left
 
 
-def judged_answer(task: Task, part: JudgedPart) -> JudgedText:
+def judged_answer(task: Task, part: JudgedPart) -> AssessedText:
     """One answer; of one that is missing there is no more to say."""
     label, marks = task.letter(part.name), marks_of(part.marks, part.of)
     if not part.text:
@@ -83,16 +83,16 @@ def judged_answer(task: Task, part: JudgedPart) -> JudgedText:
     return judged_text(label, part.text, part.verdict, said, marks)
 
 
-def judged_line(number: int, line: JudgedLine) -> JudgedText:
+def judged_line(number: int, line: JudgedLine) -> AssessedText:
     """One line of working."""
     return judged_text((str(number),), line.text, line.verdict, FIRST if line.first_wrong else line.verdict.outcome)
 
 
-def judged_text(label: Words, text: str, verdict: Verdict, said: str, marks: str = "") -> JudgedText:
+def judged_text(label: Words, text: str, verdict: Verdict, said: str, marks: str = "") -> AssessedText:
     """A text with its verdict; nothing in it can move or colour a terminal."""
     notes = tuple(Note(printable_words(remark.words), remark.start, remark.end) for remark in verdict.remarks)
     tone, read_as = TONES.get(verdict.outcome, OPEN), printable(verdict.read_as)
-    return JudgedText(printable_words(label), printable(text), tone, said, marks, notes, read_as)
+    return AssessedText(printable_words(label), printable(text), tone, said, marks, notes, read_as)
 
 
 def printable_words(words: Phrase) -> Phrase:

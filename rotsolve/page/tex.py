@@ -1,8 +1,16 @@
-"""Letters: how LaTeX writes letters that it lacks, or that mean something to it, and what stands before every document of it."""
+"""TeX: how LaTeX, also within Markdown, sets mathematics, and what it writes for letters that it lacks or that mean something to it."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import TYPE_CHECKING, ClassVar
+
+from rotsolve.algebra.notation.text import to_latex
+from rotsolve.page.printer import Printer
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.algebra.units.unit_table import Unit
 
 LATEX_PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}
@@ -15,7 +23,6 @@ LATEX_PREAMBLE = r"""\documentclass{article}
 \allowdisplaybreaks
 \begin{document}
 """
-LATEX_RELATIONS = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne"}
 LATEX_SPECIAL = {
     "\\": r"\textbackslash{}",
     "{": r"\{",
@@ -90,13 +97,25 @@ def _latex_letter(letter: str) -> str:
     )  # Latin letters with accents are in every LaTeX
 
 
-def latex_number(mantissa: str, exponent: str) -> str:
-    """A number as LaTeX sets it: 2 \\times 10^{3}."""
-    mantissa = mantissa.replace("−", "-")
-    return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
+class TexPrinter(Printer):
+    """What Markdown and LaTeX set alike: mathematics, as LaTeX between dollar signs."""
 
+    blank = r"\,"
+    relations: ClassVar = {"≤": r"\le", "≥": r"\ge", "≈": r"\approx", "≠": r"\ne", "→": r"\;\to\;"}
 
-def pmatrix(rows: Sequence[Sequence[str]]) -> str:
-    """A matrix between round brackets."""
-    body = r" \\ ".join(" & ".join(row) for row in rows)
-    return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
+    def formula(self, formula: Formula) -> str:
+        return to_latex(formula)
+
+    def unit(self, unit: Unit) -> str:
+        return unit.latex
+
+    def number(self, mantissa: str, exponent: str) -> str:
+        mantissa = mantissa.replace("−", "-")
+        return rf"{mantissa} \times 10^{{{exponent}}}" if exponent else mantissa
+
+    def math(self, inner: str) -> str:
+        return f"${inner}$"
+
+    def bracketed(self, rows: Sequence[Sequence[str]]) -> str:
+        body = r" \\ ".join(" & ".join(row) for row in rows)
+        return rf"\begin{{pmatrix}} {body} \end{{pmatrix}}"
