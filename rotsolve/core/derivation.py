@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
     from rotsolve.algebra.units.dimension import Dimension
     from rotsolve.algebra.units.unit_table import Unit
-    from rotsolve.language.problem import Given
+    from rotsolve.core.letters import Given
 
 Words = tuple["str | Formula", ...]
 

@@ -1,11 +1,19 @@
-"""Letters: the order in which a textbook writes letters in a product, by what they measure."""
+"""Letters of a scene: what is given, and the order in which a textbook writes letters in a product, by what they measure."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
+from msgspec import Struct
+
+from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.units.unit_table import Unit
 
 RANKS = (  # m g, F R, M R², I ω, m v L, ½ k x², M g L cos θ
     "number",
@@ -37,3 +45,20 @@ def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, 
         for index, (name, dimension) in enumerate(letters)
     ]
     return tuple(name for _, _, name in sorted(ranked))
+
+
+class Given(Struct, frozen=True):
+    """A letter of the scene. `value` is None for a letter without a number; `asked` for `unknown`.
+
+    `value` may hold other givens (`L: 2*R`). `automatic` marks a letter that the reader made for a number written in place
+    (`radius: 20 cm`) or for a quantity that the scene leaves out. `text` is the value as written.
+    """
+
+    name: str
+    value: Formula | None
+    dimension: Dimension | None
+    unit: Unit | None = None
+    text: str = ""
+    asked: bool = False
+    automatic: bool = False
+    span: Span | None = None

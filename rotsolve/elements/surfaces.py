@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
-from rotsolve.language.elements import Surface
+from rotsolve.language.bodies import Surface
 from rotsolve.language.keys import key
 
 

@@ -1,11 +1,15 @@
-"""Bodies and their points, as a scene declares them: the records that elements speak of. No physics."""
+"""Bodies, their points, what they touch and how they are led, as a scene declares them: the records that elements speak of."""
 
 from __future__ import annotations
+
+from typing import ClassVar
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Span
+from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading
+from rotsolve.language.keys import Element
 from rotsolve.language.shape import Shape
 
 
@@ -58,3 +62,56 @@ class Part(Struct, frozen=True):
     start: tuple[Formula, Formula] | None = None
     end: tuple[Formula, Formula] | None = None
     angle: Formula | None = None
+
+
+class Surface(Element, frozen=True):
+    """Base of all surfaces."""
+
+    word: ClassVar[str] = ""
+    about: ClassVar[str] = ""
+    later: ClassVar[bool] = False
+    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
+    level: ClassVar[bool] = False
+    slanted: ClassVar[bool] = False
+    upright: ClassVar[bool] = False
+    curved: ClassVar[bool] = False
+    away: ClassVar[str] = ""  # the direction of its push in words, if not away from what its word says
+    into: ClassVar[str] = "into the slope"  # the direction in which something presses on it
+    name: str = ""
+
+    @property
+    def normal(self) -> Heading:
+        """Direction out of the surface."""
+        return UP
+
+    def height(self) -> Formula | None:
+        """Height above the floor of an edge."""
+        return None
+
+    def travel(self, moves: str | None) -> tuple[Heading, str]:
+        """Direction in which a body moves along the surface for a declared word, and how to say it."""
+        word = moves if moves in ("left", "right") else "right"
+        return (RIGHT if word == "right" else LEFT), word
+
+
+class Orbit(Struct, frozen=True):
+    """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
+
+    `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
+    positive travel goes counterclockwise.
+    """
+
+    owner: str
+    radius: Formula | None
+    level: Formula
+    way: int
+    words: str
+
+
+class Ride(Struct, frozen=True):
+    """A body that a connection makes slide along another, with which it turns; one that is not `free` is held where it is."""
+
+    owner: str
+    rider: PointRef
+    carrier: PointRef
+    free: bool

@@ -9,22 +9,20 @@ from __future__ import annotations
 from collections.abc import Callable, Container, Iterator, Sequence
 from typing import ClassVar, Protocol
 
-from msgspec import Struct
-
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Turntable
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.varying import pace_of
-from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading, Vector, unit
-from rotsolve.language.bodies import Body, PointRef
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
+from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
 Fact = Force | Couple | Rule | Requirement | Potential | Turntable
 
 
-class Scene(Protocol):
+class SceneElements(Protocol):
     """What a scene declares, as its elements see it."""
 
     @property
@@ -49,7 +47,7 @@ class Surroundings(Protocol):
     """The configuration of a scene as its elements see it: what acts at which state, and how bodies can move."""
 
     @property
-    def problem(self) -> Scene: ...
+    def problem(self) -> SceneElements: ...
     @property
     def bodies(self) -> dict[str, Body]: ...
     @property
@@ -117,63 +115,10 @@ class Moment(Protocol):
     def now(self, value: Formula) -> Formula: ...
 
 
-class Letters(Protocol):
+class LetterMaker(Protocol):
     """Makes a letter that no other quantity has, for what the scene leaves out."""
 
     def make(self, letter: str, owner: str, dimension: str) -> Formula: ...
-
-
-class Orbit(Struct, frozen=True):
-    """The circle on which a connection makes a body's centre travel; the angle of `owner` tells where on it the body is.
-
-    `radius` is None on a track of which only heights are known; `level` is the height of the circle's centre; `way` is +1 where the
-    positive travel goes counterclockwise.
-    """
-
-    owner: str
-    radius: Formula | None
-    level: Formula
-    way: int
-    words: str
-
-
-class Ride(Struct, frozen=True):
-    """A body that a connection makes slide along another, with which it turns; one that is not `free` is held where it is."""
-
-    owner: str
-    rider: PointRef
-    carrier: PointRef
-    free: bool
-
-
-class Surface(Element, frozen=True):
-    """Base of all surfaces."""
-
-    word: ClassVar[str] = ""
-    about: ClassVar[str] = ""
-    later: ClassVar[bool] = False
-    held_at: ClassVar[str] = "point of contact"  # what the place is called at which it holds a body
-    level: ClassVar[bool] = False
-    slanted: ClassVar[bool] = False
-    upright: ClassVar[bool] = False
-    curved: ClassVar[bool] = False
-    away: ClassVar[str] = ""  # the direction of its push in words, if not away from what its word says
-    into: ClassVar[str] = "into the slope"  # the direction in which something presses on it
-    name: str = ""
-
-    @property
-    def normal(self) -> Heading:
-        """Direction out of the surface."""
-        return UP
-
-    def height(self) -> Formula | None:
-        """Height above the floor of an edge."""
-        return None
-
-    def travel(self, moves: str | None) -> tuple[Heading, str]:
-        """Direction in which a body moves along the surface for a declared word, and how to say it."""
-        word = moves if moves in ("left", "right") else "right"
-        return (RIGHT if word == "right" else LEFT), word
 
 
 class ActingElement(Element, frozen=True):
@@ -256,7 +201,7 @@ class Connection(ActingElement, frozen=True):
                     f"`{self.word}` is solved for two bodies on one axle only", span=second.span, help=help
                 )
 
-    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+    def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """The connection with letters for what the scene leaves out; `held` are the bodies on axles and hinges."""
         return self
 

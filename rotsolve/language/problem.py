@@ -8,33 +8,17 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.faults import Span as Span
+from rotsolve.core.letters import Given as Given
 from rotsolve.language.bodies import Body as Body
 from rotsolve.language.bodies import Part as Part
 from rotsolve.language.bodies import PointRef as PointRef
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
-    from rotsolve.language.elements import Action, Connection, Event, Surface
+    from rotsolve.language.bodies import Surface
+    from rotsolve.language.elements import Action, Connection, Event
     from rotsolve.language.marks import Marking
-
-
-class Given(Struct, frozen=True):
-    """A letter of the scene. `value` is None for a letter without a number; `asked` for `unknown`.
-
-    `value` may hold other givens (`L: 2*R`). `automatic` marks a letter that the reader made for a number written in place
-    (`radius: 20 cm`) or for a quantity that the scene leaves out. `text` is the value as written.
-    """
-
-    name: str
-    value: Formula | None
-    dimension: Dimension | None
-    unit: Unit | None = None
-    text: str = ""
-    asked: bool = False
-    automatic: bool = False
-    span: Span | None = None
 
 
 class Path(Struct, frozen=True):

@@ -20,8 +20,8 @@ from rotsolve.core.varying import UNKNOWN, combined
 from rotsolve.core.vectors.directions import WORDS
 from rotsolve.core.vectors.heading import UP, Heading
 from rotsolve.elements.shapes import shape_of
-from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Action, Connection, Orbit, Ride, Surface
+from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
+from rotsolve.language.elements import Action, Connection
 from rotsolve.language.problem import Problem
 from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.owndata import Version, versions

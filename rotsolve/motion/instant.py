@@ -16,7 +16,7 @@ from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.elements import Orbit
+from rotsolve.language.bodies import Orbit
 from rotsolve.language.keys import varying_values
 from rotsolve.language.problem import Body, PointRef
 from rotsolve.language.shape import WHEEL

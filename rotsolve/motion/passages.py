@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import Facts
 from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP, heading
-from rotsolve.language.elements import Orbit
+from rotsolve.language.bodies import Orbit
 from rotsolve.language.problem import PointRef
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant

@@ -16,7 +16,7 @@ from rotsolve.core.quantity import DIMENSIONS, OSCILLATING
 from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.elements import Orbit
+from rotsolve.language.bodies import Orbit
 from rotsolve.language.problem import Given
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.positive import is_angle

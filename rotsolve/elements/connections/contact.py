@@ -13,8 +13,8 @@ from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.connections.rubbing import Rims
 from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import shape_of
-from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Fact, Letters, Moment, Surface, Surroundings
+from rotsolve.language.bodies import Body, PointRef, Surface
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import key
 
 
@@ -60,7 +60,7 @@ class Contact(Touch, frozen=True):
     def check_wheels(self) -> None:
         """Two wheels on axles of their own may rub on each other."""
 
-    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+    def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""
         if self.contact[1].owner not in held:
             return self

@@ -15,7 +15,7 @@ from rotsolve.core.writing import balance
 from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import Connection, Fact, Letters, Moment
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment
 from rotsolve.language.keys import key
 
 TWO_THIRDS = Number(Fraction(2, 3))
@@ -76,7 +76,7 @@ class Clutch(Rubbing, frozen=True):
         "quantity", "coefficient of friction", dimension="number", letter="mu", limits="positive", default=None
     )
 
-    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+    def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         if self.friction_torque is not None or (self.press is not None and self.friction is not None):
             return self
         return replace(self, friction_torque=letters.make("tau", self.name, "torque"))

@@ -15,7 +15,7 @@ from rotsolve.core.vectors.directions import TURNS, along_text
 from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.places import apart, between, distance
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Fact, Letters, Moment, Surroundings
+from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import key
 
 
@@ -111,7 +111,7 @@ class Torsion(Connection, frozen=True):
         "quantity", "angle without torque", dimension="angle", letter="theta", default=None
     )
 
-    def completed(self, letters: Letters, held: Container[str]) -> Connection:
+    def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """It always has a stiffness; that of an ordinary spring may be told by its force."""
         if self.stiffness is not None:
             return self

@@ -22,8 +22,8 @@ from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import rim_radius
-from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Fact, Moment, Surface, Surroundings
+from rotsolve.language.bodies import Body, PointRef, Surface
+from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import key
 
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}

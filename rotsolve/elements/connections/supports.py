@@ -23,8 +23,8 @@ from rotsolve.core.faults import Unsolvable
 from rotsolve.core.varying import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.shapes import shape_of
-from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import Connection, Fact, Moment, Ride, Surroundings
+from rotsolve.language.bodies import PointRef, Ride
+from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import key
 
 

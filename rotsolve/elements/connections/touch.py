@@ -16,8 +16,8 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, h
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Curved, Level
-from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.elements import Connection, Fact, Moment, Orbit, Surface, Surroundings
+from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
+from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 
 
 class Friction(Struct, frozen=True):
