@@ -138,14 +138,6 @@ def quantity_row(entry: QuantityKind) -> str:
     return f"| {' | '.join(cells)} |"
 
 
-def renew(path: str) -> None:
-    """Write the generated part of the page anew."""
-    with open(path, encoding="utf-8") as stream:
-        text = stream.read()
-    with open(path, "w", encoding="utf-8") as stream:
-        stream.write(text[: text.index(BEGIN)] + generate())
-
-
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
 ANYTHING: dict[str, Any] = {}
 PLACE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 3}

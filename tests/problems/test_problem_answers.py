@@ -159,8 +159,14 @@ def test_printed_formulas_read_back_as_the_answers(problem_file: Path) -> None:
             assert equal(parse(printed, answer.formula.symbols()), answer.formula), printed
 
 
+@cache
+def schema() -> jsonschema.Draft202012Validator:
+    jsonschema.Draft202012Validator.check_schema(json_schema())
+    return jsonschema.Draft202012Validator(json_schema())
+
+
 def test_scene_fits_the_schema(problem_file: Path) -> None:
-    jsonschema.validate(yaml.load(problem_file.read_text(encoding="utf-8"), yaml.BaseLoader), json_schema())
+    schema().validate(yaml.load(problem_file.read_text(encoding="utf-8"), yaml.BaseLoader))
 
 
 def test_nothing_objects_to_the_answers(problem_file: Path) -> None:

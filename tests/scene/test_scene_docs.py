@@ -1,6 +1,7 @@
 """docs/language.md: its scenes can be read, its reference is that of the tables, and the JSON Schema accepts them."""
 
 import re
+from functools import cache
 from pathlib import Path
 
 import jsonschema
@@ -13,7 +14,8 @@ from rotsolve.scene.read import read_text
 from rotsolve.scene.reference import BEGIN, describe_word, generate, json_schema, word_entries
 
 ROOT = Path(__file__).parent.parent.parent
-DOC = (ROOT / "docs" / "language.md").read_text(encoding="utf-8")
+PAGE = ROOT / "docs" / "language.md"
+DOC = PAGE.read_text(encoding="utf-8")
 FINDING = (ROOT / "docs" / "finding.md").read_text(encoding="utf-8")
 SCENES = re.findall(r"```yaml\n(.*?)```", DOC, re.DOTALL)
 LATER = """title: Words that come later
@@ -65,14 +67,18 @@ def test_words_that_come_later_are_refused_by_name() -> None:
     assert {"spin", "precession", "angle of", "inertia tensor", "assume"} <= named
 
 
+@cache
+def validator() -> jsonschema.Draft202012Validator:
+    return jsonschema.Draft202012Validator(json_schema())
+
+
 @pytest.mark.parametrize("scene", [*SCENES, LATER], ids=lambda scene: scene.splitlines()[0])
 def test_the_schema_accepts_every_scene(scene: str) -> None:
-    jsonschema.Draft202012Validator(json_schema()).validate(yaml.load(scene, yaml.BaseLoader))
+    validator().validate(yaml.load(scene, yaml.BaseLoader))
 
 
 def test_the_schema_refuses_unknown_words() -> None:
-    validator = jsonschema.Draft202012Validator(json_schema())
-    validator.check_schema(json_schema())
+    validator().check_schema(json_schema())
     cases: list[dict[str, object]] = [
         {"bodies": {}, "find": {}},
         {"bodies": {}, "find": {"a": "b"}, "titel": "x"},
@@ -81,11 +87,13 @@ def test_the_schema_refuses_unknown_words() -> None:
         {"bodies": {}, "find": {"a": "b"}, "connections": {"c": {"axel": "a"}}},
     ]
     for wrong in cases:
-        assert not validator.is_valid(wrong)
+        assert not validator().is_valid(wrong)
 
 
-def test_the_reference_is_that_of_the_tables() -> None:
-    """Renew it with: python -c 'from rotsolve.scene.reference import renew; renew("docs/language.md")'"""
+def test_the_reference_is_that_of_the_tables(regenerate: bool) -> None:
+    if regenerate:
+        PAGE.write_text(DOC[: DOC.index(BEGIN)] + generate(), encoding="utf-8")
+        return
     assert DOC[DOC.index(BEGIN) :] == generate()
 
 
