@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
-from rotsolve.core.facts import BodyFacts, Facts, Force
+from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.vectors.heading import Vector
 
 
@@ -81,7 +81,7 @@ class Meeting(Struct, frozen=True):
     spin_after: Formula
     place: Vector | None
     blows: tuple[Force, ...]  # impulses on it, as forces with impulse for size, arms from its reference
-    twists: tuple[Formula, ...] = ()  # angular impulses of couples on it, counterclockwise
+    twists: tuple[Couple, ...] = ()  # angular impulses on it beside those of its blows, as couples
     held: Formula | None = (
         None  # moment of inertia about the common point, where the event holds the body there from then on
     )

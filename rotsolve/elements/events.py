@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.formula import ZERO, Formula, negate
-from rotsolve.core.facts import BLOW, BodyFacts, Force
+from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.elements.actions import DIRECTIONS, Direction, pointing
@@ -31,13 +31,14 @@ class Joins(Event, frozen=True):
     def joined(self) -> tuple[PointRef, ...]:
         return self.joins
 
-    def twists(self, body: str, instant: Moment) -> tuple[Formula, ...]:
+    def twists(self, body: str, instant: Moment) -> tuple[Couple, ...]:
         """Bodies that stick together also twist each other until they turn as one."""
         owners = [instant.host(ref.owner) for ref in self.joins]
         if body not in owners:
             return ()
-        twist = instant.ask("angular_impulse", self.name)
-        return (twist if owners.index(body) == 1 else negate(twist),)
+        size = instant.ask("angular_impulse", self.name)
+        twist = size if owners.index(body) == 1 else negate(size)
+        return (Couple(self.name, CONTACT, body, twist, "twist", size, internal=True),)
 
 
 class Collides(Event, frozen=True):

@@ -384,8 +384,8 @@ class Event(Element, frozen=True):
         """The directions of its blows, with the component that each is."""
         return (("x", RIGHT), ("y", UP))
 
-    def twists(self, body: str, instant: Moment) -> tuple[Formula, ...]:
-        """The angular impulses on a body beside those of its blows."""
+    def twists(self, body: str, instant: Moment) -> tuple[Couple, ...]:
+        """The angular impulses on a body beside those of its blows, as couples; `internal` where another body has the opposite one."""
         return ()
 
     def bounce(self, before: Moment, after: Moment) -> tuple[Formula, Formula, Formula] | None:

@@ -180,6 +180,7 @@ def group_through_event(
     names = tuple(sorted(group))
     pivot = next((encounter.pivot[name] for name in names if name in encounter.pivot), None)
     outside = [blow for meeting in members for blow in meeting.blows if not blow.internal]
+    turned = [twist for meeting in members for twist in meeting.twists if not twist.internal]
     alone = pivot is None and len(members) == 1  # its own angular momentum is that about its centre of mass
     if all(meeting.place is not None for meeting in members) and not alone:
         sense = next((item.body.motion.sense for item in members if item.body.motion.turns or item.held), 1)
@@ -191,13 +192,16 @@ def group_through_event(
             for blow in item.blows
             if not blow.internal
         ]
+        torque += [signed(twist.torque, sense) for twist in turned]
         point = f"about the {pivot}" if pivot else "about the meeting point"
         label = (
             f"angular momentum {point} is conserved"
             if not flat(torque)
             else f"angular impulse = change of angular momentum, {point}"
         )
-        words: Words = (f"No outside torque acts {point}: {why_none(members)}.",) if pivot and not outside else ()
+        words: Words = (
+            (f"No outside torque acts {point}: {why_none(members)}.",) if pivot and not outside and not turned else ()
+        )
         if flat(before) or flat(after):
             yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
     if pivot is None:
@@ -258,7 +262,7 @@ def body_through_event(item: Meeting, section: str) -> Iterator[Equation]:
     if body.motion.turns:
         sense = body.motion.sense
         pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
-        pushes += [signed(twist, sense) for twist in item.twists]
+        pushes += [signed(twist.torque, sense) for twist in item.twists]
         before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
         if flat(pushes) or flat([before, after]):
             about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"

@@ -123,7 +123,9 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
     if hit is None:
         raise NotYet(f"`{owner}` gives no angular impulse there")
     torques = [item.torque for item in hit.blows if item.owner == owner]
-    return total([signed(torque, hit.body.motion.sense) for torque in (*torques, *hit.twists)])
+    return total(
+        [signed(torque, hit.body.motion.sense) for torque in (*torques, *(twist.torque for twist in hit.twists))]
+    )
 
 
 def _axis(size: Formula) -> str:
