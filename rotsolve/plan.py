@@ -54,6 +54,13 @@ class Planner:
         for equation in pool:
             self.extend(equation)
 
+    def afresh(self) -> Planner:
+        """A planner over the same pool, which others extend in other ways."""
+        other = Planner((), self.constants)
+        other.pool, other.symbols = list(self.pool), list(self.symbols)
+        other.summed, other.alone, other.plain = list(self.summed), list(self.alone), set(self.plain)
+        return other
+
     def extend(self, equation: Equation) -> int:
         """Add an equation found on the way; its index."""
         self.pool.append(equation)

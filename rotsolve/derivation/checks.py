@@ -104,7 +104,7 @@ def second_law_checks(search: Search, letters: Letters) -> Iterator[Check]:
         unused = [answered for answered in pending if law not in families(answered, search)]
         if not unused:
             continue
-        other = Search(search.scene, families_for(law), spare=True, confirming=True)
+        other = search.another(families_for(law), spare=True, confirming=True)
         agreed = []
         for answered in unused:
             formula = again(other, answered)

@@ -30,7 +30,7 @@ class Validity(Struct, frozen=True):
 def validity(search: Search) -> Validity:
     """What strings, contacts and friction have to obey, as formulas of the givens; what else the numbers of the scene decided."""
     positive = search.solver.positive
-    aside = Search(search.scene, families_for(None))
+    aside = search.another(families_for(None))
     by_letters = SignOracle({}, positive)
     bounds: dict[Formula, None] = {}
     sides: dict[Formula, None] = {}

@@ -128,7 +128,7 @@ def on_the_point_of_slipping(search: Search, find: Find) -> None:
     state = find.terms[0].at if find.terms and find.terms[0].at else scene.configuration.timeline.states[-1].name
     candidates = []
     for equation, normal in limiting(scene, condition.path.owner, state):
-        trial = Search(scene, search.families, spare=search.spare)
+        trial = search.another(search.families, spare=search.spare)
         try:
             value = trial.answer(question, equation).found.formula
             push = trial.value_of(next(iter(normal.symbols())))

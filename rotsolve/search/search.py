@@ -35,13 +35,42 @@ if TYPE_CHECKING:
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
 
 
+class Ground:
+    """What all searches of a scene share: its equations as the planner sees them, its givens and their signs, the letters that run."""
+
+    def __init__(self, scene: SceneEquations) -> None:
+        configuration = scene.configuration
+        problem = configuration.problem
+        self.scene = scene
+        self.givens = {given.name: given for given in problem.givens}
+        self.signs = SignOracle(problem.values, configuration.positive, configuration.signs.limits)
+        self.planner = Planner(scene.equations, [given.name for given in problem.givens if given.asked])
+        running = {"time"} | places_and_speeds(scene.passages.values())
+        self.known = {given.name for given in problem.givens if not given.asked} | running
+        self.running = frozenset(running | {swing.coordinate.name for swing in scene.swings.values()})
+        self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
+        self._order: tuple[str, ...] = ()
+        self._ordered = -1
+
+    @property
+    def order(self) -> tuple[str, ...]:
+        """All letters, givens before the quantities of the laws where they rank alike; questions may bring more of them."""
+        quantities = self.scene.registry.quantities
+        if len(quantities) != self._ordered:
+            named = [(given.name, given.dimension) for given in self.givens.values()]
+            asked_for = ((quantity.key, quantity.dimension) for quantity in quantities.values())
+            self._order, self._ordered = letter_order([*named, *asked_for]), len(quantities)
+        return self._order
+
+
 class Search(Struct, dict=True):
-    """One run over the questions of a scene, with one choice of laws."""
+    """One run over the questions of a scene, with one choice of laws; `another` begins anew on the same ground."""
 
     scene: SceneEquations
     families: tuple[str, ...]
     spare: bool = False  # whether second-choice equations may be used from the start
     confirming: bool = False  # whether answers are only to be confirmed: in closed form, by one of a few plans
+    ground: Ground | None = None
     answered: list[Answered] = field(default_factory=list)
     chosen: list[Chosen] = field(default_factory=list)  # answers that are labels
     helped: list[str] = field(default_factory=list)  # questions for which the law asked for did not do alone
@@ -52,28 +81,26 @@ class Search(Struct, dict=True):
     extrema: dict[tuple[Formula, str, str], Answered] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        configuration = self.scene.configuration
-        problem = configuration.problem
-        self.givens = {given.name: given for given in problem.givens}
-        self.values = problem.values
-        self.signs = SignOracle(self.values, configuration.positive, configuration.signs.limits)
-        self.planner = Planner(self.scene.equations, [given.name for given in problem.givens if given.asked])
+        ground = self.ground = self.ground or Ground(self.scene)
+        self.givens, self.signs, self.values = ground.givens, ground.signs, ground.signs.values
+        self.planner = ground.planner.afresh()
         self.stepwise = Stepwise(self.planner)
         self.definitions = Definitions(self.planner, self.givens)
         self.refs: dict[int, Ref] = {}
         self.numbers = Numbers(self.signs, lambda value: self.solver.with_found(value), self.aside)
-        self.running = {"time"} | places_and_speeds(self.scene.passages.values())
-        self.forces_asked = any(term.path.quantity in FORCES for find in problem.finds for term in find.terms)
-        self.known = {given.name for given in problem.givens if not given.asked} | self.running
-        self.running |= {swing.coordinate.name for swing in self.scene.swings.values()}
+        self.forces_asked, self.running, self.known = ground.forces_asked, ground.running, set(ground.known)
         self.solver = Solver(
             pool=self.planner.pool,
-            order=self._order(),
+            order=ground.order,
             signs=self.signs,
             choose=self.choose_root,
             refs=self.refs,
-            running=frozenset(self.running),
+            running=self.running,
         )
+
+    def another(self, families: tuple[str, ...], *, spare: bool = False, confirming: bool = False) -> Search:
+        """A search by other laws on the same ground, which knows nothing of what this one has found."""
+        return Search(self.scene, families, spare, confirming, self.ground)
 
     def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
@@ -91,7 +118,7 @@ class Search(Struct, dict=True):
             return None
         from rotsolve.questions.functions_of_time import Beside
 
-        return Beside(Search(self.scene, families_for(None)).settled, self.values)
+        return Beside(self.another(families_for(None)).settled, self.values)
 
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
@@ -102,12 +129,6 @@ class Search(Struct, dict=True):
     def wholes(self) -> list[Answered]:
         """The answers that are not parts of others (components, what a choice compares, steps on the way)."""
         return [item for item in self.answered if not item.asked.whole and not item.aside]
-
-    def _order(self) -> tuple[str, ...]:
-        """All letters, givens before the quantities of the laws where they rank alike."""
-        quantities = self.scene.registry.quantities.values()
-        named = [(given.name, given.dimension) for given in self.givens.values()]
-        return letter_order([*named, *((quantity.key, quantity.dimension) for quantity in quantities)])
 
     def answer(self, asked: Asked, limit: Equation | None = None, *, aside: bool = False) -> Answered:
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
@@ -252,13 +273,13 @@ class Search(Struct, dict=True):
     def aside(self, letter: str) -> Formula | None:
         """A letter by Newton's laws alone, without a trace in this search."""
         try:
-            return Search(self.scene, (NEWTON,)).value_of(letter)
+            return self.another((NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
 
     def apart(self) -> Search:
-        """a search by all laws that knows the answers of this one and leaves no trace in it."""
-        other = Search(self.scene, families_for(None))
+        """A search by all laws that knows the answers of this one and leaves no trace in it."""
+        other = self.another(families_for(None))
         other.solver.solved.update(self.solver.solved)
         other.known |= {name for name, found in self.solver.solved.items() if found.formula is not None}
         return other
