@@ -10,7 +10,7 @@ from rotsolve.core.derivation import Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
-from rotsolve.derivation.consistency import contradiction, turned_back
+from rotsolve.derivation.consistency import KnownBalls, contradiction, turned_back
 from rotsolve.derivation.results import with_missing_told
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, TimeValue
@@ -74,19 +74,21 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     if at is not None and not configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     with stage("verify", whole=True):
-        check_consistent(search)
+        balls = check_consistent(search)
         if law is not None:
             check_law(search, law)
-    return composed(problem, search, decision, digits, at)
+    return composed(problem, search, balls, decision, digits, at)
 
 
-def composed(problem: Problem, search: Search, decision: Decision, digits: int, at: str | None) -> Solution:
+def composed(
+    problem: Problem, search: Search, balls: KnownBalls, decision: Decision, digits: int, at: str | None
+) -> Solution:
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
         before, first = sections_before(decision)
         composer = DerivationComposer(search, first, evaluation_time(at))
     with stage("verify", whole=True):
-        held = checks(search, composer.letters)
+        held = checks(search, composer.letters, balls)
     with stage("compose", whole=True):
         derivation = with_missing_told(composer.derivation(held, before), composer.problem)
     beside = left_out(problem, composer.problem)
@@ -149,14 +151,14 @@ def asked_part(problem: Problem) -> Configuration:
     return configuration if block is configuration.problem else Configuration(block)
 
 
-def check_consistent(search: Search) -> None:
-    """The answers must agree with everything that the laws write about the scene."""
+def check_consistent(search: Search) -> KnownBalls:
+    """The answers, and what follows from them, as numbers; they must agree with everything that the laws write about the scene."""
     back = turned_back(search)
     if back is not None:
         from rotsolve.search.explain import turns_back
 
         raise turns_back(back, search.scene.configuration.problem)
-    broken = contradiction(search)
+    broken, balls = contradiction(search)
     if broken is not None:
         from rotsolve.search.explain import contradicted
 
@@ -165,6 +167,7 @@ def check_consistent(search: Search) -> None:
     for value, (sign, question, span) in configuration.supposed.items():
         if configuration.signs.sign(search.solver.with_found(value)) != sign:
             raise configuration.undecided(value, question, span)
+    return balls
 
 
 def check_law(search: Search, law: str) -> None:

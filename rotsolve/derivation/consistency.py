@@ -28,12 +28,15 @@ ROUNDS = 8
 FORWARDS = Law("time runs forwards", "time runs forwards")
 
 
-def contradiction(search: Search) -> Equation | None:
-    """The first equation that can not hold with what is known and found, or that time would have to run backwards; or None."""
+def contradiction(search: Search) -> tuple[Equation | None, KnownBalls]:
+    """The first equation that can not hold with what is known and found, or that time would have to run backwards; or None.
+
+    With it come the numbers that were found.
+    """
     with Precision(BITS):
         numbers = KnownBalls.known(search)
         broken = first_broken(search, numbers)
-        return backwards(search, numbers) if broken is None else broken
+        return (backwards(search, numbers) if broken is None else broken), numbers
 
 
 def disagreement(search: Search) -> Equation | None:
@@ -139,6 +142,7 @@ class KnownBalls(Struct, frozen=True):
 
     found: dict[str, Ball]
     values: Mapping[str, Formula]
+    free: frozenset[str] = frozenset()  # givens without a number, which are taken as 1
 
     @staticmethod
     def known(search: Search) -> KnownBalls:
@@ -150,7 +154,7 @@ class KnownBalls(Struct, frozen=True):
             if not any(SEPARATOR in letter for letter in value.symbols()):
                 letters[name] = value
         free = {name: ONE for name, given in search.givens.items() if given.value is None and not given.asked}
-        numbers = KnownBalls({}, {**free, **search.values})
+        numbers = KnownBalls({}, {**free, **search.values}, frozenset(free))
         sizes = {name: numbers.size(value) for name, value in letters.items()}
         numbers.found.update((name, size) for name, size in sizes.items() if size is not None)
         return numbers
@@ -172,12 +176,17 @@ class KnownBalls(Struct, frozen=True):
 
     def clash(self, equation: Equation, **more: Ball) -> bool:
         """Whether both sides are numbers that certainly differ."""
+        gap = self.gap(equation, **more)
+        return gap is not None and bool(gap[0] > TOLERANCE * gap[1])
+
+    def gap(self, equation: Equation, **more: Ball) -> tuple[Ball, Ball] | None:
+        """By how much both sides differ, and how large their terms are; None where one is no number."""
         left, right = (self.size(side, **more) for side in (equation.left, equation.right))
         if left is None or right is None:
-            return False
+            return None
         terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in addends(side))
         scale = max((abs(term).upper() for term in (left, right, *terms) if term is not None), default=arb(0))
-        return bool(abs(left - right) > TOLERANCE * scale)
+        return abs(left - right), scale
 
     def settle(self, equation: Equation, name: str) -> bool:
         """Find the one unknown of an equation that is linear in it; whether it drops out and leaves two numbers that differ: 2 = 0 t."""

@@ -154,10 +154,7 @@ class Search(Struct, dict=True):
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
         self.stepwise.take(asked)
         parts = tuple(self._part(part) for part in asked.parts)
-        for law in asked.laws:
-            if law not in self.planner.pool:
-                self.planner.extend(law)
-        self.definitions.enter(asked, self.answered)
+        self._enter(asked)
         first = len(self.solver.steps)
         if asked.find.whole and asked.formula == ZERO:  # an entry that symmetry makes vanish takes no step
             self.solver.solved[asked.letter] = Found(asked.letter, ZERO)
@@ -170,6 +167,32 @@ class Search(Struct, dict=True):
         self.answered.append(answered)
         self.retired |= self.definitions.spent(asked, self.solver.steps[first:])
         return answered
+
+    def _enter(self, asked: Asked) -> None:
+        """Let the planner know what a question alone speaks of, and what its letter stands for."""
+        for law in asked.laws:
+            if law not in self.planner.pool:
+                self.planner.extend(law)
+        self.definitions.enter(asked, self.answered)
+
+    def planned(self, asked: Asked, banned: set[int]) -> Plan | Shortage:
+        """The plan for a question whose components are known, without some equations; nothing is solved."""
+        self.stepwise.take(asked)
+        self._enter(asked)
+        return self._plan(asked.letter, banned)
+
+    def allowed(self, letter: str) -> list[int]:
+        """The equations with which a letter may be planned."""
+        barred, laws = self.retired | self.stepwise.foreign(letter), ("", *self.families)
+        return [index for index, law in enumerate(self.planner.pool) if index not in barred and law.family in laws]
+
+    def accept(self, answered: Answered, plan: Plan) -> None:
+        """Take over an answer that the equations of a plan confirm."""
+        letter = answered.asked.letter
+        self.solver.solved[letter] = answered.found
+        self.known.add(letter)
+        self.answered.append(replace(answered, used=plan.equations, steps=(0, 0)))
+        self.retired |= self.definitions.spent(answered.asked, ())
 
     def step(self, letter: str) -> Found:
         """Settle a letter on the way to an answer, with a derivation of its own."""

@@ -1,0 +1,256 @@
+"""Second law: each answer by a law that its plan did not use: the answers are put into the equations that would settle it.
+
+The equations of such a plan must hold at the answers, and tell what is asked by themselves: their derivatives by its unknowns are
+independent there. Where a letter of them has no number, or one sums over a phase, they are solved instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from enum import Enum, auto
+
+from msgspec import Struct
+
+from rotsolve.algebra.calculus.derivative import differentiate
+from rotsolve.algebra.certified.ball import Precision, evaluate
+from rotsolve.algebra.certified.balls import Ball, Undefined
+from rotsolve.algebra.exact.normal import equal, is_zero
+from rotsolve.algebra.flints import arb
+from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.core.derivation import Check
+from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
+from rotsolve.core.registry import SEPARATOR
+from rotsolve.derivation.consistency import BITS, KnownBalls, runs
+from rotsolve.derivation.letters import Letters
+from rotsolve.paths.meaning import NotYet
+from rotsolve.plan import Shortage
+from rotsolve.search.answers import Answered, NoAnswer
+from rotsolve.search.planning import families_for
+from rotsolve.search.search import FEW_TRIES, Search
+from rotsolve.solver.textbook import is_long_root
+
+CLOSE = 1e-9  # up to which share of their size two numbers agree
+NOTHING = arb(0)
+
+
+def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> Iterator[Check]:
+    """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
+    pending = [
+        answered
+        for answered in search.wholes()
+        if answered.found.formula is not None and not is_long_root(answered.found.formula) and depends(answered, search)
+    ]
+    slopes: dict[tuple[int, str], Ball | None] = {}
+    for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
+        unused = [answered for answered in pending if law not in families(answered, search)]
+        if not unused:
+            continue
+        other = search.another(families_for(law), spare=True, confirming=True)
+        putting = PuttingIn(search, other, balls, slopes)
+        agreed = []
+        for answered in unused:
+            outcome = putting.outcome(answered)
+            formula = again(other, answered) if outcome is Outcome.OPEN else answered.found.formula
+            if outcome is Outcome.NO_PLAN or formula is None or not independent(other, law):
+                continue
+            if outcome is Outcome.HOLDS or same(formula, answered.found.formula, search):
+                pending.remove(answered)
+                agreed.append(answered)
+            elif over_a_phase(other):
+                pending.remove(answered)
+                name = Symbol(answered.asked.find.name)
+                yield Check(
+                    (f"{FAMILIES[law].words} gives another ", name, ": ", formula.substitute(letters.symbols)), False
+                )
+        if agreed:
+            names: list[str | Formula] = []
+            for answered in agreed:
+                names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
+            yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names))
+
+
+class Outcome(Enum):
+    """What comes of putting an answer into the equations of another law."""
+
+    HOLDS = auto()  # they hold, and tell it
+    NO_PLAN = auto()  # they do not lead to it
+    OPEN = auto()  # it takes solving to say
+
+
+class PuttingIn(Struct, frozen=True):
+    """Puts the answers of a search into the plans of another one, by one law."""
+
+    search: Search
+    other: Search
+    balls: KnownBalls
+    slopes: dict[tuple[int, str], Ball | None]  # by the equation's identity and the letter
+
+    def outcome(self, answered: Answered) -> Outcome:
+        """Whether the other law's equations for an answer hold at the answers; if they do, the other search knows it from now on."""
+        asked, other = answered.asked, self.other
+        if asked.swings or other.scene.observed or asked.letter in other.solver.solved or asked.formula == ZERO:
+            return Outcome.OPEN
+        for part in answered.parts:
+            if part.asked.letter not in other.known and (outcome := self.outcome(part)) is not Outcome.HOLDS:
+                return outcome
+        return self._by_plans(answered)
+
+    def _by_plans(self, answered: Answered) -> Outcome:
+        """The outcome with the cheapest plan; where its equations depend on each other, with the next one, if they all tell enough."""
+        other, banned = self.other, set[int]()
+        for _ in range(FEW_TRIES):
+            plan = other.planned(answered.asked, banned)
+            if isinstance(plan, Shortage):
+                return Outcome.NO_PLAN
+            with Precision(BITS):
+                order = sorted(plan.equations, key=lambda index: not other.planner.pool[index].family)
+                laws = [other.planner.pool[index] for index in order]
+                if not all(map(self.holds, laws)):
+                    return Outcome.OPEN
+                rows = self.rows(laws, plan.unknowns)
+                if rows is None:
+                    return Outcome.OPEN
+                spare = dependent(rows)
+                if spare is not None and not banned and not self.tells(answered.asked.letter):
+                    return Outcome.NO_PLAN
+            if spare is None:
+                other.accept(answered, plan)
+                return Outcome.HOLDS
+            banned.add(order[spare])
+        return Outcome.OPEN
+
+    def holds(self, equation: Equation) -> bool:
+        """Whether both sides are surely the same: as numbers, or exactly where letters have none."""
+        if runs(equation, self.other):
+            return False
+        gap = self.balls.gap(equation)
+        if gap is None or not gap[0] <= CLOSE * gap[1]:
+            return False
+        if self.balls.free.isdisjoint(equation.symbols()):
+            return True
+        exact = self.search.solver.with_found(equation.left - equation.right)
+        return not any(SEPARATOR in name for name in exact.symbols()) and is_zero(exact, self.other.solver.positive)
+
+    def tells(self, letter: str) -> bool:
+        """Whether all equations of the law together tell a letter, or may do so: a combination of their derivatives is that by it alone."""
+        other = self.other
+        laws = [other.planner.pool[index] for index in other.allowed(letter)]
+        names = sorted(frozenset[str]().union(*(law.symbols() for law in laws)) - other.known - {letter})
+        rows = self.rows(laws, (*names, letter))
+        if rows is None or any(runs(law, other) for law in laws):
+            return True
+        return any(surely(row[-1]) for row in reduced(rows, len(names)))
+
+    def rows(self, laws: Sequence[Equation], names: Sequence[str]) -> list[list[Ball]] | None:
+        """The derivatives of equations' gaps by some letters, at the answers; None where one is no number."""
+        found = []
+        for law in laws:
+            row = [self.slope(law, name) for name in names]
+            if None in row:
+                return None
+            found.append(row)
+        return found
+
+    def slope(self, equation: Equation, name: str) -> Ball | None:
+        """The derivative of an equation's gap by a letter, at the answers."""
+        if name not in equation.symbols():
+            return NOTHING
+        key = (id(equation), name)
+        if key not in self.slopes:
+            self.slopes[key] = self.balls.size(differentiate(equation.left - equation.right, name))
+        return self.slopes[key]
+
+
+def surely(value: Ball) -> bool:
+    """Whether a number is surely not 0."""
+    return bool(abs(value) > 0)
+
+
+def dependent(rows: list[list[Ball]]) -> int | None:
+    """Which row of a square matrix is no more than a sum of those before it, as far as numbers tell; None where it has an inverse."""
+    done: list[tuple[int, list[Ball]]] = []
+    for place, row in enumerate(rows):
+        for column, other in done:
+            row = [one - two * row[column] / other[column] for one, two in zip(row, other, strict=True)]
+        column = max(range(len(row)), key=lambda k: float(abs(row[k]).lower()))
+        if not surely(row[column]):
+            return place
+        done.append((column, row))
+    return None
+
+
+def reduced(rows: list[list[Ball]], columns: int) -> list[list[Ball]]:
+    """The rows that are left when the first columns have been eliminated."""
+    for column in range(columns):
+        pivot = next((row for row in rows if surely(row[column])), None)
+        if pivot is not None:
+            rows = [
+                row
+                if row[column] is NOTHING
+                else [one - two * row[column] / pivot[column] for one, two in zip(row, pivot, strict=True)]
+                for row in rows
+                if row is not pivot
+            ]
+    return rows
+
+
+def over_a_phase(other: Search) -> bool:
+    """Whether the other way sums over a phase; all that holds at single moments has been compared with the answers before."""
+    return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
+
+
+def depends(answered: Answered, search: Search) -> bool:
+    """Whether an answer rests on a law at all, and not on definitions alone."""
+    return bool(families(answered, search))
+
+
+def families(answered: Answered, search: Search) -> set[str]:
+    """The laws behind an answer: those of its own plan, and of the answers that it uses."""
+    found: set[str] = set()
+    by_letter = {item.asked.letter: item for item in search.answered}
+    pending, seen = [by_letter.get(answered.asked.letter, answered)], set()
+    while pending:
+        item = pending.pop()
+        for index in item.used:
+            equation = search.planner.pool[index]
+            if equation.family:
+                found.add(equation.family)
+            elif search.refs.get(index, ("law", 0))[0] == "step":
+                found |= {
+                    equation.family
+                    for other in search.answered
+                    for k in other.used
+                    if (equation := search.planner.pool[k]).family
+                }
+            for name in equation.symbols():
+                if name in by_letter and name not in seen:
+                    seen.add(name)
+                    pending.append(by_letter[name])
+    return found & FAMILIES.keys()
+
+
+def again(other: Search, answered: Answered) -> Formula | None:
+    """The answer by another search's laws, None where they do not give it."""
+    try:
+        return other.answer(answered.asked).found.formula
+    except (NoAnswer, NotYet):
+        return None
+
+
+def independent(other: Search, law: str) -> bool:
+    """Whether the other way really used its law for the last answer."""
+    return law in families(other.answered[-1], other)
+
+
+def same(one: Formula, other: Formula | None, search: Search) -> bool:
+    """Exact equality, else agreement of the certified numbers."""
+    if other is None:
+        return False
+    if equal(one, other, search.solver.positive):
+        return True
+    try:
+        gap = evaluate(one - other, search.values, digits=12)
+        size = evaluate(other, search.values, digits=12)
+    except (Undefined, ValueError):
+        return False
+    return abs(gap.float) <= 1e-9 * max(abs(size.float), 1e-300)
