@@ -22,7 +22,6 @@ Settling = Callable[[Formula], Formula | None]  # puts in what is known for the 
 
 def requirements(search: Search, letters: Letters) -> Iterator[Check]:
     """Strings pull, surfaces push, friction stays below its limit: at every state that the derivation speaks of."""
-    aside = Search(search.scene, families_for(NEWTON))
     told: set[tuple[str, str, str]] = set()
     spoken_of: list[str | Formula] = []
     for place, needs in requirements_by_state(search):
@@ -30,7 +29,7 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
             key = (need.owner, need.otherwise, search.scene.section(place))
             if key in told or not concerns(need, search):
                 continue
-            settled, gap = margin_of(need, search, aside)
+            settled, gap = margin_of(need, search, families_for(NEWTON))
             sign = search.signs.by_numbers(gap) if gap is not None else None
             if sign is None:
                 continue
@@ -45,12 +44,13 @@ def requirements(search: Search, letters: Letters) -> Iterator[Check]:
                 yield Check(verge_words(need, place, search, letters), None)
 
 
-def margin_of(need: Requirement, search: Search, aside: Search) -> tuple[Settling, Formula | None]:
-    """What tells the letters of a requirement, and by how much it is met: what was found on the way, else Newton's laws, else all."""
+def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple[Settling, Formula | None]:
+    """What tells the letters of a requirement, and by how much it is met: what was found on the way, else some laws, else all."""
     gap = need.left - need.right
     found = search.solver.with_found(gap)
     if not any(SEPARATOR in name for name in found.symbols()):
         return search.solver.with_found, found
+    aside = search.beside_by(laws)
     settled = aside.settled(gap)
     if settled is not None:
         return aside.settled, settled

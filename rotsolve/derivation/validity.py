@@ -30,7 +30,6 @@ class Validity(Struct, frozen=True):
 def validity(search: Search) -> Validity:
     """What strings, contacts and friction have to obey, as formulas of the givens; what else the numbers of the scene decided."""
     positive = search.solver.positive
-    aside = search.another(families_for(None))
     by_letters = SignOracle({}, positive)
     bounds: dict[Formula, None] = {}
     sides: dict[Formula, None] = {}
@@ -38,7 +37,7 @@ def validity(search: Search) -> Validity:
     for _, needs in requirements_by_state(search):
         for need in needs:
             if concerns(need, search):
-                gap = margin_of(need, search, aside)[1]
+                gap = margin_of(need, search, families_for(None))[1]
                 if gap is None:
                     decided[f"whether {spoken(need.owner)} holds"] = None
                 elif by_letters.by_letters(gap) not in (0, 1):

@@ -370,6 +370,7 @@ class Configuration(Struct, frozen=True, dict=True):
         held = (item for item in self.connections(state) if any(ref.owner == name for ref in item.touches()))
         return turned or any(item.twists() for item in held)
 
+    @remembered
     def frame(self, name: str, state: str) -> Frame:
         """The rigid body `name` at a state; its reference is the fixed pivot, else the centre of mass."""
         body, pivot = self.body(name, state), self.pivot(name, state)

@@ -12,6 +12,7 @@ from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.quantity import PLANE, QUANTITIES
 from rotsolve.core.registry import COURSE, GENERIC, TIME, VIRTUAL, Quantity, Registry
+from rotsolve.core.remembered import remembered
 from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
@@ -143,7 +144,6 @@ class Instant(Struct, frozen=True, dict=True):
     modes: Mapping[str, str] = field(default_factory=dict)
     virtual: bool = False
     mark: str = GENERIC
-    _frames: dict[str, Frame] = field(default_factory=dict)
     _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
@@ -170,9 +170,7 @@ class Instant(Struct, frozen=True, dict=True):
         return self.configuration.host(name, self.state)
 
     def frame(self, name: str) -> Frame:
-        if name not in self._frames:
-            self._frames[name] = self.configuration.frame(name, self.state)
-        return self._frames[name]
+        return self.configuration.frame(name, self.state)
 
     def weightless(self, name: str) -> bool:
         """Whether a body has no inertia against turning."""
@@ -235,6 +233,7 @@ class Instant(Struct, frozen=True, dict=True):
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
         return self.ask("angle", name, words=TURNS) if followed(name, self) else None
 
+    @remembered
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
         host = self.host(ref.owner)

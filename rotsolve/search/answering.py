@@ -106,6 +106,6 @@ def answer_by_law(search: Search, find: Find, whole: str = "") -> Answered:
 
 def stands_still(velocity: Vector, search: Search) -> bool:
     """Whether a velocity turns out to be nothing."""
-    aside = search.another(families_for(None))
+    aside = search.beside_by(families_for(None))
     parts = [aside.settled(velocity.along(axis)) for axis in (RIGHT, UP)]
     return all(part is not None and is_zero(part, search.solver.positive) for part in parts)

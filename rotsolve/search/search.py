@@ -16,6 +16,7 @@ from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
 from rotsolve.core.registry import GENERIC, SEPARATOR
+from rotsolve.core.remembered import remembered
 from rotsolve.core.varying import POSITION, RATE
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
@@ -102,6 +103,11 @@ class Search(Struct, dict=True):
         """A search by other laws on the same ground, which knows nothing of what this one has found."""
         return Search(self.scene, families, spare, confirming, self.ground)
 
+    @remembered
+    def beside_by(self, families: tuple[str, ...]) -> Search:
+        """The search by some laws that goes on beside this one: what it has worked out once serves whoever asks next."""
+        return self.another(families)
+
     def choose_root(self, name: str, roots: Sequence[Formula], period: Formula | None = None) -> PickedRoot | None:
         """Which of several roots of an equation is meant, and why."""
         from rotsolve.search.roots import RootChoice
@@ -118,7 +124,7 @@ class Search(Struct, dict=True):
             return None
         from rotsolve.questions.functions_of_time import Beside
 
-        return Beside(self.another(families_for(None)).settled, self.values)
+        return Beside(self.beside_by(families_for(None)).settled, self.values)
 
     def in_order(self) -> list[Answered | Chosen]:
         """The answers in the order in which the scene asks for them."""
@@ -296,7 +302,7 @@ class Search(Struct, dict=True):
     def aside(self, letter: str) -> Formula | None:
         """A letter by Newton's laws alone, without a trace in this search."""
         try:
-            return self.another((NEWTON,)).value_of(letter)
+            return self.beside_by((NEWTON,)).value_of(letter)
         except NoAnswer:
             return None
 
