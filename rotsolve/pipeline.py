@@ -90,7 +90,7 @@ def composed(
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls)
     with stage("compose", whole=True):
-        derivation = with_missing_told(composer.derivation(held, before), composer.problem)
+        derivation = with_missing_told(composer.derivation(held, before, decision.trials), composer.problem)
     beside = left_out(problem, composer.problem)
     skipped("bodies", beside)
     counted("equations written", derivation.equations_written)
@@ -107,11 +107,11 @@ def composed(
 
 def sections_before(decision: Decision) -> tuple[tuple[Section, ...], int]:
     """The sections that show what slips, and the number of the first equation after them."""
-    if not decision.trials:
+    if not decision.slipping:
         return (), 1
-    from rotsolve.derivation.friction import trial_sections
+    from rotsolve.derivation.friction import slipping_sections
 
-    return trial_sections(decision.trials)
+    return slipping_sections(decision.slipping)
 
 
 def evaluation_time(at: str | None) -> TimeValue | None:

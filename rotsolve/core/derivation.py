@@ -115,8 +115,20 @@ class Check(Struct, frozen=True):
     holds: bool | None = True
 
 
+class Trial(Struct, frozen=True):
+    """One way in which what rubs was supposed to move at the start of a phase, what that gave, and whether it can be so.
+
+    `supposed` names what rubs, each with its motion; `found` says what tells, in letters of the givens; `holds` is None where it does not.
+    """
+
+    supposed: tuple[tuple[str, str], ...]
+    found: tuple[Words, ...]
+    holds: bool | None
+    why: str = ""
+
+
 class Derivation(Struct, frozen=True):
-    """The whole solution of a problem."""
+    """The whole solution of a problem; `trials` are those that decided how everything moves that rubs."""
 
     title: str
     source: str
@@ -129,3 +141,4 @@ class Derivation(Struct, frozen=True):
     checks: tuple[Check, ...]
     equations_written: int = 0
     equations_used: int = 0
+    trials: tuple[Trial, ...] = ()

@@ -10,7 +10,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Words
+from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Trial, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SEPARATOR, TIME
@@ -130,7 +130,9 @@ class DerivationComposer:
         self.numbers = self._numbers()
         self.results = Results(search, self.letters, at)
 
-    def derivation(self, checks: tuple[Check, ...], before: tuple[Section, ...] = ()) -> Derivation:
+    def derivation(
+        self, checks: tuple[Check, ...], before: tuple[Section, ...] = (), trials: tuple[Trial, ...] = ()
+    ) -> Derivation:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
         sections = [*before, *(self._section(draft) for draft in self.drafts)]
         if len(sections) == 1:
@@ -149,6 +151,7 @@ class DerivationComposer:
             checks=checks,
             equations_written=len(self.scene.equations),
             equations_used=sum(len(draft.laws) for draft in self.drafts),
+            trials=trials,
         )
 
     def _reached(self, state: str) -> str:

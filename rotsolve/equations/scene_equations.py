@@ -56,9 +56,32 @@ class SceneEquations(Struct, dict=True):
     stated: list[tuple[Equation, Condition]] = field(default_factory=list)
     _instants: dict[tuple[str, bool, bool], Instant] = field(default_factory=dict)
     _facts: dict[tuple[str, bool, bool], Facts] = field(default_factory=dict)
+    _moments: dict[object, list[Equation]] | None = None  # what is said of single states, by the modes there
 
     def __post_init__(self) -> None:
-        self.stated += Statements(Fixed(self.configuration, self.registry, self.modes)).take()
+        if self._moments is None:
+            self._moments = {}
+            self.stated += Statements(Fixed(self.configuration, self.registry, self.modes)).take()
+
+    def where(self, modes: Mapping[str, str]) -> SceneEquations:
+        """The same scene with contacts in other modes: it shares all moments at which none of them acts, and what the laws say there."""
+        other = SceneEquations(
+            self.configuration,
+            modes,
+            self.registry,
+            self.stated,
+            _moments={} if self._moments is None else self._moments,
+        )
+        states = [state.name for state in self.configuration.timeline.states]
+        same = {state for state in states if self.modes_at(state) == other.modes_at(state)}
+        other._instants.update((key, instant) for key, instant in self._instants.items() if key[0] in same)
+        other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)
+        return other
+
+    def modes_at(self, state: str) -> tuple[tuple[str, str], ...]:
+        """How what rubs at a state moves there, as far as it does not stick."""
+        start = self.configuration.phase_start(state)
+        return tuple(sorted(item for item in self.modes.items() if item[0].rpartition("@")[2] == start))
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
         key = (state, generic, virtual)
@@ -165,7 +188,7 @@ class SceneEquations(Struct, dict=True):
         """All that the states say and the laws write, in the order of time within each kind."""
         yield from (equation for equation, _ in self.stated)
         for state in self.configuration.timeline.states:
-            yield from self._at(state)
+            yield from self._moment(state)
         for interval in self.configuration.timeline.intervals:
             if interval.name in self.passages:
                 yield from self._during(interval)
@@ -193,6 +216,14 @@ class SceneEquations(Struct, dict=True):
         """Where the laws at a state are written: with the whole phase while accelerations in it are constant."""
         spans = {self.configuration.span(body.name, state) for body in self.configuration.present(state)}
         return spans.pop() if len(spans) == 1 else state
+
+    def _moment(self, state: State) -> list[Equation]:
+        """What the laws say at a state, written once for all ways in which the contacts elsewhere move."""
+        assert self._moments is not None
+        key = (state.name, self.modes_at(state.name))
+        if key not in self._moments:
+            self._moments[key] = list(self._at(state))
+        return self._moments[key]
 
     def _at(self, state: State) -> Iterator[Equation]:
         """What the laws say at a state, and there of all tied bodies together."""
