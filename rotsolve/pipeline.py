@@ -65,7 +65,7 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         for clash in said_otherwise(configuration, decision.modes):
             raise clash
         with stage("laws"):
-            scene = SceneEquations(configuration, decision.modes)
+            scene = decision.scene or SceneEquations(configuration)
             search = Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None

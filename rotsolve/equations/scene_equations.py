@@ -64,7 +64,14 @@ class SceneEquations(Struct, dict=True):
             self.stated += Statements(Fixed(self.configuration, self.registry, self.modes)).take()
 
     def where(self, modes: Mapping[str, str]) -> SceneEquations:
-        """The same scene with contacts in other modes: it shares all moments at which none of them acts, and what the laws say there."""
+        """The same scene with contacts in other modes: it shares all moments at which none of them acts, and what the laws say there.
+
+        Where a state speaks of what rubs, what it fixes may depend on the modes, and is taken anew.
+        """
+        rubbing = {key.partition("@")[0] for key in {*modes, *self.modes}}
+        states = self.configuration.timeline.states
+        if any(line.path is not None and line.path.owner in rubbing for state in states for line in state.conditions):
+            return SceneEquations(self.configuration, modes)
         other = SceneEquations(
             self.configuration,
             modes,
@@ -72,8 +79,7 @@ class SceneEquations(Struct, dict=True):
             self.stated,
             _moments={} if self._moments is None else self._moments,
         )
-        states = [state.name for state in self.configuration.timeline.states]
-        same = {state for state in states if self.modes_at(state) == other.modes_at(state)}
+        same = {state.name for state in states if self.modes_at(state.name) == other.modes_at(state.name)}
         other._instants.update((key, instant) for key, instant in self._instants.items() if key[0] in same)
         other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)
         return other

@@ -47,6 +47,7 @@ class Decision(Struct, frozen=True):
     modes: dict[str, str]
     trials: tuple[Trial, ...] = ()
     slipping: tuple[SlippingContact, ...] = ()
+    scene: SceneEquations | None = None  # with these modes, where trials have looked at it
 
 
 def decide(configuration: Configuration, at_rest: Collection[str] = ()) -> Decision:
@@ -83,7 +84,7 @@ class Trials:
                 )
                 self.modes.update((self.by_trial if stacked else self.by_motion)(group))
         modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
-        return Decision(modes, tuple(self.made), tuple(self.slipping))
+        return Decision(modes, tuple(self.made), tuple(self.slipping), self.scene.where(modes))
 
     def search(self, modes: Mapping[str, str], families: tuple[str, ...] = (NEWTON,)) -> Search:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""
@@ -95,7 +96,7 @@ class Trials:
     def note(self, modes: Mapping[str, str], found: Iterable[Words], holds: bool | None, why: str) -> None:
         """Remember a trial as data."""
         supposed = tuple((key.partition("@")[0], mode.removesuffix(AT_MOST) or "turns") for key, mode in modes.items())
-        self.made.append(Trial(supposed, tuple(found), holds, why))
+        self.made.append(Trial(supposed, tuple(words for words in found if words), holds, why))
 
     def moving_together(self, open_: list[Rub]) -> list[list[Rub]]:
         """What rubs on bodies that move together in the same phase, group by group."""
@@ -169,7 +170,12 @@ class Trials:
             known = all(number is not None for number in numbers)
             holds = all(number is not None and number > 0 for number in numbers)
             why = "it speeds up that way" if holds else "it does not speed up that way"
-            self.note(moving, [words for _, words in gains], holds if known else None, why if known else "")
+            self.note(
+                moving,
+                [words for _, words in gains],
+                holds if known else None,
+                why if known else "the numbers do not tell",
+            )
             if holds:
                 return moving
             told = told or known
@@ -181,23 +187,40 @@ class Trials:
         ways = sorted(product((0, 1, -1), repeat=len(group)), key=lambda way: sum(map(abs, way)))
         for way in ways[:TRIALS]:
             trial = {rub.key: rub.mode(sense) for rub, sense in zip(group, way, strict=True)}
-            if all(self.holds(rub, trial, sense) for rub, sense in zip(group, way, strict=True)):
-                self.note(trial, (), True, "what sticks has friction enough, and what slips speeds up that way")
+            if self.can_be(trial, group, way):
                 return trial
-            self.note(trial, (), False, "what sticks lacks friction, or what slips does not speed up that way")
         return {}
 
-    def holds(self, rub: Rub, trial: Mapping[str, str], sense: int) -> bool:
+    def can_be(self, trial: Mapping[str, str], group: Sequence[Rub], way: Sequence[int]) -> bool:
+        """Whether all that rubs does as it is supposed to; the first that does not is told."""
+        found: list[Words] = []
+        for rub, sense in zip(group, way, strict=True):
+            holds, words = self.holds(rub, trial, sense)
+            found.append(words)
+            if not holds:
+                self.note(
+                    trial,
+                    found,
+                    False,
+                    f"{spoken(rub.name)} {'does not speed up that way' if sense else 'lacks friction'}",
+                )
+                return False
+        self.note(trial, found, True, "what sticks has friction enough, and what slips speeds up that way")
+        return True
+
+    def holds(self, rub: Rub, trial: Mapping[str, str], sense: int) -> tuple[bool, Words]:
         """Whether what rubs does as it is supposed to: sticks with no more friction than there can be, or speeds up as it slips."""
         if sense or rub.contact is None:
-            number = self.speeding_up(rub, trial, sense)[0] if sense else None
-            return number is not None and number > 0
+            number, words = self.speeding_up(rub, trial, sense) if sense else (None, ())
+            return number is not None and number > 0, words
         search = self.search({**self.modes, **trial})
         needs = search.scene.facts(rub.state).requirements
         own = [need for need in needs if (need.owner, need.otherwise) == (rub.contact.name, "slips")]
         room = [search.settled(need.left - need.right) for need in own]
         numbers = [search.number(value) if value is not None else None for value in room]
-        return all(number is not None and number >= 0 for number in numbers)
+        left = [value for value in room if value is not None]
+        told: Words = (f"{spoken(rub.name)} has friction to spare: ", left[0]) if left else ()
+        return all(number is not None and number >= 0 for number in numbers), told
 
     def senses_of(self, group: list[Rub], way: int) -> dict[str, int]:
         """The senses in which all of a group move when the first goes one way, as the rules make the others go with it."""

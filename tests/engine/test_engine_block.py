@@ -173,8 +173,8 @@ def test_friction_is_decided_only_where_it_is_needed(monkeypatch: pytest.MonkeyP
     from rotsolve.search import friction
 
     tried: list[str] = []
-    real = friction.tried
-    monkeypatch.setattr(friction, "tried", lambda *given: tried.append(given[1].name) or real(*given))
+    real = friction.Trials.tried
+    monkeypatch.setattr(friction.Trials, "tried", lambda *given: tried.append(given[2].name) or real(*given))
     solve(pair("actions: {pull: {force: 1 N, on: one, direction: right}}\nfind: {a: one.acceleration}"))
     assert tried == ["left"]
 
