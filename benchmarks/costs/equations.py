@@ -72,13 +72,13 @@ def eliminated(machine: Machine, made: System, runs: int) -> tuple[float, float]
     """All unknowns as fractions in lowest terms."""
     from rotsolve.algebra.certified.balls import RealBalls
     from rotsolve.algebra.exact.linear import eliminated as solve
-    from rotsolve.algebra.exact.normal import Problem
+    from rotsolve.algebra.exact.normal import Fractions
 
     equations, unknowns, positive, values = made
     found: list[Any] = []
 
     def work() -> None:
-        problem = Problem(equations, (), positive, extra=unknowns)
+        problem = Fractions(equations, (), positive, extra=unknowns)
         found.append((problem, solve(problem, unknowns)[unknowns[leading(unknowns)]]))
 
     spent = best(work, runs, before=forget)

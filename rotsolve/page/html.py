@@ -38,8 +38,8 @@ class Html(Printer):
     def formula(self, formula: Formula) -> str:
         return mathml.mathml(formula)
 
-    def unit(self, unit: Unit) -> str:
-        return mathml.unit(unit.text)
+    def unit(self, unit_to_mathml: Unit) -> str:
+        return mathml.unit_to_mathml(unit_to_mathml.text)
 
     def number(self, mantissa: str, exponent: str) -> str:
         digits = mantissa.lstrip("-−")

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.page.blocks import Amount, AnswerRow, Math, Matrix
 from rotsolve.page.printer import LOWERED, in_powers_of_ten
@@ -32,7 +32,7 @@ def given_value(given: Given) -> Formula | Amount | None:
     value = given.value
     if value is None or value.symbols():
         return value
-    number = value if given.unit is None else in_unit(value, given.unit)
+    number = value if given.unit is None else number_in_unit(value, given.unit)
     written = WRITTEN.match(given.text.strip())
     if written and number == Number(Fraction(written[0].replace("−", "-"))):
         return Amount(written[0], given.unit)

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol, add, sqrt
 from rotsolve.algebra.units.dimension import ANGULAR_VELOCITY, NONE, Dimension, DimensionError, dimension_of
-from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY, Equation, Law
 from rotsolve.core.quantity import OSCILLATING
@@ -137,7 +137,7 @@ def conversion(find: Find, given: Given) -> Words:
     old, new = given.unit, find.unit
     if given.value is None or given.value.symbols() or old is None or new is None or old.factor == new.factor:
         return ()
-    number, factor = in_unit(given.value, old), simplify(in_unit(old.factor, new))
+    number, factor = number_in_unit(given.value, old), simplify(number_in_unit(old.factor, new))
     unit = new.after("")
     known: Words = (f"{old.after('1')} = ", factor, unit)
     if number == ONE:

@@ -15,7 +15,7 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.units.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
-from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity, parse_unit
+from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS, NUMBER
 from rotsolve.language.problem import Given
@@ -196,7 +196,7 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
     return literal_value(scope, node, want, quantity)
 
 
-def parsed_quantity(text: str) -> Quantity | None:
+def parsed_quantity(text: str) -> UnitValue | None:
     """The quantity that a text writes; None where it writes none."""
     try:
         return parse_quantity(text)
@@ -223,7 +223,7 @@ def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> None:
     )
 
 
-def literal_value(scope: Scope, node: Text, want: Want, quantity: Quantity) -> Formula | None:
+def literal_value(scope: Scope, node: Text, want: Want, quantity: UnitValue) -> Formula | None:
     """A literal quantity, checked, as a number or an automatic letter."""
     text = node.value.strip()
     unit = quantity.unit.text if quantity.unit else ""
@@ -261,7 +261,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
     return False
 
 
-def as_letter(scope: Scope, span: Span, want: Want, quantity: Quantity) -> Formula:
+def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Formula:
     """The exact number where textbooks print it, else a letter of its own."""
     if quantity.value == ZERO:
         return ZERO

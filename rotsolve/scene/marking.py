@@ -11,7 +11,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.units.dimension import NONE, Dimension
-from rotsolve.algebra.units.quantities import Quantity, parse_quantity
+from rotsolve.algebra.units.quantities import UnitValue, parse_quantity
 from rotsolve.language.grammar import DEDUCT, MARKING
 from rotsolve.language.keys import Key
 from rotsolve.language.marks import ALL, FLAWS, Deduction, Marking, Tolerance
@@ -124,7 +124,7 @@ def read_marks(scope: Scope, key: Key, node: Node, label: str, most: int = MOST_
     return marks
 
 
-def plain_number(amount: Quantity, most: int) -> Fraction | None:
+def plain_number(amount: UnitValue, most: int) -> Fraction | None:
     """A number without a unit, from 0 to a limit."""
     value = amount.value
     plain = amount.unit is None and isinstance(value, Number)

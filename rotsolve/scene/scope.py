@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.algebra.units.quantities import Quantity
+from rotsolve.algebra.units.quantities import UnitValue
 from rotsolve.core.faults import Fault, Span
 from rotsolve.core.quantity import QUANTITIES, SYSTEM
 from rotsolve.language.grammar import RESERVED_WORDS
@@ -126,7 +126,7 @@ class Scope:
         before = node.entries[position - 1][1] if position else None
         self.faults.append(null_fault(key.value, key.span, before.value if isinstance(before, Text) else ""))
 
-    def automatic(self, letter: str, owner: str, quantity: Quantity, span: Span | None, hint: str = "") -> Symbol:
+    def automatic(self, letter: str, owner: str, quantity: UnitValue, span: Span | None, hint: str = "") -> Symbol:
         """The letter of a quantity that was written in place, so that derivations print letters; in questions one for each value."""
         own = (quantity.value, quantity.dimension, quantity.text)
         for given in self.givens.values() if not owner else ():

@@ -11,7 +11,7 @@ from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
-from rotsolve.algebra.units.quantities import Quantity, UnitError, parse_quantity
+from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.language.problem import TimeValue
@@ -259,7 +259,7 @@ def read_seconds(text: str) -> float:
     return seconds
 
 
-def parsed_time(written: str, text: str, example: str) -> Quantity:
+def parsed_time(written: str, text: str, example: str) -> UnitValue:
     """The time that is written in a text; a ValueError shows an example."""
     try:
         found = parse_quantity(written)

@@ -8,7 +8,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.units.dimension import DimensionError, dimension_of
-from rotsolve.algebra.units.quantities import Quantity, UnitError, in_unit, parse_quantity
+from rotsolve.algebra.units.quantities import UnitError, UnitValue, number_in_unit, parse_quantity
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.language.problem import Comparison, Given, Variation, Varied
 from rotsolve.language.words import quoted
@@ -73,7 +73,7 @@ def read_varied(scope: Scope, name: str, key: Text, node: Node) -> Varied | None
     return Varied(name, values) if values else None
 
 
-def read_value(scope: Scope, given: Given, node: Text) -> Quantity | None:
+def read_value(scope: Scope, given: Given, node: Text) -> UnitValue | None:
     """One value, with the dimension that the given has."""
     try:
         found = parse_quantity(node.value.strip())
@@ -123,7 +123,7 @@ def stepped_values(scope: Scope, given: Given, node: Text, match: re.Match[str])
     if len(known) < len(found):
         return ()
     unit = known[0].unit or ONE_UNIT
-    numbers = [in_unit(value.value, unit) for value in known]
+    numbers = [number_in_unit(value.value, unit) for value in known]
     sizes = [number.value for number in numbers if isinstance(number, Number)]
     if len(sizes) < len(numbers):
         scope.fault(node, f"the units of {quoted(node.value.strip())} have no ratio", "write all three in one", "unit")

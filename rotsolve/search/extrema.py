@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.calculus.separable import has_root
 from rotsolve.algebra.exact.field import PolynomialSigns
-from rotsolve.algebra.exact.normal import Problem, is_zero
+from rotsolve.algebra.exact.normal import Fractions, is_zero
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
@@ -102,7 +102,7 @@ def roots_of(course: Curve, search: Search) -> list[Formula]:
 
 def factors_of(value: Formula, letter: str, search: Search) -> Iterator[Formula]:
     """The factors in a letter that make a value vanish; a root vanishes with what stands under it."""
-    problem = Problem([value], search.solver.order, search.solver.positive, extra=(letter,))
+    problem = Fractions([value], search.solver.order, search.solver.positive, extra=(letter,))
     _, factors = problem.field.factor(problem.numerator())
     for factor, _ in factors:
         part = problem.shaper.poly(factor)
@@ -134,7 +134,7 @@ def is_inside(root: Formula, domain: Domain, course: Curve, search: Search) -> b
 def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
     """An extremum at a kink or a pole is not seen by the derivative."""
     positive = search.solver.positive | ({course.letter} if domain.low == ZERO else frozenset())
-    problem = Problem([course.curve], positive=positive)
+    problem = Fractions([course.curve], positive=positive)
     _, bottom = problem.field.cancel(problem.ratio())
     signs = PolynomialSigns(problem.field, positive)
     kinked = any(

@@ -13,7 +13,7 @@ from functools import partial
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Precision, resolve
+from rotsolve.algebra.certified.ball import Precision, with_values
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
 from rotsolve.algebra.formula import ZERO as NOTHING
@@ -174,7 +174,7 @@ class Compiler(Struct, dict=True):
 
     def _exact(self, value: Formula) -> Exact:
         """The number that a formula of givens is; refuses letters without a number."""
-        formula = resolve(value, self.values)
+        formula = with_values(value, self.values)
         for name in sorted(formula.symbols()):
             raise NotYet(f"`{name}` has no number", help=f"give it one, or say --set {name}=…")
         try:

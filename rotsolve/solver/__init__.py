@@ -26,9 +26,9 @@ from rotsolve.solver.steps import (
     Redundant,
     Ref,
     Step,
+    elimination_kind,
     inner,
     isolated,
-    kind_of,
     line_in_letters,
     line_of,
     monomial,
@@ -126,7 +126,7 @@ class Solver(Isolation, kw_only=True):
             for name in sorted(names - {asked}):
                 explicit = isolated(item, name)
                 others = holders[name] - 1
-                kind = kind_of(item, name, names, items)
+                kind = elimination_kind(item, name, names, items)
                 if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
                     kind = 4  # v = a t tells a speed by the acceleration, not the other way round
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations

@@ -191,7 +191,7 @@ def monomial(value: Formula) -> bool:
     return not value.holds(Sum, Integral)
 
 
-def kind_of(item: Item, name: str, names: Collection[str], items: Sequence[Item]) -> int:
+def elimination_kind(item: Item, name: str, names: Collection[str], items: Sequence[Item]) -> int:
     """How little it takes to eliminate an unknown, of the unknowns `names` of an equation among all `items`.
 
     0: it is the only one, and alone on one side; 1: it is the only one; 2: one term equals another, with two unknowns; 3: it is the

@@ -97,9 +97,9 @@ class Textbook(Struct, kw_only=True):
         tidy = partial(simplify, order=self.order, positive=self.positive)
         if isinstance(node, Call) and node.function == "exp":
             return Call("exp", (tidy(node.arguments[0]),))
-        from rotsolve.algebra.exact.exponentials import one_logarithm, spread
+        from rotsolve.algebra.exact.exponentials import one_logarithm, with_fewest_exponentials
 
-        return spread(one_logarithm(node, tidy), tidy)
+        return with_fewest_exponentials(one_logarithm(node, tidy), tidy)
 
     def without_bars(self, node: Formula) -> Formula:
         """|x| as x or −x where the numbers tell its sign."""

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import Certified, Precision, decimal_text, evaluate
 from rotsolve.algebra.certified.balls import RealBalls, Undefined
-from rotsolve.algebra.certified.rootfind import NotCertified, find_root, real_roots
+from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Integral, Number, Symbol, call
 from rotsolve.algebra.notation.parse import parse
 
@@ -122,15 +122,13 @@ def test_integrals_up_to_a_turning_point() -> None:
     assert evaluate(whole, {}).text(15) == "−2.62205755429212"  # the lemniscate constant
 
 
-def test_find_root() -> None:
-    found = find_root(X - call("cos", X), "x", {}, 0, 1, digits=30)
+def test_one_root() -> None:
+    (found,) = real_roots(X - call("cos", X), "x", {}, 0, 1, 30).roots
     assert found.text(30) == "0.739085133215160641655312087674"
     assert found.text(4) == "0.7391"
-    assert find_root(X**2 - 4, "x", {}, 0, 5).text(4) == "2"
-    with pytest.raises(NotCertified):
-        find_root(call("sin", X), "x", {}, 1, 10)
-    with pytest.raises(NotCertified):
-        find_root(X**2 + 1, "x", {}, -3, 3)
+    assert [root.text(4) for root in real_roots(X**2 - 4, "x", {}, 0, 5).roots] == ["2"]
+    assert len(real_roots(call("sin", X), "x", {}, 1, 10).roots) == 3
+    assert not real_roots(X**2 + 1, "x", {}, -3, 3).roots
 
 
 def test_real_roots() -> None:

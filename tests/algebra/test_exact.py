@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.exponentials import one_logarithm
-from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all, solve_linear, solve_system
+from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all, solve_linear
 from rotsolve.algebra.exact.normal import coefficients, equal, is_zero, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import (
@@ -243,7 +243,7 @@ ATWOOD = ("m1*g-T1-m1*a", "T2-m2*g-m2*a", "(T1-T2)*R-M*R**2/2*alpha", "a-R*alpha
     ],
 )
 def test_atwood(asked: str, shown: str) -> None:
-    found = solve_system([parse(text) for text in ATWOOD], ["a", "T1", "T2", "alpha"], asked, ORDER, POSITIVE)
+    found = solve_all([parse(text) for text in ATWOOD], ["a", "T1", "T2", "alpha"], ORDER, POSITIVE)[asked]
     assert show(found) == shown
 
 
@@ -251,28 +251,13 @@ def test_system_with_angle() -> None:
     """The friction of a rolling disc on a slope; sin² + cos² = 1 must not hide a zero pivot."""
     texts = ("m*g*sin(x)-f-m*a", "f*R-m*R**2/2*alpha", "a-R*alpha", "Nn-m*g*cos(x)")
     equations = [parse(text) for text in texts]
-    assert show(solve_system(equations, ["a", "f", "alpha", "Nn"], "f", ORDER, POSITIVE)) == "(1/3) m g sin(x)"
+    assert show(solve_all(equations, ["a", "f", "alpha", "Nn"], ORDER, POSITIVE)["f"]) == "(1/3) m g sin(x)"
     turned = [parse("u*cos(x)-v*sin(x)-p"), parse("u*sin(x)+v*cos(x)-q")]
-    found = solve_system(turned, ["u", "v"], "u")
+    found = solve_all(turned, ["u", "v"])["u"]
     assert equal(found, parse("p*cos(x)+q*sin(x)"))
     singular = [parse("u*cos(x)**2+v-p"), parse("u*(1-sin(x)**2)+v-p")]
-    with pytest.raises(Singular) as caught:
-        solve_system(singular, ["u", "v"], "u")
-    assert caught.value.redundant is not None
-
-
-def test_singular_systems() -> None:
-    with pytest.raises(Singular) as caught:
-        solve_system([parse("x+y-1"), parse("2*x+2*y-2")], ["x", "y"], "x")
-    assert (caught.value.redundant, caught.value.contradiction) == (1, None)
-    with pytest.raises(Singular) as caught:
-        solve_system([parse("x+y-1"), parse("2*x+2*y-3")], ["x", "y"], "x")
-    assert (caught.value.redundant, caught.value.contradiction) == (None, 1)
     with pytest.raises(Singular):
-        solve_system([parse("x+y-1")], ["x", "y"], "x")
-    with pytest.raises(NotLinear) as wrong:
-        solve_system([parse("x*y-1"), parse("x-y")], ["x", "y"], "x")
-    assert wrong.value.equation == 0
+        solve_all(singular, ["u", "v"])
 
 
 @pytest.mark.parametrize(
@@ -393,7 +378,7 @@ def test_systems_agree_with_sympy(rows: list[list[int]], asked: int) -> None:
     matrix, right = sympy.linear_eq_to_matrix([to_sympy(f) for f in equations], [to_sympy(Symbol(n)) for n in names])
     if matrix.det().expand() == 0:
         return
-    found = solve_system(equations, names, names[asked])
+    found = solve_all(equations, names)[names[asked]]
     wanted = matrix.LUsolve(right)[asked]
     assert sympy.cancel(to_sympy(found) - wanted) == 0
 
@@ -413,17 +398,13 @@ def test_logarithms_are_put_together_where_that_is_shorter(left: str, right: str
     assert sum(isinstance(node, Call) and node.function == "log" for node in found.walk()) == 1
 
 
-def test_all_unknowns_at_once_are_those_one_by_one() -> None:
-    equations, unknowns = [parse(text) for text in ATWOOD], ["a", "T1", "T2", "alpha"]
-    found = solve_all(equations, unknowns, ORDER, POSITIVE)
-    assert found == {name: solve_system(equations, unknowns, name, ORDER, POSITIVE) for name in unknowns}
-
-
 @pytest.mark.parametrize(
     ("equations", "error"),
     [
         (("x+y-1", "2*x+2*y-2"), "y is not settled|x is not settled"),
         (("x+y-1", "x-y", "2*x-3"), "contradicts the others"),
+        (("x+y-1", "2*x+2*y-3"), "equation 2 contradicts the others"),
+        (("x+y-1",), "is not settled"),
         (("x*y-1", "x-y"), "not linear"),
         (("sin(x)+y", "x-y"), "not linear in x"),
     ],

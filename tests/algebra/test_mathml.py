@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from rotsolve.algebra.formula import Call, Formula, Integral, Number, Symbol
-from rotsolve.algebra.notation.mathml import letter, mathml, unit
+from rotsolve.algebra.notation.mathml import letter_to_mathml, mathml, unit_to_mathml
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.units.unit_table import UNITS
 
@@ -80,7 +80,7 @@ def test_an_integral_shows_its_bounds() -> None:
     ],
 )
 def test_letters(name: str, seen: str) -> None:
-    assert letter(name) == seen
+    assert letter_to_mathml(name) == seen
     read(seen)
 
 
@@ -89,12 +89,12 @@ def test_letters(name: str, seen: str) -> None:
     [("kg m²/s", "kgm2/s"), ("1/(kg m)", "1/(kgm)"), ("s^(1/2)", "s1/2"), ("°", "°"), ("1/s²", "1/s2")],
 )
 def test_units(text: str, seen: str) -> None:
-    assert words(unit(text)) == seen
+    assert words(unit_to_mathml(text)) == seen
 
 
 @pytest.mark.parametrize("text", sorted({item.text for item in UNITS.values()}))
 def test_every_unit_can_be_read(text: str) -> None:
-    assert words(unit(text)) == text
+    assert words(unit_to_mathml(text)) == text
 
 
 NAMES = st.sampled_from(["a", "M", "theta0", "x_end", "delta_K1", "omega(t)", "mass", "rod.end"])

@@ -31,7 +31,7 @@ from rotsolve.algebra.units.dimension import (
     TORSION_STIFFNESS,
     Dimension,
 )
-from rotsolve.algebra.units.quantities import UnitError, in_unit, parse_quantity, parse_unit, unit_for
+from rotsolve.algebra.units.quantities import UnitError, number_in_unit, parse_quantity, parse_unit, unit_for
 from rotsolve.algebra.units.unit_table import UNITS
 
 
@@ -163,7 +163,7 @@ def test_every_unit_reads_and_prints(name: str) -> None:
     unit = parse_quantity(f"3 {name}").unit
     assert unit is not None
     assert parse_unit(unit.text) == unit
-    assert in_unit(parse_quantity(f"3 {name}").value, unit) == n(3)
+    assert number_in_unit(parse_quantity(f"3 {name}").value, unit) == n(3)
 
 
 @pytest.mark.parametrize(
@@ -197,11 +197,11 @@ def test_the_habits_of_the_field(dimension: Dimension, kind: str | None, text: s
 
 
 def test_conversion_for_display() -> None:
-    assert in_unit(Product((n("1/6"), PI)), parse_unit("deg")) == n(30)
-    assert in_unit(2 * PI / 3, parse_unit("rev")) == n("1/3")
-    assert in_unit(n(10), parse_unit("km/h")) == n(36)
-    assert to_text(in_unit(Symbol("L"), parse_unit("cm"))) == "100 L"
-    assert to_text(in_unit(Symbol("omega"), parse_unit("rpm"))) == "(30/π) ω"
+    assert number_in_unit(Product((n("1/6"), PI)), parse_unit("deg")) == n(30)
+    assert number_in_unit(2 * PI / 3, parse_unit("rev")) == n("1/3")
+    assert number_in_unit(n(10), parse_unit("km/h")) == n(36)
+    assert to_text(number_in_unit(Symbol("L"), parse_unit("cm"))) == "100 L"
+    assert to_text(number_in_unit(Symbol("omega"), parse_unit("rpm"))) == "(30/π) ω"
 
 
 def test_no_text_does_harm() -> None:

@@ -11,7 +11,7 @@ import pytest
 
 from pages import ROOT, said
 from rotsolve.algebra.formula import Number
-from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.keys.working import Unsuited, VariantSolver
 from rotsolve.language.problem import Problem
@@ -31,7 +31,7 @@ def changed(problem: Problem, random: Random) -> dict[str, str]:
         if given.automatic or given.asked or given.value is None or given.value.symbols() or random.random() < 0.4:
             continue
         unit = given.unit or ONE_UNIT
-        number = in_unit(given.value, unit)
+        number = number_in_unit(given.value, unit)
         if isinstance(number, Number) and number.value:
             settings[given.name] = unit.after(str(number.value * random.choice(FACTORS)))
     return settings

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.exact.normal import Problem, degree, is_zero, simplify
+from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.formula import (
     ONE,
     PI,
@@ -143,6 +143,6 @@ def in_powers(value: Formula, name: str, *, order: Sequence[str] = (), positive:
 
 def is_below(value: Formula, name: str) -> bool:
     """Whether a letter stands below the line."""
-    problem = Problem([value], extra=(name,))
+    problem = Fractions([value], extra=(name,))
     _, bottom = problem.field.cancel(problem.ratio())
     return bool(bottom.degrees()[problem.field.index[Symbol(name)]])

@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.normal import Problem, coefficients, is_zero, simplify
+from rotsolve.algebra.exact.normal import Fractions, coefficients, is_zero, simplify
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -35,7 +35,7 @@ def antiderivative(f: Formula, name: str) -> Formula | None:
     """An antiderivative of a Laurent polynomial in `name`, or of sin, cos, exp of linear arguments; None otherwise."""
     if name not in f.symbols():
         return multiply(f, Symbol(name))
-    problem = Problem([f], extra=(name,))
+    problem = Fractions([f], extra=(name,))
     ring = problem.field
     num, den = ring.cancel(problem.ratio())
     i = ring.index[Symbol(name)]
@@ -88,7 +88,7 @@ def _atom_product(ring: Field, above: tuple[int, ...], below: tuple[int, ...]) -
     return result if exponent == ZERO else multiply(result, call("exp", exponent))
 
 
-def _logarithm(problem: Problem, num: Poly, powers: list[Poly], name: str) -> Formula | None:
+def _logarithm(problem: Fractions, num: Poly, powers: list[Poly], name: str) -> Formula | None:
     """∫ k/(a + b x) dx = (k/b) log(a + b x)."""
     ring = problem.field
     if len(powers) != 2 or num.degrees()[ring.index[Symbol(name)]]:
@@ -99,7 +99,7 @@ def _logarithm(problem: Problem, num: Poly, powers: list[Poly], name: str) -> Fo
     return multiply(problem.shaper.ratio(ring.cancel((num, powers[1]))), call("log", problem.shaper.poly(line)))
 
 
-def _of_term(problem: Problem, factor: Ratio, atom: Formula, n: int, name: str) -> Formula | None:
+def _of_term(problem: Fractions, factor: Ratio, atom: Formula, n: int, name: str) -> Formula | None:
     """∫ factor · atom · nameⁿ d(name)."""
     ring = problem.field
     x = Symbol(name)
@@ -194,7 +194,7 @@ def _of_root(root: Call, n: int, name: str) -> Formula | None:
 
 def _constant_slope(argument: Formula, name: str) -> Formula | None:
     """The slope of a linear argument, None where it is not linear."""
-    problem = Problem([differentiate(argument, name)])
+    problem = Fractions([differentiate(argument, name)])
     slope = problem.shortest(problem.ratio())
     return None if name in slope.symbols() or slope == ZERO else slope
 
@@ -265,7 +265,7 @@ def at_bounds(integral: Integral, tidy: Tidy) -> Formula | None:
     primitive = written_antiderivative(rest, name, tidy)
     if primitive is None:
         return None
-    terms = [tidy(term) for term in spread(primitive, name)]
+    terms = [tidy(term) for term in terms_of_antiderivative(primitive, name)]
     if len(terms) == 1:
         factor, terms[0] = split(terms[0], name)
         constant = tidy(multiply(constant, factor))
@@ -325,12 +325,12 @@ def split(f: Formula, name: str) -> tuple[Formula, Formula]:
     return ONE, f
 
 
-def spread(f: Formula, name: str) -> list[Formula]:
+def terms_of_antiderivative(f: Formula, name: str) -> list[Formula]:
     """The terms of an antiderivative: a factor in front of a sum goes to each."""
     if isinstance(f, Sum):
-        return [part for term in f.terms for part in spread(term, name)]
+        return [part for term in f.terms for part in terms_of_antiderivative(term, name)]
     constant, rest = split(f, name)
-    return [multiply(constant, part) for part in spread(rest, name)] if isinstance(rest, Sum) else [f]
+    return [multiply(constant, part) for part in terms_of_antiderivative(rest, name)] if isinstance(rest, Sum) else [f]
 
 
 def in_front(constant: Formula, value: Formula) -> Formula:

@@ -13,7 +13,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.calculus.integral import integrate, integrate_by_hand
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import Problem, simplify
+from rotsolve.algebra.exact.normal import Fractions, simplify
 from rotsolve.algebra.formula import (
     ONE,
     ZERO,
@@ -66,7 +66,7 @@ class Stretch(Struct, frozen=True):
 
     def _half_powers(self, f: Formula) -> Formula | None:
         """∫ p(x)/√x dx for a polynomial p, power by power: ∫ x^(n − ½) dx = x^n √x/(n + ½)."""
-        problem = Problem([self._tidy(f * sqrt(Symbol(self.name)))], self.order, self.positive, extra=(self.name,))
+        problem = Fractions([self._tidy(f * sqrt(Symbol(self.name)))], self.order, self.positive, extra=(self.name,))
         ring = problem.field
         top, bottom = ring.cancel(problem.ratio())
         if any((top * bottom).degrees()[i] for i in range(len(ring.atoms)) if ring.mentions(i, self.name)):
@@ -86,7 +86,7 @@ class Stretch(Struct, frozen=True):
 
     def _fraction(self, f: Formula) -> tuple[list[Formula], list[Formula]] | None:
         """Coefficients of the numerator and denominator by powers of the variable; None where it stands in a function."""
-        problem = Problem([f], self.order, self.positive, extra=(self.name,))
+        problem = Fractions([f], self.order, self.positive, extra=(self.name,))
         ring = problem.field
         top, bottom = problem.ratio()
         top, bottom = ring.cancel((ring.reduce(top), ring.reduce(bottom)))
@@ -196,14 +196,14 @@ Sign = Callable[[Formula], int | None]
 
 def in_closed_form(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
     """An integral in closed form; None where it has none that a page would hold."""
-    done = separated(node, sign, order, positive)
+    done = separated_integral(node, sign, order, positive)
     if done is not None:
         return done
     summed = integrate_by_hand if has_root(node.integrand, node.variable) else integrate
     return summed(node.integrand, node.variable, node.lower, node.upper, positive=positive)
 
 
-def separated(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
+def separated_integral(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
     """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""
     if not needs_care(node.integrand, node.variable):
         return None

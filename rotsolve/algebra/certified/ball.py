@@ -60,7 +60,7 @@ def decided_by_size() -> None:
         witness.by_size = True
 
 
-__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "resolve"]
+__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "with_values"]
 
 Values = Mapping[str, Formula | Fraction | int]
 BITS_PER_DIGIT = 3.3219280948873626
@@ -137,7 +137,7 @@ class Certified(Struct, frozen=True):
             return low <= number <= high and self.equals(number)
 
         for _ in range(ROUNDS):
-            text = settled(ball, digits, is_exactly)
+            text = agreed_text(ball, digits, is_exactly)
             if text is not None:
                 return text, digits
             wanted *= 2
@@ -146,7 +146,7 @@ class Certified(Struct, frozen=True):
                 break  # it is known no better
             ball = finer
         for fewer in range(digits - 1, 0, -1):
-            text = settled(ball, fewer, is_exactly)
+            text = agreed_text(ball, fewer, is_exactly)
             if text is not None:
                 return text, fewer
         return decimal_text(ball.mid(), digits=UNSURE), 0
@@ -159,7 +159,7 @@ class Certified(Struct, frozen=True):
             return self.ball
 
 
-def settled(ball: Ball, digits: int, is_exactly: Callable[[Fraction], bool]) -> str | None:
+def agreed_text(ball: Ball, digits: int, is_exactly: Callable[[Fraction], bool]) -> str | None:
     """The text on which both ends of a ball agree, an exact tie rounded away from zero; None where they do not."""
     low, high = ends(ball)
     if low == high == 0:
@@ -169,10 +169,10 @@ def settled(ball: Ball, digits: int, is_exactly: Callable[[Fraction], bool]) -> 
     first, last = rounded(low, digits), rounded(high, digits)
     if first == last:
         candidate = value_of(first, digits)
-        return written(*first, digits, low <= candidate <= high and is_exactly(candidate))
+        return decimal_notation(*first, digits, low <= candidate <= high and is_exactly(candidate))
     tie = value_of(rounded((low + high) / 2, digits + 1), digits + 1)
     if low <= tie <= high and is_exactly(tie):
-        return written(*rounded(tie, digits), digits, False)
+        return decimal_notation(*rounded(tie, digits), digits, False)
     return None
 
 
@@ -211,7 +211,7 @@ def value_of(mark: tuple[int, int], digits: int) -> Fraction:
     return mark[0] * Fraction(10) ** (mark[1] - digits + 1)
 
 
-def written(mantissa: int, exponent: int, digits: int, exact: bool) -> str:
+def decimal_notation(mantissa: int, exponent: int, digits: int, exact: bool) -> str:
     """A decimal as text: plain between 10⁻⁴ and 10⁶, else with a power of ten; trailing zeros go where it is exact."""
     sign = "−" if mantissa < 0 else ""
     figures = str(abs(mantissa))
@@ -228,7 +228,7 @@ def written(mantissa: int, exponent: int, digits: int, exact: bool) -> str:
     return f"{sign}{figures[: exponent + 1]}.{figures[exponent + 1 :]}"
 
 
-def resolve(f: Formula, values: Values) -> Formula:
+def with_values(f: Formula, values: Values) -> Formula:
     """The formula with all values put in, also values that are formulas of other values."""
     known = {name: formula(value) for name, value in values.items()}
     for _ in range(len(known) + 1):
@@ -263,13 +263,13 @@ def evaluate(
 
 
 def _equals(f: Formula, values: Values, number: Fraction) -> bool:
-    return is_zero(resolve(f, values) - number)
+    return is_zero(with_values(f, values) - number)
 
 
 def _zero(f: Formula, values: Values) -> bool:
     """Whether the value is exactly zero."""
     try:
-        return is_zero(resolve(f, values))
+        return is_zero(with_values(f, values))
     except ZeroDivisionError as error:
         raise Undefined("division by zero") from error
 

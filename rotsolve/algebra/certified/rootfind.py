@@ -7,7 +7,15 @@ from fractions import Fraction
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, Values, decided_by_size, ends, resolve
+from rotsolve.algebra.certified.ball import (
+    BITS_PER_DIGIT,
+    Certified,
+    Precision,
+    Values,
+    decided_by_size,
+    ends,
+    with_values,
+)
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
@@ -19,10 +27,6 @@ PLACES = tuple(
     Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891)
 )  # where an identity shows
 NARROW = 60  # bits of relative width below which an undecided interval is given up
-
-
-class NotCertified(ValueError):
-    """No root, or not exactly one, could be certified."""
 
 
 class Roots(Struct, frozen=True):
@@ -64,7 +68,7 @@ def real_roots(
 ) -> Roots:
     """All simple roots of f = 0 for `name` from low to high, within bounded work."""
     decided_by_size()
-    g = resolve(f, {key: value for key, value in values.items() if key != name})
+    g = with_values(f, {key: value for key, value in values.items() if key != name})
     function = _Function(g, differentiate(g, name), name)
     bits = int(digits * BITS_PER_DIGIT) + 64
     with Precision(bits):
@@ -79,7 +83,7 @@ def is_identity(f: Formula, name: str, values: Values, reach: int) -> bool:
 
     It finds what the exact layer can't know of letters: ln(u/v) + ln(v/u), where the signs of u and v depend on the unknown.
     """
-    g = resolve(f, {key: value for key, value in values.items() if key != name})
+    g = with_values(f, {key: value for key, value in values.items() if key != name})
     function = _Function(g, g, name)
     told = [_vanishes(function, reach * place) for place in PLACES]
     return sum(one is not None for one in told) > 1 and all(one is not False for one in told)
@@ -87,7 +91,7 @@ def is_identity(f: Formula, name: str, values: Values, reach: int) -> bool:
 
 def _end(value: Formula | Fraction | int, values: Values, upper: bool) -> Fraction:
     """An end of the interval as a fraction, rounded outwards."""
-    resolved = resolve(formula(value), values)
+    resolved = with_values(formula(value), values)
     if isinstance(resolved, Number):
         return resolved.value
     return ends(RealBalls({})(resolved))[1 if upper else 0]
@@ -192,19 +196,3 @@ def _halve(function: _Function, box: Ball, new: Ball) -> Ball:
     same = (function(low) > 0) == (at > 0)
     half = middle.union(high) if same else low.union(middle)
     return new.intersection(half) if new.overlaps(half) else half
-
-
-def find_root(
-    f: Formula,
-    name: str,
-    values: Values,
-    low: Formula | Fraction | int,
-    high: Formula | Fraction | int,
-    digits: int = 15,
-) -> Certified:
-    """The only root of f = 0 between low and high; NotCertified where there is none, more than one, or doubt."""
-    found = real_roots(f, name, values, low, high, digits)
-    if not found.complete or len(found.roots) != 1:
-        doubt = "" if found.complete else ", and there may be more"
-        raise NotCertified(f"{len(found.roots)} roots for {name} in the interval{doubt}")
-    return found.roots[0]

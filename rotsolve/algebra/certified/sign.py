@@ -10,9 +10,9 @@ from collections.abc import Callable, Collection, Mapping
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, resolve
+from rotsolve.algebra.certified.ball import Certified, evaluate, with_values
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.exact.normal import Problem, simplify
+from rotsolve.algebra.exact.normal import Fractions, simplify
 from rotsolve.algebra.formula import ZERO, Formula
 
 ACUTE = "acute"
@@ -83,7 +83,7 @@ class SignOracle(Struct, frozen=True):
         sign = self.by_numbers(value)
         if sign is not None or not self.lacking(value):
             return sign
-        value = simplify(resolve(value, self.values), positive=self.positive)
+        value = simplify(with_values(value, self.values), positive=self.positive)
         return 0 if value == ZERO else sign_within(value, value.symbols())
 
 
@@ -91,7 +91,7 @@ def sign_within(value: Formula, positive: Collection[str], acute: Collection[str
     """The sign of a formula above and below the line, where positive letters and acute angles tell it."""
     from rotsolve.algebra.exact.field import PolynomialSigns
 
-    problem = Problem([value], positive=positive)
+    problem = Fractions([value], positive=positive)
     parts = problem.field.cancel(problem.ratio())
     signs = PolynomialSigns(problem.field, positive, acute)
     found = [1 if signs.nonnegative(part) else -1 if signs.nonnegative(-part) else 0 for part in parts]

@@ -47,7 +47,7 @@ def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
     if inside is None:
         return None
     ends = (node.lower, node.upper)
-    rest = [_vanishes(inside.substitute({node.variable: end}), balls) for end in ends]
+    rest = [_vanishes_there(inside.substitute({node.variable: end}), balls) for end in ends]
     if not any(rest):
         return None
     middle = HALF * (node.lower + node.upper)
@@ -65,13 +65,13 @@ def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
     return -sign * _from_end(node, inside, ends[1], ends[0], balls)
 
 
-def _vanishes(value: Formula, balls: RealBalls) -> bool:
-    from rotsolve.algebra.certified.ball import resolve
+def _vanishes_there(value: Formula, balls: RealBalls) -> bool:
+    from rotsolve.algebra.certified.ball import with_values
     from rotsolve.algebra.certified.balls import Undefined
 
     try:
         ball = balls(value)
-        return bool(ball.is_finite() and ball.contains(0)) and is_zero(resolve(value, balls.values))
+        return bool(ball.is_finite() and ball.contains(0)) and is_zero(with_values(value, balls.values))
     except (Undefined, ZeroDivisionError):
         return False
 

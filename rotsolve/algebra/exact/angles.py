@@ -132,7 +132,7 @@ def multiple(pair: SinCos, n: int) -> SinCos:
     return total(parts[1]), total(parts[0])
 
 
-def _roots(*terms: tuple[int, int, int]) -> Formula:
+def _sum_of_roots(*terms: tuple[int, int, int]) -> Formula:
     """Σ p √n / q for (p, n, q) with n among 1, 2, 3, 6."""
     found: Formula = ZERO
     for p, n, q in terms:
@@ -146,9 +146,9 @@ def _roots(*terms: tuple[int, int, int]) -> Formula:
 
 _TWELFTHS: dict[int, SinCos] = {  # multiples of π/12 up to π/4
     0: (ZERO, ONE),
-    1: (_roots((1, 6, 4), (-1, 2, 4)), _roots((1, 6, 4), (1, 2, 4))),
-    2: (_roots((1, 1, 2)), _roots((1, 3, 2))),
-    3: (_roots((1, 2, 2)), _roots((1, 2, 2))),
+    1: (_sum_of_roots((1, 6, 4), (-1, 2, 4)), _sum_of_roots((1, 6, 4), (1, 2, 4))),
+    2: (_sum_of_roots((1, 1, 2)), _sum_of_roots((1, 3, 2))),
+    3: (_sum_of_roots((1, 2, 2)), _sum_of_roots((1, 2, 2))),
 }
 
 

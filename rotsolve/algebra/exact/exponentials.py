@@ -23,7 +23,7 @@ from rotsolve.algebra.formula import (
 Tidy = Callable[[Formula], Formula]
 
 
-def spread(node: Formula, tidy: Tidy) -> Formula:
+def with_fewest_exponentials(node: Formula, tidy: Tidy) -> Formula:
     """A product of a sum and an exponential multiplied out where that makes an exponential of the sum go away."""
     if not isinstance(node, Product):
         return node

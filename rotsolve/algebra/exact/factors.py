@@ -61,7 +61,7 @@ def _squares(first: Terms, other: Terms) -> Terms | None:
     return {tuple(2 * e for e in one): a * c, tuple(2 * e for e in two): b * d}
 
 
-class Factors:
+class Factorization:
     """Takes the fractions of one field into factors; only names in `positive` are taken to be positive."""
 
     def __init__(self, ring: Field, positive: Collection[str] = ()) -> None:

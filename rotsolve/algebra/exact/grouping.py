@@ -150,7 +150,7 @@ TRIED = (4, 1)  # ways to group a long sum that are measured, and a sum in it; t
 Group = list[tuple[int, int]]  # some terms of a sum
 
 
-class Piece(Struct, frozen=True):
+class FactoredGroup(Struct, frozen=True):
     """A group in factors: number · monomial · sums^powers, and how many letters there are to read in them."""
 
     group: Packed
@@ -165,11 +165,11 @@ class Piece(Struct, frozen=True):
         return abs(self.number) == 1 and not self.monomial and len(self.sums) == 1 and self.sums[0][1] == 1
 
 
-class Plan(Struct, frozen=True):
+class SumPlan(Struct, frozen=True):
     """How a sum is written: with so many nodes, in these groups; none where term by term."""
 
     nodes: int
-    pieces: Sequence[Piece] = ()
+    pieces: Sequence[FactoredGroup] = ()
 
 
 class Grouping:
@@ -180,10 +180,10 @@ class Grouping:
         self.order = order
         self.nodes = [length(atom) for atom in ring.atoms]
         self.terms: dict[int, tuple[int, int, int]] = {}
-        self.pieces: dict[Packed, Piece] = {}
-        self.plans: dict[tuple[int, Packed], Plan] = {}
+        self.pieces: dict[Packed, FactoredGroup] = {}
+        self.plans: dict[tuple[int, Packed], SumPlan] = {}
 
-    def groups(self, terms: Terms, depth: int) -> Sequence[Piece]:
+    def groups(self, terms: Terms, depth: int) -> Sequence[FactoredGroup]:
         """The groups of a long sum, in factors and in their order; none where it reads as well term by term."""
         if not FEWEST <= len(terms) <= MOST or depth >= len(TRIED):
             return ()
@@ -210,7 +210,7 @@ class Grouping:
             whole += nodes + number + (factors + number > 1) + (c < 0 < factors)
         return whole
 
-    def _size(self, piece: Piece, depth: int) -> int:
+    def _size(self, piece: FactoredGroup, depth: int) -> int:
         """The nodes of a group, whose brackets stand so deep; those of its terms where it runs on in the sum round it."""
         nodes, factors, _ = self._term(piece.monomial)
         if piece.number not in (1, -1):
@@ -223,12 +223,12 @@ class Grouping:
             factors += 1
         return nodes - 1 if piece.is_sum else nodes + (factors > 1) + minus
 
-    def _sizes(self, pieces: Sequence[Piece], depth: int) -> int:
+    def _sizes(self, pieces: Sequence[FactoredGroup], depth: int) -> int:
         return 1 + sum([self._size(piece, depth) for piece in pieces])
 
     # which groups
 
-    def _plan(self, packed: Packed, depth: int) -> Plan:
+    def _plan(self, packed: Packed, depth: int) -> SumPlan:
         """In groups where that is much shorter than term by term, or two brackets: m₂ (u − v) − m₁ (u + v)."""
         key = depth, packed
         plan = self.plans.get(key)
@@ -236,11 +236,11 @@ class Grouping:
             plan = self.plans[key] = self._planned(packed, depth)
         return plan
 
-    def _planned(self, packed: Packed, depth: int) -> Plan:
+    def _planned(self, packed: Packed, depth: int) -> SumPlan:
         plain = least = self._plain(packed)
         if depth == len(TRIED) or not FEWEST <= len(packed) <= MOST:
-            return Plan(plain)
-        best = list[Piece]()
+            return SumPlan(plain)
+        best = list[FactoredGroup]()
         for groups in sorted(self._ways(packed), key=self._reading)[: TRIED[depth]]:
             pieces = [self._piece(tuple(group)) for group in groups]
             size = self._sizes(pieces, depth + 1)
@@ -248,15 +248,15 @@ class Grouping:
             if size < least and (pair or 5 * size <= 4 * plain):
                 least, best = size, pieces
         if not best:
-            return Plan(plain)
+            return SumPlan(plain)
         best = self._merged(sorted(best, key=self._place), packed, depth + 1)
-        return Plan(self._sizes(best, depth + 1), best)
+        return SumPlan(self._sizes(best, depth + 1), best)
 
-    def _place(self, piece: Piece) -> tuple[object, ...]:
+    def _place(self, piece: FactoredGroup) -> tuple[object, ...]:
         """Where a group stands: with the first of its terms."""
         return min(self.order.key(self.monomials.exponents(m)) for m, _ in piece.group)
 
-    def _merged(self, pieces: list[Piece], packed: Packed, depth: int) -> list[Piece]:
+    def _merged(self, pieces: list[FactoredGroup], packed: Packed, depth: int) -> list[FactoredGroup]:
         """The groups with two of them put together where that makes a product: 2 m u − 2 m v is 2 m (u − v)."""
         for k, one in enumerate(pieces if len(pieces) > 2 else ()):
             for other in pieces[k + 1 :]:
@@ -291,12 +291,14 @@ class Grouping:
         _, count, degree = self._term(self.monomials.common(monomials))
         return 2 * count + sum([self._term(m)[2] for m in monomials]) + (1 - degree) * len(group)
 
-    def _piece(self, packed: Packed) -> Piece:
+    def _piece(self, packed: Packed) -> FactoredGroup:
         """A group in factors."""
         if packed not in self.pieces:
             number, monomial, sums = self.monomials.factored(packed)
             degrees = [1 + self._term(m)[2] for one, _ in sums for m, _ in one]
-            self.pieces[packed] = Piece(packed, number, monomial, sums, 2 * self._term(monomial)[1] + sum(degrees))
+            self.pieces[packed] = FactoredGroup(
+                packed, number, monomial, sums, 2 * self._term(monomial)[1] + sum(degrees)
+            )
         return self.pieces[packed]
 
 

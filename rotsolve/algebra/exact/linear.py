@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 
 from rotsolve.algebra.exact.field import Field, Poly, Ratio
-from rotsolve.algebra.exact.normal import REMEMBERED, Problem, concerning, expanded
+from rotsolve.algebra.exact.normal import REMEMBERED, Fractions, concerning, expanded
 from rotsolve.algebra.formula import Formula, Symbol
 
 Row = dict[int, Poly]  # generator of the unknown -> coefficient; CONSTANT -> the rest
@@ -14,21 +14,11 @@ CONSTANT = -1
 
 
 class Singular(ValueError):
-    """The equations do not settle the asked unknown; tells which equation says nothing new, or contradicts."""
-
-    def __init__(self, words: str, *, redundant: int | None = None, contradiction: int | None = None) -> None:
-        super().__init__(words)
-        self.redundant = redundant
-        self.contradiction = contradiction
+    """The equations do not settle all unknowns, or contradict each other."""
 
 
 class NotLinear(ValueError):
-    """An equation is not linear in the unknowns; tells which."""
-
-    def __init__(self, equation: int, unknown: str) -> None:
-        super().__init__(f"equation {equation + 1} is not linear in {unknown}")
-        self.equation = equation
-        self.unknown = unknown
+    """An equation is not linear in the unknowns."""
 
 
 def solve_linear(
@@ -46,32 +36,15 @@ def _solve_linear(f: Formula, unknown: str, order: tuple[str, ...], positive: fr
     return problem.shortest((-parts[0], parts[1]))
 
 
-def solve_system(
-    equations: Sequence[Formula],
-    unknowns: Sequence[str],
-    asked: str,
-    order: Sequence[str] = (),
-    positive: Collection[str] = (),
-) -> Formula:
-    """The asked unknown from equations (each a formula that is zero) that are linear in the unknowns."""
-    problem = Problem(equations, order, positive, extra=unknowns)
-    columns = _columns(problem, unknowns)
-    rows = _rows(problem, columns)
-    target = problem.field.index[Symbol(asked)]
-    pivots = _eliminate(problem.field, rows, set(columns) - {target})
-    return _read_off(problem, rows, set(pivots.values()), target, asked)
-
-
 def solve_all(
     equations: Sequence[Formula], unknowns: Sequence[str], order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> dict[str, Formula]:
     """All unknowns from equations (each a formula that is zero) that are linear in them, by one elimination."""
-    problem = Problem(equations, order, positive, extra=unknowns)
-    ratios = eliminated(problem, unknowns)
-    return {name: problem.shortest(ratios[name]) for name in unknowns}
+    problem = Fractions(equations, order, positive, extra=unknowns)
+    return {name: problem.shortest(ratio) for name, ratio in eliminated(problem, unknowns).items()}
 
 
-def eliminated(problem: Problem, unknowns: Sequence[str]) -> dict[str, Ratio]:
+def eliminated(problem: Fractions, unknowns: Sequence[str]) -> dict[str, Ratio]:
     """All unknowns of a linear problem as fractions in lowest terms, not yet written as a textbook would."""
     ring, columns = problem.field, _columns(problem, unknowns)
     rows = _rows(problem, columns)
@@ -79,7 +52,7 @@ def eliminated(problem: Problem, unknowns: Sequence[str]) -> dict[str, Ratio]:
     used = set(pivots.values())
     for k, row in rows.items():
         if k not in used and row:
-            raise Singular(f"equation {k + 1} contradicts the others", contradiction=k)
+            raise Singular(f"equation {k + 1} contradicts the others")
     missing = next((name for i, name in columns.items() if i not in pivots), None)
     if missing is not None:
         raise Singular(f"{missing} is not settled: too few equations")
@@ -104,12 +77,12 @@ def _solved(ring: Field, row: Row, column: int, found: Mapping[int, Ratio]) -> R
     return ring.cancel((ring.reduce(-above), ring.reduce(below * row[column])))
 
 
-def _columns(problem: Problem, unknowns: Sequence[str]) -> dict[int, str]:
+def _columns(problem: Fractions, unknowns: Sequence[str]) -> dict[int, str]:
     """The generators of the unknowns."""
     return {problem.field.index[Symbol(name)]: name for name in unknowns}
 
 
-def _rows(problem: Problem, columns: dict[int, str]) -> dict[int, Row]:
+def _rows(problem: Fractions, columns: dict[int, str]) -> dict[int, Row]:
     """The equations as coefficients of the unknowns and the rest."""
     ring = problem.field
     bound = {  # the roots, sines and the like that hold an unknown
@@ -122,20 +95,20 @@ def _rows(problem: Problem, columns: dict[int, str]) -> dict[int, Row]:
     return {k: _row(problem, k, columns, bound) for k in range(len(problem.formulas))}
 
 
-def _row(problem: Problem, k: int, columns: dict[int, str], bound: Mapping[int, str]) -> Row:
+def _row(problem: Fractions, k: int, columns: dict[int, str], bound: Mapping[int, str]) -> Row:
     """Equation k as coefficients of the unknowns and the rest; refused where an unknown is `bound` in a root or a sine."""
     ring = problem.field
     poly = problem.numerator(k)
     degrees = poly.degrees()
     for j, name in bound.items():
         if degrees[j]:
-            raise NotLinear(k, name)
+            raise NotLinear(f"equation {k + 1} is not linear in {name}")
     row: Row = {}
     for i in (i for i in columns if degrees[i]):
         slope = poly.derivative(i)
         held = () if slope.is_constant() else slope.degrees()
         if degrees[i] > 1 or (held and any(held[j] for j in columns)):
-            raise NotLinear(k, columns[i])
+            raise NotLinear(f"equation {k + 1} is not linear in {columns[i]}")
         row[i] = slope
         poly = poly - slope * ring.gens[i]
     if len(poly):
@@ -201,25 +174,3 @@ def _primitive(row: Row) -> Row:
         if common.is_one():
             return row
     return row if common is None else {i: value / common for i, value in row.items()}
-
-
-def _read_off(problem: Problem, rows: dict[int, Row], used: set[int], target: int, asked: str) -> Formula:
-    """The asked unknown from the rows that are left; Singular when they contradict or say nothing."""
-    ring = problem.field
-    answer: Row = {}
-    redundant: int | None = None
-    for k, row in rows.items():
-        if k in used:
-            continue
-        if answer and target in row:
-            row = _combine(ring, row, answer, target)
-        elif target in row:
-            answer = row
-            continue
-        if set(row) == {CONSTANT}:
-            raise Singular(f"equation {k + 1} contradicts the others", contradiction=k)
-        redundant = k if redundant is None and not row else redundant
-    if not answer:
-        words = f"equation {redundant + 1} says nothing new" if redundant is not None else "too few equations"
-        raise Singular(f"{asked} is not settled: {words}", redundant=redundant)
-    return problem.shortest((ring.zero - answer.get(CONSTANT, ring.zero), answer[target]))

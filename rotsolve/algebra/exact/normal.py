@@ -20,7 +20,7 @@ LATELY = 64  # formulas of which the polynomials are kept: an equation is asked 
 VARIANT_LIMIT = 200  # terms; a fraction this long is no textbook answer in any form
 
 
-class Problem:
+class Fractions:
     """Formulas that are handled together: rewritten, with one field for all."""
 
     def __init__(
@@ -106,7 +106,7 @@ def is_zero(f: Formula, positive: Collection[str] = frozenset()) -> bool:
 
 @lru_cache(REMEMBERED)
 def _is_zero(f: Formula, positive: frozenset[str]) -> bool:
-    problem = Problem([f], positive=positive, split_logs=True)
+    problem = Fractions([f], positive=positive, split_logs=True)
     num, _ = problem.ratio()
     return not len(problem.field.reduce(num))
 
@@ -126,7 +126,7 @@ def simplify(f: Formula, *, order: Sequence[str] = (), positive: Collection[str]
 
 @lru_cache(REMEMBERED)
 def _simplify(f: Formula, order: tuple[str, ...], positive: frozenset[str]) -> Formula:
-    problem = Problem([f], order, positive)
+    problem = Fractions([f], order, positive)
     return problem.shortest(problem.ratio())
 
 
@@ -156,13 +156,13 @@ def degree(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Col
 @lru_cache(LATELY)
 def expanded(
     f: Formula, unknown: str, order: tuple[str, ...], positive: frozenset[str]
-) -> tuple[Problem, list[Poly] | None]:
+) -> tuple[Fractions, list[Poly] | None]:
     """The numerator of f by powers of the unknown, and the problem in which it is; None when the unknown is inside an atom."""
-    problem = Problem([f], order, positive, extra=(unknown,))
+    problem = Fractions([f], order, positive, extra=(unknown,))
     return problem, polynomial(problem, unknown)
 
 
-def polynomial(problem: Problem, unknown: str) -> list[Poly] | None:
+def polynomial(problem: Fractions, unknown: str) -> list[Poly] | None:
     """The numerator of the problem's formula by powers of the unknown; None when it is inside an atom."""
     ring = problem.field
     num = problem.numerator()

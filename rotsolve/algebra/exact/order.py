@@ -162,13 +162,13 @@ def assembled(number: Fraction, root: int, outer: list[Item], inner: list[Item])
 def written_term(number: int, items: list[Item]) -> Formula:
     """A whole number times powers of letters."""
     whole = Number(Fraction(number)) if number != 1 else ONE
-    return _times(whole, _product(items))
+    return _times(whole, _assembled_product(items))
 
 
 def written_fraction(number: Fraction, items: list[Item], *, rooted: bool = False) -> Formula:
     """number · base^power · …, negative powers below the line; ½, ⅖, 1/12 in front if nothing else is below (no root)."""
-    above = _product([item for item in items if item[2] > 0])
-    below = _product([(rank, base, -e) for rank, base, e in items if e < 0])
+    above = _assembled_product([item for item in items if item[2] > 0])
+    below = _assembled_product([(rank, base, -e) for rank, base, e in items if e < 0])
     p, q = number.numerator, number.denominator
     leads = not rooted and (p == 1 or number in GLYPHS)
     if below == ONE and above != ONE and leads and (isinstance(above, Sum) or above.symbols()):
@@ -183,7 +183,7 @@ def _times(number: Number, rest: Formula) -> Formula:
     return Product((number, *(rest.factors if isinstance(rest, Product) else (rest,))))
 
 
-def _product(items: list[Item]) -> Formula:
+def _assembled_product(items: list[Item]) -> Formula:
     if len(items) > 1:
         items = sorted(items, key=_RANK)
     factors = tuple([base if e == 1 else Power(base, Number(Fraction(e))) for _, base, e in items])

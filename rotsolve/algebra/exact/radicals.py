@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from fractions import Fraction
 
-from rotsolve.algebra.exact.factors import Factors
+from rotsolve.algebra.exact.factors import Factorization
 from rotsolve.algebra.exact.field import Field, Poly, PolynomialSigns
 from rotsolve.algebra.exact.order import square_part
 from rotsolve.algebra.exact.shape import Shaper
@@ -46,7 +46,7 @@ class Radicals:
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
         if not len(num):
             return ring, Fraction(0), [], PolynomialSigns(ring, self.positive)
-        parts = Factors(ring).of_ratio((num, den))
+        parts = Factorization(ring).of_ratio((num, den))
         factors = [(ring.gens[i], e) for i, e in parts.gens.items()]
         factors += [(ring.poly(terms), e) for terms, e in parts.sums]
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are

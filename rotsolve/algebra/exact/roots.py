@@ -10,7 +10,7 @@ from msgspec import Struct
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.field import Poly
 from rotsolve.algebra.exact.linear import solve_linear
-from rotsolve.algebra.exact.normal import Problem, concerning, expanded, simplify
+from rotsolve.algebra.exact.normal import Fractions, concerning, expanded, simplify
 from rotsolve.algebra.formula import (
     PI,
     ZERO,
@@ -43,24 +43,26 @@ def solve_polynomial(
     if parts is None or len(parts) < 2:
         return []
     if len(parts) <= 3:
-        return _roots(problem, parts, order, positive)
+        return _quadratic_roots(problem, parts, order, positive)
     place = problem.field.index[Symbol(unknown)]
     _, factors = problem.field.factor(problem.numerator())
     split = [problem.field.coefficients(factor, place) for factor, _ in factors]
     found: list[Formula] = []
     for factor in split:
         if len(factor) == 5 and not any(len(part) for part in factor[1::2]):
-            squares = _roots(problem, factor[::2], order, positive)
+            squares = _quadratic_roots(problem, factor[::2], order, positive)
             roots = [simplify(sqrt(square), order=order, positive=positive) for square in squares]
             found += [root for size in roots for root in (size, negate(size))]
         elif len(factor) > 3:
             return []
         elif len(factor) > 1:
-            found += _roots(problem, factor, order, positive)
+            found += _quadratic_roots(problem, factor, order, positive)
     return found
 
 
-def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positive: Collection[str]) -> list[Formula]:
+def _quadratic_roots(
+    problem: Fractions, parts: Sequence[Poly], order: Sequence[str], positive: Collection[str]
+) -> list[Formula]:
     """The roots of c₀ + c₁ x + c₂ x²."""
     if len(parts) == 2:
         return [problem.shortest((-parts[0], parts[1]))]
@@ -90,7 +92,7 @@ def _roots(problem: Problem, parts: Sequence[Poly], order: Sequence[str], positi
     return found
 
 
-def _square_root(problem: Problem, poly: Poly) -> Poly | None:
+def _square_root(problem: Fractions, poly: Poly) -> Poly | None:
     """The root of a polynomial that is a perfect square, None of any other."""
     content, factors = problem.field.factor(poly)
     if content < 0 or isqrt(content) ** 2 != content or any(e % 2 for _, e in factors):
@@ -108,7 +110,7 @@ def solve_trig(
 
     Handles A sin + B cos + C = 0, quadratics in the sine alone or the cosine alone, and products of these.
     """
-    problem = Problem([f], order, positive)
+    problem = Fractions([f], order, positive)
     ring = problem.field
     num = problem.numerator()
     degrees = num.degrees()
@@ -138,7 +140,7 @@ def _unwrap(argument: Formula, unknown: str, value: Formula) -> list[Formula]:
 
 
 def _angle_roots(
-    problem: Problem, num: Poly, pair: tuple[int, int, Poly], order: Sequence[str], positive: Collection[str]
+    problem: Fractions, num: Poly, pair: tuple[int, int, Poly], order: Sequence[str], positive: Collection[str]
 ) -> list[tuple[Formula, str]] | None:
     """All angles with their forms; None where one of the factors has no closed form, since its roots may be those that are meant."""
     ring = problem.field
@@ -155,7 +157,7 @@ def _angle_roots(
             return None if None in found else [root for roots in found for root in roots or ()]
     for i, name in ((s, "asin"), (c, "acos")):
         if not degrees[s + c - i] and degrees[i] <= 2:
-            values = _roots(problem, ring.coefficients(num, i), order, positive)
+            values = _quadratic_roots(problem, ring.coefficients(num, i), order, positive)
             return [root for value in values for root in _inverse(name, value)]
     if degrees[c] > 1 or degrees[s] > 1:
         return None

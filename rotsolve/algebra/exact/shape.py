@@ -11,9 +11,9 @@ from fractions import Fraction
 from functools import cached_property, partial
 from math import prod
 
-from rotsolve.algebra.exact.factors import Exponent, Factors, Parts, negative, singles, taken_apart
+from rotsolve.algebra.exact.factors import Exponent, Factorization, Parts, negative, singles, taken_apart
 from rotsolve.algebra.exact.field import Field, Poly, Ratio, Terms, generator_of
-from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, Grouping, Piece
+from rotsolve.algebra.exact.grouping import FEWEST, MOST, TRIED, FactoredGroup, Grouping
 from rotsolve.algebra.exact.order import (
     Item,
     Order,
@@ -35,7 +35,7 @@ class Shaper:
 
     def __init__(self, ring: Field, order: Sequence[str] = (), positive: Collection[str] = ()) -> None:
         self.field = ring
-        self.factors = Factors(ring, positive)
+        self.factors = Factorization(ring, positive)
         self.order = Order(ring, order, self.factors.radicands)
         self.written: dict[object, Formula] = {}  # long sums, by depth and terms
         self.depth = 0  # how many long sums stand round the one that is written
@@ -82,7 +82,7 @@ class Shaper:
         shown = written_term(number, items) if below == 1 else written_fraction(Fraction(number, below), items)
         return shown if coefficient > 0 else negate(shown)
 
-    def _in_factors(self, piece: Piece) -> Formula:
+    def _in_factors(self, piece: FactoredGroup) -> Formula:
         """A group of a long sum."""
         terms = self.grouping.monomials.terms
         parts = self.factors.gathered(Fraction(piece.number), [(terms(packed), e) for packed, e in piece.sums])

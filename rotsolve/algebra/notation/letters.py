@@ -163,15 +163,3 @@ def name_to_latex(name: str) -> str:
     text = rf"\Delta {_latex_head(letter.head)}" if letter.change else _latex_head(letter.head)
     text += (f"_{{{below}}}" if below else "") + PRIME * letter.prime
     return f"{text}({name_to_latex(letter.of)})" if letter.of else text
-
-
-def same_text(names: list[str] | tuple[str, ...] | frozenset[str]) -> tuple[tuple[str, str], ...]:
-    """Pairs of names that print alike, such as `x1` and `x_1`: a scene should not have both."""
-    seen: dict[str, str] = {}
-    pairs: list[tuple[str, str]] = []
-    for name in sorted(names):
-        text = name_to_text(name)
-        if text in seen:
-            pairs.append((seen[text], name))
-        seen.setdefault(text, name)
-    return tuple(pairs)

@@ -25,7 +25,7 @@ def mathml(formula: Formula) -> str:
     return typeset(formula, MARKS)
 
 
-def letter(name: str) -> str:
+def letter_to_mathml(name: str) -> str:
     """An ASCII name as a letter with what stands below it: θ₀, a_end; a name that is no letter, such as a path, as text."""
     found = parts(name)
     if found is None:
@@ -38,7 +38,7 @@ def letter(name: str) -> str:
         result = f"<msup>{result}<mo>′</mo></msup>"
     if found.change:
         result = row(UPRIGHT("Δ") + result)
-    return row(result + brackets(letter(found.of))) if found.of else result
+    return row(result + brackets(letter_to_mathml(found.of))) if found.of else result
 
 
 def identifier(head: str) -> str:
@@ -55,7 +55,7 @@ def subscript(text: str) -> str:
 
 
 @lru_cache(1000)
-def unit(text: str) -> str:
+def unit_to_mathml(text: str) -> str:
     """A unit as it is printed, `kg m²/s`, upright and with raised powers."""
     return row("".join(map(unit_part, UNIT.finditer(text))))
 
@@ -84,7 +84,7 @@ def integral(lower: str, upper: str, body: str, variable: str) -> str:
 
 MARKS = Marks(
     number="<mn>{}</mn>".format,
-    letter=letter,
+    letter=letter_to_mathml,
     function="<mi>{}</mi>".format,
     row=row,
     signs=Signs("<mo>+</mo>", "<mo>−</mo>", "<mo>−</mo>", brackets),

@@ -56,14 +56,14 @@ def typeset(formula: Formula, marks: Marks) -> str:
     return _set(formula, marks)[0]
 
 
-def _wrap(piece: Piece, level: int, marks: Marks) -> str:
+def _bracketed(piece: Piece, level: int, marks: Marks) -> str:
     return piece[0] if piece[1] >= level else marks.signs.brackets(piece[0])
 
 
 def _set(formula: Formula, marks: Marks) -> Piece:
     positive = unsigned(formula)
     if positive is not None:
-        return marks.row(marks.signs.first + _wrap(_set(positive, marks), PRODUCT, marks)), NEGATIVE
+        return marks.row(marks.signs.first + _bracketed(_set(positive, marks), PRODUCT, marks)), NEGATIVE
     match formula:
         case Number(value):
             text = number_to_text(value)
@@ -78,27 +78,27 @@ def _set(formula: Formula, marks: Marks) -> Piece:
         case Sum():
             return marks.number("0"), ATOM
         case Product(factors):
-            return (marks.row(_product(factors, marks)), PRODUCT) if factors else (marks.number("1"), ATOM)
+            return (marks.row(_set_product(factors, marks)), PRODUCT) if factors else (marks.number("1"), ATOM)
         case Quotient(numerator, denominator):
             return marks.fraction(_set(numerator, marks)[0], _set(denominator, marks)[0]), QUOTIENT
         case Power(base, exponent):
             raised = _set(exponent, marks)[0]
             if is_function(formula) and isinstance(base, Call):
-                return _call(base.function, base.arguments, marks, raised)
-            return marks.power(_wrap(_set(base, marks), ATOM, marks), raised), POWER
+                return _set_call(base.function, base.arguments, marks, raised)
+            return marks.power(_bracketed(_set(base, marks), ATOM, marks), raised), POWER
         case Call(function, arguments):
-            return _call(function, arguments, marks)
+            return _set_call(function, arguments, marks)
         case Integral(integrand, variable, lower, upper):
-            body = _wrap(_set(integrand, marks), PRODUCT, marks)
+            body = _bracketed(_set(integrand, marks), PRODUCT, marks)
             bounds = _set(lower, marks)[0], _set(upper, marks)[0]
             return marks.integral(*bounds, body, marks.letter(variable)), NEGATIVE
     raise TypeError(f"no way to set {formula!r}")
 
 
-def _product(factors: tuple[Formula, ...], marks: Marks) -> str:
+def _set_product(factors: tuple[Formula, ...], marks: Marks) -> str:
     text = ""
     for index, factor in enumerate(factors):
-        body = _wrap(_set(factor, marks), QUOTIENT, marks)
+        body = _bracketed(_set(factor, marks), QUOTIENT, marks)
         last = index == len(factors) - 1
         if trails(factor) and not _is_root(factor) and not last and not is_function(factors[index + 1]):
             body = marks.signs.brackets(body)
@@ -125,7 +125,7 @@ def _starts_with_digit(formula: Formula) -> bool:
     return False
 
 
-def _call(function: str, arguments: tuple[Formula, ...], marks: Marks, raised: str = "") -> Piece:
+def _set_call(function: str, arguments: tuple[Formula, ...], marks: Marks, raised: str = "") -> Piece:
     inner = marks.comma.join(_set(argument, marks)[0] for argument in arguments)
     if function == "abs":
         return marks.bars(inner), ATOM

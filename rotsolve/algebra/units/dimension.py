@@ -204,14 +204,14 @@ def _dimension(formula: Formula, symbols: Mapping[str, Dimension]) -> Dimension 
         case Sum(terms):
             return _common(terms, symbols)
         case Product(factors):
-            return _product(factors, symbols)
+            return _product_dimension(factors, symbols)
         case Quotient(numerator, denominator):
             above, below = _dimension(numerator, symbols), _dimension(denominator, symbols)
             return None if above is None else above / (below or NONE)
         case Power(base, exponent):
-            return _power(base, exponent, symbols)
+            return _power_dimension(base, exponent, symbols)
         case Call(function, arguments):
-            return _call(function, arguments, symbols)
+            return _call_dimension(function, arguments, symbols)
         case Integral():
             return _integral(formula, symbols)
     raise TypeError(f"no dimension for {formula!r}")
@@ -239,7 +239,7 @@ def _say(formula: Formula) -> str:
     return to_text(formula.operand if isinstance(formula, Negative) else formula)
 
 
-def _product(factors: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
+def _product_dimension(factors: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
     result = NONE
     zero = False
     for factor in factors:
@@ -249,7 +249,7 @@ def _product(factors: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> 
     return None if zero else result
 
 
-def _power(base: Formula, exponent: Formula, symbols: Mapping[str, Dimension]) -> Dimension | None:
+def _power_dimension(base: Formula, exponent: Formula, symbols: Mapping[str, Dimension]) -> Dimension | None:
     above = _dimension(exponent, symbols)
     if above is not None and not above.matches(NONE):
         raise DimensionError(f"the exponent {_say(exponent)} is {describe(above, article=True)}, not a pure number")
@@ -265,7 +265,9 @@ def _power(base: Formula, exponent: Formula, symbols: Mapping[str, Dimension]) -
     return NONE
 
 
-def _call(function: str, arguments: tuple[Formula, ...], symbols: Mapping[str, Dimension]) -> Dimension | None:
+def _call_dimension(
+    function: str, arguments: tuple[Formula, ...], symbols: Mapping[str, Dimension]
+) -> Dimension | None:
     if function == "atan2":
         _common(arguments, symbols)
         return ANGLE

@@ -20,9 +20,9 @@ from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Produ
 from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
 from rotsolve.algebra.notation.tokens import NUMBER, FormulaError, read_number, suggest
 from rotsolve.algebra.units.dimension import NONE, Dimension, Exponent, base_unit_text, kind_of, unit_power
-from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, times_pi
+from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, power_of_pi
 
-__all__ = ["Quantity", "Unit", "UnitError", "in_unit", "parse_quantity", "parse_unit", "unit_for"]
+__all__ = ["Unit", "UnitError", "UnitValue", "number_in_unit", "parse_quantity", "parse_unit", "unit_for"]
 
 MAX_LENGTH = 200
 MAX_UNIT_POWER = 12
@@ -48,7 +48,7 @@ class UnitError(FormulaError):
     """A text that is no quantity or no unit: what is wrong, in which columns, and perhaps what was meant."""
 
 
-class Quantity(Struct, frozen=True):
+class UnitValue(Struct, frozen=True):
     """A number with a unit: its exact value in SI, its dimension, and the unit as written (None without one)."""
 
     value: Formula
@@ -57,21 +57,21 @@ class Quantity(Struct, frozen=True):
     text: str
 
 
-def parse_quantity(text: str) -> Quantity:
+def parse_quantity(text: str) -> UnitValue:
     """The quantity that `text` writes: `2 kg`, `9.8 m/s²`, `-90 deg`, `3/4 m`, `5`."""
     _check_length(text)
     value, pi_power, end = _value(text)
     rest = text[end:]
     stripped = rest.lstrip()
     if not stripped:
-        return Quantity(times_pi(value, pi_power), NONE, None, text)
+        return UnitValue(power_of_pi(value, pi_power), NONE, None, text)
     at = len(text) - len(stripped)
     if stripped[0].isdigit() or stripped[0] in FRACTIONS or stripped[0] == ".":
         raise UnitError(f"two numbers side by side: `{text.strip()}`", 0, len(text))
     if stripped[0] in "*·" and not stripped.startswith("**"):
         at += 1
     unit = _read_unit(text, at, over_one=stripped[0] == "/")
-    return Quantity(times_pi(value * unit.scale, pi_power + unit.pi_power), unit.dimension, unit, text)
+    return UnitValue(power_of_pi(value * unit.scale, pi_power + unit.pi_power), unit.dimension, unit, text)
 
 
 def parse_unit(text: str) -> Unit:
@@ -120,18 +120,18 @@ def _pi(text: str, start: int) -> re.Match[str] | None:
 def _literal(text: str, match: re.Match[str]) -> tuple[Fraction, int]:
     """The value of the literal without its sign, and where it ends; it may have a power of ten: 2×10^3."""
     if match["top"] is not None:
-        top = _number(match["top"], match.start("top"))
+        top = _leading_number(match["top"], match.start("top"))
         return top / _denominator(match["bottom"], match.start("bottom")), match.end()
     if match["glyph"] is not None:
         return FRACTIONS[match["glyph"]], match.end()
     ten = re.compile(_TEN).match(text, match.end()) if "10" in text else None
-    value = _number(match["number"], match.start("number"))
+    value = _leading_number(match["number"], match.start("number"))
     if ten is None:
         return value, match.end()
-    return value * _number(f"1e{_exponent(ten)}", ten.start()), ten.end()
+    return value * _leading_number(f"1e{_exponent(ten)}", ten.start()), ten.end()
 
 
-def _number(text: str, start: int) -> Fraction:
+def _leading_number(text: str, start: int) -> Fraction:
     try:
         return read_number(text, start)
     except FormulaError as error:
@@ -139,7 +139,7 @@ def _number(text: str, start: int) -> Fraction:
 
 
 def _denominator(digits: str, start: int) -> Fraction:
-    value = _number(digits, start)
+    value = _leading_number(digits, start)
     if not value:
         raise UnitError("division by zero", start, start + len(digits))
     return value
@@ -151,7 +151,7 @@ def _exponent(match: re.Match[str]) -> str:
     return from_superscript(raised) if raised else match["power"].strip("()").replace("−", "-")
 
 
-class Factors:
+class UnitFactors:
     """Collects the factors of a unit: name -> exponent, in the order written."""
 
     def __init__(self) -> None:
@@ -181,7 +181,7 @@ class Factors:
 def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:
     """The unit in text[start:], which begins with its slash if `over_one`."""
     tokens = [match for match in _TOKEN.finditer(text, start) if match.lastgroup]
-    factors = Factors()
+    factors = UnitFactors()
     index, sign, in_bracket = 0, 1, False
     expected, after_slash = not over_one, False  # whether a unit must come; whether the last one stood below a slash
     while index < len(tokens):
@@ -192,7 +192,7 @@ def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:
         if kind == "name":
             if after_slash and not expected and not in_bracket:
                 raise _two_ways(text, start)
-            exponent, index = _power(tokens, index)
+            exponent, index = _unit_exponent(tokens, index)
             unit = _named(found, at, end)
             if isinstance(exponent, Fraction) and (unit.scale != 1 or unit.pi_power):
                 raise UnitError(f"a fractional power of `{found}` has no exact value: write it in SI units", at, end)
@@ -227,7 +227,7 @@ def _two_ways(text: str, start: int) -> UnitError:
     return UnitError(f"`{unit}` can be read in two ways: put what is below the slash in brackets", start, len(text))
 
 
-def _power(tokens: list[re.Match[str]], index: int) -> tuple[Exponent, int]:
+def _unit_exponent(tokens: list[re.Match[str]], index: int) -> tuple[Exponent, int]:
     """The exponent that stands at `index`, 1 if none does, and the index after it."""
     if index == len(tokens) or tokens[index].lastgroup not in ("raised", "power"):
         return 1, index
@@ -264,12 +264,12 @@ def unit_for(dimension: Dimension, kind: str | None = None) -> Unit:
     return Unit(base_unit_text(dimension) if found is None else found.unit, Fraction(1), 0, dimension)
 
 
-def in_unit(formula: Formula, unit: Unit) -> Formula:
+def number_in_unit(formula: Formula, unit: Unit) -> Formula:
     """The number that stands before `unit` where `formula` is the value in SI."""
     parts = _pi_multiple(formula)
     if parts is not None:
-        return times_pi(parts[0] / unit.scale, parts[1] - unit.pi_power)
-    return multiply(times_pi(1 / unit.scale, -unit.pi_power), formula)
+        return power_of_pi(parts[0] / unit.scale, parts[1] - unit.pi_power)
+    return multiply(power_of_pi(1 / unit.scale, -unit.pi_power), formula)
 
 
 def _pi_multiple(formula: Formula) -> tuple[Fraction, int] | None:

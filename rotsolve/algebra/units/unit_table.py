@@ -26,7 +26,7 @@ from rotsolve.algebra.units.dimension import (
 )
 
 
-def times_pi(value: Fraction, power: int) -> Formula:
+def power_of_pi(value: Fraction, power: int) -> Formula:
     """value · π^power, the plainest formula for it."""
     if power < 0:
         return divide(Number(value), PI**-power)
@@ -43,7 +43,7 @@ class Unit(Struct, frozen=True):
 
     @property
     def factor(self) -> Formula:
-        return times_pi(self.scale, self.pi_power)
+        return power_of_pi(self.scale, self.pi_power)
 
     @property
     def latex(self) -> str:

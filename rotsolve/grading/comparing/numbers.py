@@ -25,7 +25,7 @@ from rotsolve.algebra.units.dimension import (
     describe,
     kind_of,
 )
-from rotsolve.algebra.units.quantities import in_unit, parse_unit, unit_for
+from rotsolve.algebra.units.quantities import number_in_unit, parse_unit, unit_for
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.grading.verdict import Remark
 from rotsolve.language.marks import Tolerance
@@ -108,7 +108,7 @@ def within_tolerance(typed: Typed, value: Certified, tolerance: Tolerance, unit:
     if tolerance.share is not None:
         return is_near(typed, value, share=tolerance.share)
     if tolerance.amount is not None:
-        return is_near(typed, value, margin=in_unit(tolerance.amount, unit))
+        return is_near(typed, value, margin=number_in_unit(tolerance.amount, unit))
     assert tolerance.figures is not None
     return is_near(typed, value, margin=Number(half_figure(value, tolerance.figures)))
 

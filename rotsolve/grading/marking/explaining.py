@@ -15,7 +15,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, rounded, value_of
 from rotsolve.algebra.formula import ONE, PI, Constant, Formula, Negative, Number, Sum, Symbol, negate
-from rotsolve.algebra.units.quantities import in_unit
+from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Answer, Words
 from rotsolve.grading.comparing.formulas import numbers_stand, of_other_dimension, put_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, is_near, rounds_to
@@ -69,7 +69,7 @@ def with_pi(closed: Formula, pi: Formula) -> Formula:
 def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
     """Other values for a given: to fewer figures in its own unit, and what else is taken for g."""
     unit = given.unit
-    number = None if given.value is None else given.value if unit is None else in_unit(given.value, unit)
+    number = None if given.value is None else given.value if unit is None else number_in_unit(given.value, unit)
     if not isinstance(number, Number):
         return
     others = [value_of(rounded(number.value, figures), figures) for figures in FEWER]

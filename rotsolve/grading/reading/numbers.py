@@ -16,7 +16,7 @@ from rotsolve.algebra.notation.letters import from_superscript, superscripted
 from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.tokens import FUNCTION_NAMES, FormulaError, Token, suggest
 from rotsolve.algebra.units.dimension import kind_of
-from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, Factors
+from rotsolve.algebra.units.quantities import MAX_UNIT_POWER, UnitFactors
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, UNITS, Unit
 from rotsolve.grading.reading.records import NUMBER, LineReading, echo
 from rotsolve.grading.reading.vocabulary import LONGEST_RUN, REMEMBERED, read_formula, run_meaning
@@ -45,7 +45,7 @@ def read_unit(text: str, tokens: list[Token], forks: Forks) -> Unit:
             words.append(Token("*", "*", token.start, token.end))
         else:
             words += _unit_symbols(token, tokens, forks) if token.kind in ("name", "°", "%") else [token]
-    factors = Factors()
+    factors = UnitFactors()
     _collect_units(read_formula(text, words, frozenset(), forks), 1, factors, tokens)
     return factors.unit()
 
@@ -111,7 +111,7 @@ def _negative_power_follows(token: Token, tokens: list[Token]) -> bool:
     return marks.startswith(("⁻", "^-", "^(-"))
 
 
-def _collect_units(formula: Formula, power: int, factors: Factors, tokens: list[Token]) -> None:
+def _collect_units(formula: Formula, power: int, factors: UnitFactors, tokens: list[Token]) -> None:
     """The units of a product or quotient, to a power."""
     match formula:
         case Symbol(name):

@@ -18,7 +18,7 @@ from rotsolve.algebra.notation.cursor import Forks
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, Token
 from rotsolve.algebra.units.dimension import ANGLE
-from rotsolve.algebra.units.unit_table import UNITS, Unit, times_pi
+from rotsolve.algebra.units.unit_table import UNITS, Unit, power_of_pi
 from rotsolve.grading.reading.lines import with_points
 from rotsolve.grading.reading.numbers import are_letters, looks_like_unit, read_unit
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
@@ -289,7 +289,7 @@ def polar_vector(size: LineReading, angle: LineReading, cut: SizeAndAngle, forks
         raise FormulaError("a vector is told by its size and one angle", 0, cut.end)
     unit = angle.unit if angle.unit is not None else RADIAN
     factor = unit.factor
-    way = counterclockwise_angle(angle.formula, times_pi(1 / unit.scale, 1 - unit.pi_power), cut, forks)
+    way = counterclockwise_angle(angle.formula, power_of_pi(1 / unit.scale, 1 - unit.pi_power), cut, forks)
     shown = angle.unit.after(to_text(way)) if angle.unit is not None else to_text(way)
     parts = []
     for function in ("cos", "sin"):
