@@ -7,7 +7,9 @@ import signal
 from collections import deque
 from collections.abc import Iterator
 from concurrent.futures import TimeoutError
+from contextlib import contextmanager
 from itertools import islice
+from multiprocessing import resource_tracker
 from typing import Any
 
 from pebble import ProcessExpired, ProcessFuture, ProcessPool
@@ -22,18 +24,35 @@ def attempts_in_processes(request: SolveRequest) -> Iterator[Outcome]:
     """What each file gave, in order; a file is handed out once there is room for its page among those that wait."""
     text = piped(request.files)
     pool = ProcessPool(min(request.jobs, len(request.files)), FILES, prepare_process, context=process_context())
+    rest, waiting = iter(request.files), deque[tuple[str, ProcessFuture[Outcome]]]()
+
+    def hand_out() -> None:
+        for file in islice(rest, AHEAD * request.jobs - len(waiting)):
+            waiting.append((file, pool.schedule(attempt, (file, request, text), timeout=request.time_limit)))
+
     try:
-        rest = iter(request.files)
-        waiting: deque[tuple[str, ProcessFuture[Outcome]]] = deque()
-        while True:
-            for file in islice(rest, AHEAD * request.jobs - len(waiting)):
-                waiting.append((file, pool.schedule(attempt, (file, request, text), timeout=request.time_limit)))
-            if not waiting:
-                break
+        with interrupts_held():  # the first file starts the processes
+            hand_out()
+        while waiting:
             yield outcome_of(*waiting.popleft(), request.time_limit)
+            hand_out()
     finally:  # at the end, and where the user or the reader of the pages has had enough
         pool.stop()  # type: ignore[no-untyped-call]
         pool.join()
+
+
+@contextmanager
+def interrupts_held() -> Iterator[None]:
+    """An interrupt is heard when this is done: no process is left half started, and those that start now never hear one."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # which would let interrupts through once it has started
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def process_context() -> Any:

@@ -150,6 +150,18 @@ def test_an_interrupt_ends_all_processes(command: Command, page: str, tmp_path: 
     await_(lambda: not alive(int(written.read_text())))
 
 
+@pytest.mark.parametrize("later", [0.0, 0.1, 0.3])
+def test_an_interrupt_while_processes_start_ends_them_too(command: Command, later: float) -> None:
+    process = command("endless.yaml", "endless.yaml", "--jobs", "2")
+    children = Path(f"/proc/{process.pid}/task/{process.pid}/children")
+    if not children.exists():
+        pytest.skip("no list of the processes of a process here")
+    await_(lambda: len(children.read_text().split()) > 1)  # what keeps track, and what makes copies of itself
+    time.sleep(later)
+    os.killpg(process.pid, signal.SIGINT)
+    assert ran(process) == (130, "", "interrupted\n")
+
+
 def test_a_reader_that_goes_away_ends_all_processes(command: Command, tmp_path: Path) -> None:
     process = command("endless.yaml", "a.yaml", "--jobs", "2", "--time-limit", "1s")
     assert process.stdout is not None
