@@ -129,6 +129,6 @@ def on_axis(element: Words, item: Range, weight: Formula, across: tuple[Formula,
     return Slicing(element, (item,), weight, (ZERO, ZERO, z), (*across, z**2, ZERO, ZERO, ZERO))
 
 
-def about_axis(element: Words, item: Range, weight: Formula, square: Formula, height: Formula = ZERO) -> Slicing:
+def round_axis(element: Words, item: Range, weight: Formula, square: Formula, height: Formula = ZERO) -> Slicing:
     """Rings or shells round the z axis, all at one distance from it, with the mean square `height` of z."""
     return Slicing(element, (item,), weight, ORIGIN, (square / 2, square / 2, height, ZERO, ZERO, ZERO))

@@ -226,7 +226,7 @@ class Connection(ActingElement, frozen=True):
 
     def turned(self) -> tuple[str, ...]:
         """The bodies that it turns by their rims, so that they have a radius."""
-        return ()
+        return tuple(ref.owner for ref in self.touches()) if self.rimmed else ()
 
     def ropes(self) -> tuple[PointRef, ...]:
         """The bodies that it holds although they bend freely."""
@@ -234,7 +234,7 @@ class Connection(ActingElement, frozen=True):
 
     def twists(self) -> bool:
         """Whether a couple of it acts on the bodies that it touches."""
-        return False
+        return self.rimmed or bool(self.between())
 
     def fixed_points(self) -> tuple[PointRef, ...]:
         """Points of bodies that it holds to the ground, so that the body turns about them."""

@@ -33,7 +33,7 @@ def check_sequence(problem: Problem) -> None:
     states = {state.name: state for state in problem.states}
     order = {name: index for index, name in enumerate(states)}
     taken: dict[tuple[str, str], str] = {}
-    for name, start, end in joined(problem):
+    for name, start, end in named_intervals(problem):
         if order[end] != order[start] + 1:
             pairs = "; ".join(f"from {first} to {second}" for first, second in pairwise(order))
             help = f"states follow each other as they are written: {pairs}"
@@ -51,7 +51,7 @@ def check_sequence(problem: Problem) -> None:
             raise Unsolvable(f"`{action.name}` ends before it begins to act", span=states[action.to].span, help=help)
 
 
-def joined(problem: Problem) -> Iterator[tuple[str, str, str]]:
+def named_intervals(problem: Problem) -> Iterator[tuple[str, str, str]]:
     """The events with the states that they join, and the phases in which a connection does not act."""
     for event in problem.events:
         if event.from_ is not None and event.to is not None:

@@ -81,7 +81,7 @@ def left_out(whole: Problem, block: Problem) -> list[str]:
 
 def spoken_of_as_a_whole(problem: Problem, loose: frozenset[str]) -> bool:
     """Whether a question or a later state speaks of all bodies at once, or gravity is what is asked."""
-    if any(of_all(term.path) for find in problem.finds for term in find.terms):
+    if any(speaks_of_all(term.path) for find in problem.finds for term in find.terms):
         return True
     if loose and problem.gravity is not None and not loose.isdisjoint(problem.gravity.symbols()):
         return True
@@ -90,10 +90,10 @@ def spoken_of_as_a_whole(problem: Problem, loose: frozenset[str]) -> bool:
     lines += [find.where for find in problem.finds if find.where is not None]
     if any(state.balance or state.steady for state in later):
         return True
-    return any(of_all(line.path) if line.path is not None else line.owner == EVERY for line in lines)
+    return any(speaks_of_all(line.path) if line.path is not None else line.owner == EVERY for line in lines)
 
 
-def of_all(path: Path) -> bool:
+def speaks_of_all(path: Path) -> bool:
     """Whether a path speaks of all bodies: an energy of the whole."""
     return not path.owner and path.quantity != "time"
 

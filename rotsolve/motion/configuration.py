@@ -23,11 +23,10 @@ from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.elements import Action, Connection
 from rotsolve.language.problem import Problem
-from rotsolve.motion.mentions import Mentions
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
 from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, polar, tidy
-from rotsolve.motion.timeline import Timeline, absent, begun, timeline
+from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.alteration import Alteration

@@ -66,11 +66,11 @@ def facts_at(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
-        cuts=() if moment or not configuration.mentions.cuts else cut_free(instant, tuple(bodies)),
+        cuts=() if moment or not configuration.mentions.cuts else cut_pieces(instant, tuple(bodies)),
     )
 
 
-def cut_free(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
+def cut_pieces(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
     """The pieces of rods that are cut through, as free bodies."""
     from rotsolve.motion.cuts import cuts_at
 

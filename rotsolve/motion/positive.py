@@ -33,12 +33,12 @@ def is_angle(given: Given) -> bool:
 def limited_letters(problem: Problem) -> dict[str, str]:
     """Letters that stand alone where the scene takes only values within limits, with these: the radius of a wheel, the angle of a slope."""
     elements = (*problem.surfaces, *problem.connections, *problem.actions, *problem.events)
-    limited = [entry for body in problem.bodies for entry in sizes_of(body)]
+    limited = [entry for body in problem.bodies for entry in body_sizes(body)]
     limited += [entry for element in elements for entry in limits_of(element)]
     return {value.name: limits for value, limits in limited if isinstance(value, Symbol)}
 
 
-def sizes_of(body: Body) -> Iterator[tuple[Formula | None, str]]:
+def body_sizes(body: Body) -> Iterator[tuple[Formula | None, str]]:
     """What is positive of a body: its mass, its radii, the sizes of its shape."""
     yield from ((size, "positive") for size in (body.mass, body.density, body.gyration, body.radius))
     yield from ((radius, "positive") for _, radius in body.radii)

@@ -39,7 +39,7 @@ def leading_place(group: frozenset[str], first: Instant, last: Instant, middle: 
     for word in PLACES:
         for _, owner, spoken in said:
             if spoken == word and middle.host(owner) in group:
-                return place_of(middle.host(owner), word, first, last, middle)
+                return led_by(middle.host(owner), word, first, last, middle)
     return None
 
 
@@ -61,7 +61,7 @@ def stored_place(group: frozenset[str], first: Facts, last: Facts, middle: Facts
     return Lead(stored.bodies[-1], letter, start, end, stored.rate, stored=True)
 
 
-def place_of(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:
+def led_by(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:
     """Angle, rotation or displacement of a body as the leading place."""
     letter = letter_of(word, name, middle)
     if not isinstance(letter, Symbol):
@@ -89,7 +89,7 @@ def effort_letters(item: Force | Couple) -> frozenset[str]:
     return item.size.symbols() if isinstance(item, Force) else item.torque.symbols()
 
 
-def share(rate: Formula, lead: Formula) -> Formula | int:
+def relative_rate(rate: Formula, lead: Formula) -> Formula | int:
     """How fast something moves for each unit of the leading rate: ±1 for the leading body itself."""
     if rate == lead:
         return 1

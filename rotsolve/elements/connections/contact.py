@@ -40,9 +40,6 @@ class Contact(Touch, frozen=True):
         default=None,
     )
 
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.contact
-
     def grip(self) -> Friction:
         return self.friction
 
@@ -77,14 +74,8 @@ class Rolls(Touch, frozen=True):
         "points", "[wheel, surface, …]", count=(2, 10), required=True, example="[ball, floor]"
     )
 
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.rolls
-
     def turned(self) -> tuple[str, ...]:
         return (self.rolls[0].owner,)
-
-    def grip(self) -> Friction:
-        return Friction("any")
 
 
 class Unrolls(Touch, frozen=True):
@@ -113,14 +104,8 @@ class Unrolls(Touch, frozen=True):
                         f"what else acts on `{roll.owner}`, which unrolls, is not solved yet", span=ref.span
                     )
 
-    def pair(self) -> tuple[PointRef, ...]:
-        return self.unrolls
-
     def turned(self) -> tuple[str, ...]:
         return tuple(ref.owner for ref in self.unrolls)
-
-    def grip(self) -> Friction:
-        return Friction("any")
 
     def lays(self, body: Body) -> bool:
         return self.unrolls[0].owner == body.name

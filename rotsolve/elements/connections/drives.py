@@ -26,12 +26,6 @@ class Belt(Connection, frozen=True):
     )
     crossed: bool = key("flag", "the belt crosses between the wheels", default=False)
 
-    def turned(self) -> tuple[str, ...]:
-        return tuple(ref.owner for ref in self.belt)
-
-    def twists(self) -> bool:
-        return True
-
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast."""
         sense = -1 if self.crossed else 1
@@ -51,12 +45,6 @@ class Gear(Connection, frozen=True):
         "points", "the two wheels or rims", count=(2, 2), required=True, example="[small, large]"
     )
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
-
-    def turned(self) -> tuple[str, ...]:
-        return tuple(ref.owner for ref in self.gear)
-
-    def twists(self) -> bool:
-        return True
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         sense = 1 if self.inside else -1
@@ -85,9 +73,6 @@ class MutualDrive(Connection, frozen=True):
 
     def between(self) -> tuple[PointRef, ...]:
         return self.drives
-
-    def twists(self) -> bool:
-        return True
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         if self.couple is None:

@@ -12,7 +12,7 @@ from rotsolve.language.elements import Moment
 
 def between(first: PointRef, second: PointRef, instant: Moment) -> Vector | None:
     """Unit vector from a point to another; None where the scene does not tell."""
-    gap = apart(first, second, instant)
+    gap = gap_between(first, second, instant)
     if gap is None:
         return None
     x, y = gap
@@ -42,7 +42,7 @@ def distance(gap: tuple[Formula, Formula], instant: Moment) -> Formula:
     return simplify(barred.transform(unbarred), positive=positive)
 
 
-def apart(first: PointRef, second: PointRef, instant: Moment) -> tuple[Formula, Formula] | None:
+def gap_between(first: PointRef, second: PointRef, instant: Moment) -> tuple[Formula, Formula] | None:
     """How far a point is to the right of another, and above it."""
     if first.place or second.place:
         places = [where(ref, instant) for ref in (first, second)]

@@ -84,9 +84,6 @@ class Clutch(Rubbing, frozen=True):
     def between(self) -> tuple[PointRef, ...]:
         return self.clutch
 
-    def twists(self) -> bool:
-        return True
-
     def torque(self, instant: Moment) -> Formula:
         """The torque given, or that of flat plates under uniform pressure, ∫ μ p r dA = ⅔ μ F R."""
         if self.friction_torque is not None:

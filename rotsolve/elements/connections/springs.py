@@ -13,7 +13,7 @@ from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, squar
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.directions import TURNS, along_text
 from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
-from rotsolve.elements.connections.places import apart, between, distance
+from rotsolve.elements.connections.places import between, distance, gap_between
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
 from rotsolve.language.keys import key
@@ -75,7 +75,7 @@ class Spring(Connection, frozen=True):
 
     def elongation(self, instant: Moment) -> Formula:
         """The letter for how far it is stretched, or its length by the places of its ends, less the rest length."""
-        gap = apart(self.spring[0], self.spring[1], instant) if self.placed else None
+        gap = gap_between(self.spring[0], self.spring[1], instant) if self.placed else None
         if gap is None or self.rest_length is None:
             return instant.ask("elongation", self.name)
         return add(distance(gap, instant), negate(self.rest_length))

@@ -45,11 +45,12 @@ class Touch(Connection, frozen=True):
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
 
     def pair(self) -> tuple[PointRef, ...]:
-        """The body's point and the surface, or the surfaces that join smoothly."""
-        raise NotImplementedError
+        """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
+        return self.touches()
 
     def grip(self) -> Friction:
-        raise NotImplementedError
+        """Rough enough for whatever it takes, where nothing else is said."""
+        return Friction("any")
 
     def lying(self) -> str:
         return self.pair()[0].owner

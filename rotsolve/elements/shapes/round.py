@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import ClassVar
 
 from rotsolve.algebra.formula import PI, ZERO, Formula, Number, call
-from rotsolve.core.slicing import Range, Slicing, about_axis, coordinate, on_axis
+from rotsolve.core.slicing import Range, Slicing, coordinate, on_axis, round_axis
 from rotsolve.core.vectors.tensor import InertiaTensor, round_about
 from rotsolve.language.keys import key
 from rotsolve.language.shape import WHEEL, Shape, extent
@@ -184,7 +184,7 @@ class SphericalShell(Shape, frozen=True):
 def rings(inner: Formula, outer: Formula) -> Slicing:
     """Rings of radius r and width dr."""
     r = coordinate("r")
-    return about_axis(("rings of radius ", r, " and width d", r), Range(r, inner, outer), 2 * PI * r, r**2)
+    return round_axis(("rings of radius ", r, " and width d", r), Range(r, inner, outer), 2 * PI * r, r**2)
 
 
 def spheres(inner: Formula, outer: Formula) -> Slicing:
@@ -192,7 +192,7 @@ def spheres(inner: Formula, outer: Formula) -> Slicing:
     r = coordinate("r")
     mean = Number(Fraction(1, 3)) * r**2
     element = ("spherical shells of radius ", r, " and thickness d", r)
-    return about_axis(element, Range(r, inner, outer), 4 * PI * r**2, 2 * mean, mean)
+    return round_axis(element, Range(r, inner, outer), 4 * PI * r**2, 2 * mean, mean)
 
 
 def walls(radii: Radii) -> tuple[Formula, Formula]:
@@ -275,4 +275,4 @@ def shells(inner: Formula, outer: Formula, length: Formula) -> Slicing:
     """Cylindrical shells of radius r and thickness dr, as long as the whole."""
     r = coordinate("r")
     element = ("cylindrical shells of radius ", r, " and thickness d", r)
-    return about_axis(element, Range(r, inner, outer), 2 * PI * r * length, r**2, length**2 / 12)
+    return round_axis(element, Range(r, inner, outer), 2 * PI * r * length, r**2, length**2 / 12)
