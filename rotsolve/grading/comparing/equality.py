@@ -43,6 +43,9 @@ WIDER = 2.0
 QUARTER = pi / 2
 
 Point = Mapping[str, Ball]
+REFERENCES = 256  # that a domain remembers
+NOTHING = Fraction(1, 10**20)  # a share by which equal formulas may differ in balls
+LARGEST = 20_000  # terms that a formula may have when it is multiplied out
 
 
 class FreeLetter(Struct, frozen=True):
@@ -166,9 +169,7 @@ def _in_order(region: Region, numbers: dict[str, float]) -> dict[str, float]:
     return numbers
 
 
-REFERENCES = 256  # that a domain remembers
-NOTHING = Fraction(1, 10**20)  # a share by which equal formulas may differ in balls
-LARGEST = 20_000  # terms that a formula may have when it is multiplied out
+# comparing
 
 
 class SampledRegion:

@@ -25,6 +25,7 @@ ROUNDED = 1 / 400  # the share by which a number put in for a letter may differ 
 MOST_WAYS = 32  # in which the numbers of a formula may be letters
 MOST_PLACES = 40  # of a decimal that may be rounded
 LEAST = 2  # figures of a number that may be rounded
+EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
 
 
 class Put(Struct, frozen=True):
@@ -65,32 +66,22 @@ def numbers_in(typed: Formula) -> frozenset[Fraction]:
 
 def has_decimal(typed: Formula) -> bool:
     """Whether a number of two figures or more, not a whole one, stands in a formula: 0.67, 9.81."""
-    return any(is_decimal(value) for value in numbers_in(typed))
+    return any(decimal_places(value) for value in numbers_in(typed))
 
 
 def rounding_share(typed: Formula) -> float:
     """The share by which a formula may be off because its decimals are rounded: a unit of the last figure of each."""
-    return sum(
-        float(Fraction(1, 10 ** decimal_places(value)) / abs(value)) for value in numbers_in(typed) if is_decimal(value)
-    )
+    places = {value: decimal_places(value) for value in numbers_in(typed)}
+    return sum(float(Fraction(1, 10**count) / abs(value)) for value, count in places.items() if count)
 
 
 def decimal_places(value: Fraction) -> int:
-    """The decimal places of a number that has so many and no more."""
-    return next(count for count in range(MOST_PLACES) if (value * 10**count).denominator == 1)
-
-
-def is_decimal(value: Fraction) -> bool:
-    """Whether a number is a decimal fraction with so many figures."""
-    rest, twos, fives = value.denominator, 0, 0
-    while rest % 2 == 0:
-        rest, twos = rest // 2, twos + 1
-    while rest % 5 == 0:
-        rest, fives = rest // 5, fives + 1
-    if rest > 1 or value.denominator == 1 or max(twos, fives) >= MOST_PLACES:
-        return False
-    digits = value.numerator * 10 ** max(twos, fives) // value.denominator
-    return len(str(abs(digits)).rstrip("0")) >= LEAST
+    """The decimal places of a decimal fraction of two figures or more; 0 for any other number."""
+    if 10 ** (MOST_PLACES - 1) % value.denominator:
+        return 0
+    places = next(count for count in range(MOST_PLACES) if 10**count % value.denominator == 0)
+    digits = abs(value.numerator) * 10**places // value.denominator
+    return places if len(str(digits).rstrip("0")) >= LEAST else 0
 
 
 def with_letters(typed: Formula, numbers: Mapping[str, float]) -> Iterator[tuple[Formula, tuple[str, ...]]]:
@@ -120,16 +111,13 @@ def letter_for(put: Mapping[Fraction, Symbol], node: Formula) -> Formula:
     return Negative(letter) if node.value < 0 else letter
 
 
-EXACTLY = Fraction(1, 10**15)  # the share within which formulas with numbers put in are equal
-
-
 def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -> Finding:
     """The finding for a formula; `measured` says that units in it tell what it measures, and that this is what is asked for."""
     if asked.closed is None:
         return worked_out(formula, asked)
     holds = asked.same(formula, asked.closed)
     if holds:
-        if asked.marking.form == marks.NUMBER and asked.sought is not None:
+        if asked.marking.form == marks.NUMBER and asked.value is not None:
             return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
         return Finding(RIGHT)
     if holds is None:
@@ -174,9 +162,9 @@ def put_in_for_letters(formula: Formula, asked: Scalar, fits: bool, measured: bo
 def is_near_answer(formula: Formula, asked: Scalar, share: Fraction) -> bool:
     """Whether a formula is within a share of the answer for the scene's own numbers, where it has one for them."""
     number = certified_number(formula, asked.values)
-    if number is None or asked.sought is None:
+    if number is None or asked.value is None:
         return True
-    value = asked.sought.in_unit(asked.sought.si)
+    value = asked.in_unit(asked.si)
     return abs(number.float - value.float) <= share * abs(value.float)
 
 
@@ -199,10 +187,10 @@ def with_numbers(asked: Scalar, names: Iterable[str], *, rounded: bool = False) 
 def worked_out(formula: Formula, asked: Scalar) -> Finding:
     """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
     number = certified_number(formula, asked.values)
-    if asked.sought is None or number is None:
+    if asked.value is None or number is None:
         return found(outcome_of(None), "equality", "there is no closed form to compare it with")
     value = Typed(formula.substitute(asked.values))
-    return value_judged(value, asked.sought.si, "", asked, asked.sought) or Finding(WRONG)
+    return value_judged(value, asked.si, "", asked) or Finding(WRONG)
 
 
 def of_other_dimension(formula: Formula, asked: Scalar) -> str:

@@ -11,7 +11,7 @@ from fractions import Fraction
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Ball, Certified, Precision, Undefined, ends, evaluate, rounded
+from rotsolve.algebra.certified.ball import Certified, Precision, Undefined, ends, evaluate, rounded
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.limits import rational
@@ -25,7 +25,7 @@ from rotsolve.algebra.units.dimension import (
     describe,
     kind_of,
 )
-from rotsolve.algebra.units.quantities import number_in_unit, parse_unit, unit_for
+from rotsolve.algebra.units.quantities import number_in_unit, parse_unit
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.grading.verdict import Remark
 from rotsolve.language.marks import Tolerance
@@ -37,6 +37,12 @@ FLOAT_BITS, FLOAT_DOUBT = (
     1e-12,
 )  # of a ball that floats stand for, and the share by which they may be off, with room to spare
 HALF = Fraction(1, 2)
+TURNS = ("rev", "turn", "rpm")  # units that count turns
+ALIKE = {  # units that are taken for one another
+    ANGLE: ("rad", "°", "rev"),
+    ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
+    ANGULAR_ACCELERATION: ("rad/s²", "rev/s²", "°/s²"),
+}
 
 
 class Typed(Struct, frozen=True):
@@ -62,45 +68,6 @@ class Typed(Struct, frozen=True):
     def times(self, factor: Fraction) -> Typed:
         """The same figures for a number so many times as large."""
         return Typed(factor * self.value, self.figures, self.unit)
-
-
-class Sought(Struct, frozen=True, dict=True):
-    """The number that is asked for, known in every unit: by its closed form in SI units, or by its ball in `unit` alone."""
-
-    closed: Formula | None
-    values: Mapping[str, Formula]
-    value: Certified
-    unit: Unit
-    dimension: Dimension
-
-    def in_unit(self, unit: Unit) -> Certified:
-        """The number before a unit; each is worked out once."""
-        known: dict[tuple[Fraction, int], Certified] = self.__dict__.setdefault("known", {})
-        scale = unit.scale, unit.pi_power
-        if scale not in known:
-            known[scale] = self._in_unit(unit)
-        return known[scale]
-
-    def _in_unit(self, unit: Unit) -> Certified:
-        if (unit.scale, unit.pi_power) == (self.unit.scale, self.unit.pi_power):
-            return self.value
-        if self.closed is not None:
-            return evaluate(self.closed / unit.factor, self.values)
-        ratio, value = evaluate(self.unit.factor / unit.factor, {}, digits=30), self.value
-        return Certified(
-            value.ball * ratio.ball,
-            lambda digits: value.refine(digits + 3) * ratio.refine(digits + 3),
-            lambda _: False,
-        )
-
-    @property
-    def si(self) -> Unit:
-        return unit_for(self.dimension)
-
-    @property
-    def pure(self) -> bool:
-        """Whether it is a number without a unit."""
-        return self.dimension == NONE
 
 
 def within_tolerance(typed: Typed, value: Certified, tolerance: Tolerance, unit: Unit) -> bool | None:
@@ -131,7 +98,11 @@ def is_near(
     for digits in DIGITS:
         x, v = (one.ball if digits == DIGITS[0] else one.refine(digits) for one in (number, value))
         with Precision(BITS):
-            allowed = abs(v) * share_ball(share) if margin is None else evaluate(margin, {}, digits=digits).ball
+            allowed = (
+                abs(v) * (arb(share.numerator) / share.denominator)
+                if margin is None
+                else evaluate(margin, {}, digits=digits).ball
+            )
             gap = abs(x - v) - allowed
         if gap <= 0:
             return True
@@ -153,10 +124,6 @@ def near_by_floats(typed: Typed, value: Certified, share: Fraction, margin: Form
         return None
     gap, doubt = abs(x - v) - allowed, FLOAT_DOUBT * (abs(x) + abs(v) + allowed)
     return None if abs(gap) <= doubt else gap < 0
-
-
-def share_ball(share: Fraction) -> Ball:
-    return arb(share.numerator) / share.denominator
 
 
 def tolerance_edges(typed: Typed, share: Fraction, margin: Formula | None) -> Iterator[Fraction]:
@@ -187,12 +154,7 @@ def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified
         return None
 
 
-TURNS = ("rev", "turn", "rpm")  # units that count turns
-ALIKE = {  # units that are taken for one another
-    ANGLE: ("rad", "°", "rev"),
-    ANGULAR_VELOCITY: ("rad/s", "rev/s", "rpm", "°/s"),
-    ANGULAR_ACCELERATION: ("rad/s²", "rev/s²", "°/s²"),
-}
+# units
 
 
 class Measured(Struct, frozen=True):

@@ -16,6 +16,8 @@ from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReadin
 from rotsolve.grading.verdict import RIGHT, WRONG, Finding, all_findings, found
 from rotsolve.language.marks import Tolerance
 
+AXES = ("x", "y", "z")
+
 
 def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
     """The finding for one reading."""
@@ -26,10 +28,7 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
         if meant is not None and meant.fault is not None:
             return Finding(WRONG, (meant.fault,))
         return formula_judged(reading.formula, asked, measured=meant is not None)
-    return found(WRONG, "form", f"{'a formula' if asked.sought is None else 'a number or a formula'} is asked for")
-
-
-AXES = ("x", "y", "z")
+    return found(WRONG, "form", f"{'a formula' if asked.value is None else 'a number or a formula'} is asked for")
 
 
 def vector_judged(reading: LineReading, parts: Sequence[Scalar], whole: Scalar | None) -> Finding:

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from fractions import Fraction
-from functools import cached_property
 from math import floor, log10
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, rounded
+from rotsolve.algebra.certified.ball import Certified, evaluate, rounded
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import (
-    Sought,
     Typed,
     certified_number,
     likely_meant,
@@ -36,7 +36,7 @@ Same = Callable[[Formula, Formula], "bool | None"]
 Close = Callable[[Formula, Formula, Fraction], bool]
 
 
-class Scalar(Struct, frozen=True, dict=True):
+class Scalar(Struct, frozen=True, dict=True, eq=False):
     """What is asked for: its closed form and its number, which of them there are, and how it is marked.
 
     `direction` is that of its value in words, `positive` that of a positive value where a negative one
@@ -66,40 +66,50 @@ class Scalar(Struct, frozen=True, dict=True):
         """The sign of its value."""
         return None if self.value is None else self.value.sign
 
-    @cached_property
-    def sought(self) -> Sought | None:
-        """The number in every unit, where there is one."""
-        if self.value is None:
-            return None
-        known = self.closed if self.closed is not None and self.closed.symbols() <= self.values.keys() else None
-        return Sought(known, self.values, self.value, self.unit, self.dimension)
+    @property
+    def si(self) -> Unit:
+        return unit_for(self.dimension)
+
+    @remembered
+    def in_unit(self, unit: Unit) -> Certified:
+        """The number before a unit, where there is one: by its closed form in SI units, or by its ball in its own unit alone."""
+        assert self.value is not None
+        if (unit.scale, unit.pi_power) == (self.unit.scale, self.unit.pi_power):
+            return self.value
+        if self.closed is not None and self.closed.symbols() <= self.values.keys():
+            return evaluate(self.closed / unit.factor, self.values)
+        ratio, value = evaluate(self.unit.factor / unit.factor, {}, digits=30), self.value
+        return Certified(
+            value.ball * ratio.ball,
+            lambda digits: value.refine(digits + 3) * ratio.refine(digits + 3),
+            lambda _: False,
+        )
 
 
 def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     """The finding for a number with its unit."""
     if typed.rational is None and certified_number(typed.value, {}) is None:
         return found(UNDECIDED, "reading", "it has no value")
-    sought = asked.sought
-    if sought is None:
+    if asked.value is None:
         return found(WRONG, "form", "a formula is asked for: the scene has no number for it")
     if typed.unit is None:
-        return unitless_judged(typed, direction, asked, sought)
+        return unitless_judged(typed, direction, asked)
     meant = measured_unit(typed.unit, asked.unit, asked.dimension, asked.turns)
     if meant.unit is None:
         assert meant.fault is not None
         return Finding(WRONG, (meant.fault,))
-    return value_judged(typed, meant.unit, direction, asked, sought) or slip(typed, meant.unit, asked, sought)
+    return value_judged(typed, meant.unit, direction, asked) or slip(typed, meant.unit, asked)
 
 
-def unitless_judged(typed: Typed, direction: str, asked: Scalar, sought: Sought) -> Finding:
+def unitless_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     """The finding for a number without a unit, in whichever unit it is right."""
     if typed.rational == 0:
-        return value_judged(typed, asked.unit, direction, asked, sought) or slip(typed, asked.unit, asked, sought)
-    for unit in without_unit(asked.unit, sought.si, asked.dimension):
-        finding = value_judged(typed, unit, direction, asked, sought)
+        return value_judged(typed, asked.unit, direction, asked) or slip(typed, asked.unit, asked)
+    for unit in without_unit(asked.unit, asked.si, asked.dimension):
+        finding = value_judged(typed, unit, direction, asked)
         if finding is not None:
             return lacking_unit(finding, unit, asked)
-    finding = slip(typed, asked.unit, asked, sought)
+    finding = slip(typed, asked.unit, asked)
     return lacking_unit(finding, asked.unit, asked) if finding.flaws else finding
 
 
@@ -111,9 +121,9 @@ def lacking_unit(finding: Finding, unit: Unit, asked: Scalar) -> Finding:
     return Finding(finding.outcome, (*finding.remarks, *remark), (*finding.flaws, marks.UNIT))
 
 
-def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar, sought: Sought) -> Finding | None:
+def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Finding | None:
     """The finding where the number is within the tolerance, perhaps with the other sign, or where that can't be told; else None."""
-    value = sought.in_unit(unit)
+    value = asked.in_unit(unit)
     turned = points_other_way(direction, asked.direction) if direction and asked.direction else False
     if turned is None:
         return found(WRONG, "direction", f"it points another way: {asked.direction}")
@@ -167,13 +177,13 @@ def is_exactly(typed: Typed, value: Certified) -> bool:
     return typed.rational is not None and value.equals(typed.rational)
 
 
-def slip(typed: Typed, unit: Unit, asked: Scalar, sought: Sought) -> Finding:
+def slip(typed: Typed, unit: Unit, asked: Scalar) -> Finding:
     """What a number that is out of the tolerance may come of: too few figures, another unit, a power of ten."""
-    value = sought.in_unit(unit)
+    value = asked.in_unit(unit)
     if rounds_to(typed, value):
         return too_few(typed)
-    for other in likely_meant(typed.unit, asked.unit, sought.si, asked.dimension):
-        if within_tolerance(typed, sought.in_unit(other), asked.marking.tolerance, other):
+    for other in likely_meant(typed.unit, asked.unit, asked.si, asked.dimension):
+        if within_tolerance(typed, asked.in_unit(other), asked.marking.tolerance, other):
             return found(WRONG, "unit", f"the number would be right in {other.text or 'no unit'}")
     for power in powers(typed, value):
         if within_tolerance(typed.times(Fraction(10) ** power), value, asked.marking.tolerance, unit):

@@ -48,11 +48,6 @@ def plain_directions(words: str) -> Directions:
     return frozenset(SYNONYMS.get(word, word) for word in plain.split())
 
 
-def opposite_directions(direction: Directions) -> Directions:
-    """The other way."""
-    return frozenset(OPPOSITE.get(word, word) for word in direction)
-
-
 def is_direction(words: str) -> bool:
     """Whether every word says a direction."""
     if SPOKEN.search(words) is None:
@@ -75,7 +70,7 @@ def cut_direction(text: str) -> tuple[str, str]:
 def points_other_way(typed: str, sought: str) -> bool | None:
     """Whether a direction is the other way round, None where it is neither this nor the same."""
     own, wanted = plain_directions(typed), plain_directions(sought)
-    return False if own == wanted else True if own == opposite_directions(wanted) else None
+    return False if own == wanted else True if own == frozenset(OPPOSITE.get(word, word) for word in wanted) else None
 
 
 def right_but_for_sign(directed: bool, direction: str, positive: str, sign: int | None, marking: Marking) -> Finding:

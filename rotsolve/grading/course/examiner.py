@@ -81,6 +81,9 @@ def variant_of(paper: Paper) -> int:
     return int(found[1])
 
 
+# judges
+
+
 class Judges:
     """The judge of the scene as it stands, and of each variant by its number."""
 

@@ -20,6 +20,16 @@ BYTES = 50_000_000  # a class of a hundred thousand, with its working
 MARK = "\ufeff"  # at the start of a file that a spreadsheet has saved as UTF-8
 OTHER_MARKS = {codecs.BOM_UTF16_LE: "UTF-16", codecs.BOM_UTF16_BE: "UTF-16"}
 SAVE = "save it as UTF-8; spreadsheets call it `CSV UTF-8`"
+LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
+LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
+MATHEMATICS = re.compile(
+    r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL
+)  # $a = 2 m$ as a whole
+YAML = (".yaml", ".yml")
+STUDENT_KEY, VARIANT_KEY, WORKING_KEY = "student", "variant", "working"
+OWN = (STUDENT_KEY, VARIANT_KEY, WORKING_KEY)  # keys beside the names of the answers
+MARGIN = re.compile(r"\s|#|-\s|[\w\\$]+:(\s|$)")  # how each line of a YAML map begins
+LINES, LONGEST = 10_000, 200_000
 
 
 class HandedInError(SceneError):
@@ -64,11 +74,7 @@ def file_error(message: str, help: str = "", file: str = "", span: Span | None =
     return HandedInError([Fault(message, span, help, "file")], (), file)
 
 
-LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
-LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
-MATHEMATICS = re.compile(
-    r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL
-)  # $a = 2 m$ as a whole
+# names
 
 
 def asked_name(name: str, asked: Iterable[str]) -> str | None:
@@ -93,11 +99,7 @@ def name_and_text(line: str) -> tuple[str, str] | None:
     return (match["name"], match["text"].rstrip()) if match else None
 
 
-YAML = (".yaml", ".yml")
-STUDENT_KEY, VARIANT_KEY, WORKING_KEY = "student", "variant", "working"
-OWN = (STUDENT_KEY, VARIANT_KEY, WORKING_KEY)  # keys beside the names of the answers
-MARGIN = re.compile(r"\s|#|-\s|[\w\\$]+:(\s|$)")  # how each line of a YAML map begins
-LINES, LONGEST = 10_000, 200_000
+# papers
 
 
 def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:

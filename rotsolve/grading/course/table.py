@@ -31,6 +31,17 @@ WITH_UNIT = re.compile(
     r"(?P<name>.+?)\s*(?:\((?P<round>[^()]+)\)|\[(?P<square>[^\[\]]+)\]|\s[i/]n?\s+(?P<plain>\S.*))"
 )  # a (m/s²), a in m/s²
 
+HEADING = 20  # lines that the names of the columns may take
+HIGHEST = 200  # lines that one row may take, by line breaks in quotes
+NAMED = 5  # lines that are named where a name stands in many
+LONGEST = 20_000  # characters of a cell
+ROWS = 200_000
+SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
+KEPT = re.compile(r"'[-+=@−]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
+NUMBER = re.compile(r"[-+−]?\d[\d.,]*(?:[eE][-+−]?\d+)?")
+WHOLE, REST = re.compile(r"(?:[^\W\d]\w*\s*=\s*)?[-+−]?\d{1,4}"), re.compile(r"\d+\s*[^\W\d]")  # `2` and `18 m/s²`
+TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header
+
 
 class Columns(Struct, frozen=True):
     """The places of the answers by their names, of the student's name, the variant and the working; what is in no use."""
@@ -135,16 +146,7 @@ def doubled_column(cells: Sequence[str], asked: Sequence[str]) -> str:
     return ""
 
 
-HEADING = 20  # lines that the names of the columns may take
-HIGHEST = 200  # lines that one row may take, by line breaks in quotes
-NAMED = 5  # lines that are named where a name stands in many
-LONGEST = 20_000  # characters of a cell
-ROWS = 200_000
-SAID = {",": "a comma", ";": "a semicolon", "\t": "a tab"}
-KEPT = re.compile(r"'[-+=@−]")  # an apostrophe by which a spreadsheet keeps a text from being worked out
-NUMBER = re.compile(r"[-+−]?\d[\d.,]*(?:[eE][-+−]?\d+)?")
-WHOLE, REST = re.compile(r"(?:[^\W\d]\w*\s*=\s*)?[-+−]?\d{1,4}"), re.compile(r"\d+\s*[^\W\d]")  # `2` and `18 m/s²`
-TOLD = re.compile(r"sep=(.)\s*$")  # what some spreadsheets write above the header
+# rows
 
 
 class Entry(Struct, frozen=True):

@@ -17,6 +17,7 @@ from rotsolve.algebra.certified.ball import Certified, rounded, value_of
 from rotsolve.algebra.formula import ONE, PI, Constant, Formula, Negative, Number, Sum, Symbol, negate
 from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Answer, Words
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.formulas import numbers_stand, of_other_dimension, put_in
 from rotsolve.grading.comparing.numbers import Typed, certified_number, is_near, rounds_to
 from rotsolve.grading.comparing.scalars import Scalar
@@ -36,6 +37,13 @@ LARGEST = Fraction(1, 20)  # the share that rounding to two figures may change a
 LEAST_ROUNDED = 2  # figures of a number of which it can be told how it came about
 EXACTLY = Fraction(1, 10_000)  # the share within which an exact number, 10/3, is that of another g
 TWO_FIGURES = Fraction(1, 200)  # the share by which rounding to two figures changes a number of middling size
+ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
+FAR = 0.1  # the share by which no number of two figures is rounded
+ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
+LEAST_FOR_MISTAKE = 2  # figures of a number that may name a mistake
+MOST_TERMS = 12  # of a formula whose signs are turned
+ENOUGH = 3  # figures of a number that may be the answer to another question
+Wrong = Callable[[], "WrongAnswers"]
 
 
 class Rounded(Struct, frozen=True):
@@ -109,15 +117,7 @@ def rounding_spread(closed: Formula, values: Mapping[str, Formula]) -> float:
     return sum(abs(other.float / exact.float - 1) for other in moved if other is not None)
 
 
-ALIKE = Fraction(1, 500)  # the share within which a number is that of a mistake
-FAR = 0.1  # the share by which no number of two figures is rounded
-ROUGHLY = 1e-6  # the share by which numbers of one formula may differ in floats
-LEAST_FOR_MISTAKE = 2  # figures of a number that may name a mistake
-MOST_TERMS = 12  # of a formula whose signs are turned
-ENOUGH = 3  # figures of a number that may be the answer to another question
-
-
-Wrong = Callable[[], "WrongAnswers"]
+# mistakes
 
 
 class Explaining:
@@ -126,8 +126,6 @@ class Explaining:
     def __init__(self, letters: SceneLetters, wrong: Wrong | None = None) -> None:
         self.letters = letters
         self._wrong = wrong  # where the mistakes of the scene are solved for other numbers already
-        self._roundings: dict[Formula, tuple[Rounded, ...]] = {}
-        self._spreads: dict[Formula, float] = {}
 
     @cached_property
     def wrong_answers(self) -> WrongAnswers:
@@ -161,15 +159,14 @@ class Explaining:
                 return found(WRONG, "mistake", "it is the value of ", Symbol(answer.name))
         return None
 
+    @remembered
     def roundings(self, asked: Scalar) -> tuple[Rounded, ...]:
         """The answer with one number rounded too early."""
         closed = asked.closed
         if closed is None or not closed.symbols() <= asked.values.keys():
             return ()
-        if closed not in self._roundings:
-            givens = {given.name: given for given in self.letters.problem.givens}
-            self._roundings[closed] = rounded_answers(closed, asked.values, givens)
-        return self._roundings[closed]
+        givens = {given.name: given for given in self.letters.problem.givens}
+        return rounded_answers(closed, asked.values, givens)
 
     def mistake_of_number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The mistake that gives a number."""
@@ -190,16 +187,19 @@ class Explaining:
 
     def roughly(self, typed: Typed, asked: Scalar) -> Finding | None:
         """Whether rounding to about two figures on the way may give a number."""
-        closed, sought = asked.closed, asked.sought
-        if closed is None or sought is None or not closed.symbols() <= asked.values.keys():
+        closed = asked.closed
+        if closed is None or asked.value is None or not closed.symbols() <= asked.values.keys():
             return None
-        if closed not in self._spreads:
-            self._spreads[closed] = rounding_spread(closed, asked.values)
-        value = sought.in_unit(typed.unit or asked.unit)
-        if not is_near(typed, value, share=Fraction(self._spreads[closed])):
+        value = asked.in_unit(typed.unit or asked.unit)
+        if not is_near(typed, value, share=self.spread(asked)):
             return None
         said = "close: as far off as when numbers on the way are rounded to two figures"
         return found(WRONG, "rounding", said, flaws=(marks.ROUNDING,))
+
+    @remembered
+    def spread(self, asked: Scalar) -> Fraction:
+        """How far the answer may be off where every number in it is rounded to about two figures."""
+        return Fraction(rounding_spread(asked.closed, asked.values)) if asked.closed is not None else Fraction(0)
 
     def formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """What a wrong formula comes of; None where nothing tells."""

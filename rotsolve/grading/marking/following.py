@@ -20,6 +20,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.numbers import HALF, Typed, certified_number
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.target import SceneLetters
@@ -54,8 +55,6 @@ class Following:
     def __init__(self, letters: SceneLetters, same: Same) -> None:
         self.letters = letters
         self.same = same
-        self._laws: dict[str, tuple[Equality, ...]] = {}
-        self._eliminated: dict[tuple[str, tuple[str, ...]], tuple[Formula, ...]] = {}
 
     def follows(self, name: str, given: Own, earlier: Mapping[str, Own], tolerance: Tolerance) -> tuple[str, ...]:
         """The earlier answers from which an answer follows; nothing where it follows from none."""
@@ -74,15 +73,11 @@ class Following:
             for others in combinations(islice(earlier, MOST_EARLIER), count):
                 yield from (Equality(form, Symbol(name)) for form in self.eliminated(name, others))
 
+    @remembered
     def laws(self, name: str) -> tuple[Equality, ...]:
         """The laws that speak of an answer, in letters of answers and givens."""
-        if name not in self._laws:
-            known = self.letters.answers
-            told = [
-                law for law in self.told if name in relation_letters(law) and len(relation_letters(law) & known) > 1
-            ]
-            self._laws[name] = tuple(dict.fromkeys(told))
-        return self._laws[name]
+        letters = ((law, relation_letters(law) & self.letters.answers) for law in self.told)
+        return tuple(dict.fromkeys(law for law, names in letters if name in names and len(names) > 1))
 
     @cached_property
     def told(self) -> tuple[Equality, ...]:
@@ -121,15 +116,13 @@ class Following:
                 put = dict(zip(names, chosen, strict=True))
                 yield Equality(law.left.substitute(put), law.right.substitute(put))
 
+    @remembered
     def eliminated(self, name: str, others: tuple[str, ...]) -> tuple[Formula, ...]:
         """An answer by others and the rest of the givens, where that is half as long as its closed form: what is longer nobody uses."""
-        key = name, others
-        if key not in self._eliminated:
-            closed = self.letters.closed
-            whole = [closed[one] for one in (name, *others) if one in closed]
-            fits = len(whole) == 1 + len(others) and all(length(form) <= LONGEST for form in whole)
-            self._eliminated[key] = tuple(dict.fromkeys(self._short(name, others))) if fits else ()
-        return self._eliminated[key]
+        closed = self.letters.closed
+        whole = [closed[one] for one in (name, *others) if one in closed]
+        fits = len(whole) == 1 + len(others) and all(length(form) <= LONGEST for form in whole)
+        return tuple(dict.fromkeys(self._short(name, others))) if fits else ()
 
     def _short(self, name: str, others: tuple[str, ...]) -> Iterator[Formula]:
         closed = self.letters.closed

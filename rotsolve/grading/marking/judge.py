@@ -10,6 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.algebra.units.dimension import NONE
+from rotsolve.algebra.units.unit_table import Unit
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.equality import SampledRegion, close_everywhere, same_everywhere, same_here
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.scalars import lacking_unit
@@ -35,9 +37,6 @@ class Judge:
         self.following = Following(self.letters, self.same)
         self.explaining = Explaining(self.letters, wrong)
         self.working = WorkingJudge(self.letters, frozenset(self.targets), self.same, self.explaining)
-        self._own: dict[tuple[str, str], Own | None] = {}
-        self._explained: dict[tuple[str, str], JudgedText] = {}
-        self._followed: dict[tuple[str, str, tuple[tuple[str, str], ...]], JudgedText | None] = {}
 
     def mark(self, paper: Paper) -> Marked:
         """The paper, marked: every answer in the order in which the scene asks, then the working."""
@@ -68,22 +67,18 @@ class Judge:
         one = self.texts.judged(target, text)
         if one.finding.outcome != WRONG or one.finding.flaws or one.reading is None:
             return one, False
-        key = target.name, text, tuple(wrong.items())
-        if wrong and key not in self._followed:
-            self._followed[key] = self._follow(target, text, wrong)
-        followed = self._followed.get(key)
+        followed = self._follow(target, text, tuple(wrong.items())) if wrong else None
         if followed is not None:
             return followed, True
         if any(remark.kind != CHAIN for remark in one.finding.remarks):
             return one, False
-        if key[:2] not in self._explained:
-            self._explained[key[:2]] = self._explain(target, one)
-        return self._explained[key[:2]], False
+        return self._explain(target, text), False
 
-    def _follow(self, target: Target, text: str, wrong: Mapping[str, str]) -> JudgedText | None:
+    @remembered
+    def _follow(self, target: Target, text: str, wrong: tuple[tuple[str, str], ...]) -> JudgedText | None:
         """The finding for an answer that is right given the student's own earlier ones; None where it is not."""
         one, given = self.texts.judged(target, text), self.own(target, text)
-        owned = {name: self.own(self.targets[name], typed) for name, typed in wrong.items()}
+        owned = {name: self.own(self.targets[name], typed) for name, typed in wrong}
         earlier = {name: value for name, value in owned.items() if value is not None}
         if given is None or not earlier:
             return None
@@ -97,8 +92,10 @@ class Judge:
             finding = lacking_unit(finding, target.whole.unit, target.whole)
         return JudgedText(one.reading, finding, one.read_as)
 
-    def _explain(self, target: Target, one: JudgedText) -> JudgedText:
+    @remembered
+    def _explain(self, target: Target, text: str) -> JudgedText:
         """A wrong answer with what it comes of, where that is found."""
+        one = self.texts.judged(target, text)
         reading, asked = one.reading, target.whole
         finding = None
         if reading is not None and reading.formula is not None and asked is not None:
@@ -111,25 +108,19 @@ class Judge:
             return one
         return JudgedText(reading, replace(finding, remarks=(*finding.remarks, *one.finding.remarks)), one.read_as)
 
+    @remembered
     def own(self, target: Target, text: str) -> Own | None:
         """What a student's answer is worth for later ones; None for zero, and for what measures something else."""
-        key = target.name, text
-        if key not in self._own:
-            self._own[key] = self._worth(target, self.texts.judged(target, text))
-        return self._own[key]
-
-    def _worth(self, target: Target, one: JudgedText) -> Own | None:
+        one = self.texts.judged(target, text)
         reading, asked = one.reading, target.whole
         if reading is None or reading.formula is None or asked is None:
             return None
         if any(remark.kind in ("dimension", "form") for remark in one.finding.remarks):
             return None
         if reading.kind == NUMBER:
-            unit = (
-                asked.unit
-                if reading.unit is None
-                else measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns).unit
-            )
+            unit: Unit | None = asked.unit
+            if reading.unit is not None:
+                unit = measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns).unit
             typed = Typed(reading.formula, reading.figures, reading.unit)
             return None if unit is None or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)

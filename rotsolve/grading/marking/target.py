@@ -18,14 +18,14 @@ from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.language.marks import Marking, marking_of
-from rotsolve.language.problem import Find, Problem, WhichOf
+from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.positive import positive_letters
 from rotsolve.solution import Solution
 
 CONSTANT = f"inertia{SEPARATOR}"  # how the keys of moments of inertia begin
 
 
-class Target(Struct, frozen=True):
+class Target(Struct, frozen=True, eq=False):
     """An answer with its marking: `whole` is the number or the size, `parts` the components, `options` the words to choose from."""
 
     name: str
@@ -173,7 +173,8 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         marking = marking_of(letters.problem.marking, answer.name)
         find, entry = finds[answer.name], published.get(answer.name)
         if answer.word:
-            yield Target(answer.name, marking, word=answer.word, options=option_labels(find.choice))
+            labels = tuple(option.label for option in find.choice.options) if find.choice else ()
+            yield Target(answer.name, marking, word=answer.word, options=labels)
             continue
         told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
         rows = answer.rows
@@ -211,10 +212,6 @@ def scalar_of(
         directed,
         turns,
     )
-
-
-def option_labels(choice: WhichOf | None) -> tuple[str, ...]:
-    return () if choice is None else tuple(option.label for option in choice.options)
 
 
 def asks_for_turns(find: Find) -> bool:

@@ -8,6 +8,7 @@ from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.readings import scalar_judged, vector_judged
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
 from rotsolve.grading.marking.target import SceneLetters, Target
@@ -35,17 +36,10 @@ class Texts:
 
     def __init__(self, letters: SceneLetters) -> None:
         self.letters = letters
-        self._names: dict[str, Names] = {}
-        self._judged: dict[tuple[str, str], JudgedText] = {}
 
+    @remembered
     def judged(self, target: Target, text: str) -> JudgedText:
         """What is found in a text."""
-        known = self._judged.get((target.name, text))
-        if known is None:
-            known = self._judged[target.name, text] = self._judge(target, text)
-        return known
-
-    def _judge(self, target: Target, text: str) -> JudgedText:
         if NOTHING.fullmatch(text):
             return JudgedText(None, found(WRONG, "empty", "not answered"))
         if target.word:
@@ -58,12 +52,10 @@ class Texts:
             return chain_judged([self._value(target, member) for member in chain], chain)
         return self._value(target, text)
 
+    @remembered
     def names(self, asked: str) -> Names:
         """The letters that an answer may hold."""
-        known = self._names.get(asked)
-        if known is None:
-            known = self._names[asked] = Names(self.letters.givens, self.letters.told, asked)
-        return known
+        return Names(self.letters.givens, self.letters.told, asked)
 
     def _value(self, target: Target, text: str) -> JudgedText:
         """What is found in one value: by the letters of the scene, else with units in it, else with letters of the laws."""

@@ -18,6 +18,7 @@ from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, negate
 from rotsolve.algebra.units.dimension import Dimension, DimensionError, describe, dimension_of
+from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.scalars import Same
 from rotsolve.grading.marking.explaining import Explaining, mistake_finding
 from rotsolve.grading.marking.target import SceneLetters
@@ -55,7 +56,6 @@ class WorkingJudge:
         self.answers = answers
         self.same = same
         self.explaining = explaining
-        self._judged: dict[str, Verdict] = {}
 
     def lines(self, texts: tuple[str, ...]) -> tuple[JudgedLine, ...]:
         """The verdict on each line; the first wrong one is marked."""
@@ -66,12 +66,10 @@ class WorkingJudge:
             for index, (text, verdict) in enumerate(zip(texts, verdicts, strict=True))
         )
 
+    @remembered
     def verdict(self, text: str) -> Verdict:
-        known = self._judged.get(text)
-        if known is None:
-            finding = all_findings(self.link(link) for link in equations_of(text))
-            known = self._judged[text] = Verdict(finding.outcome, "", finding.remarks)
-        return known
+        finding = all_findings(self.link(link) for link in equations_of(text))
+        return Verdict(finding.outcome, "", finding.remarks)
 
     @cached_property
     def names(self) -> Names:

@@ -90,26 +90,25 @@ def no_weight(scene: Scene) -> Made:
 
 def weight_at_end(scene: Scene) -> Made:
     """The arm L for ½ L of a rod that is hinged at its end."""
-    first = scene.moments[0].state
-    for name in each(
-        name for name in pulled_bodies(scene, WEIGHT) if shape_of(scene.configuration.bodies[name]).slender
-    ):
-        held = scene.configuration.pivot(name, first)
-        if held is not None and held.point in ("start", "end"):
-            words = f"the weight of the {spoken(name)} was taken to act at its end"
-            yield words, Change(altered=of_forces((name,), farther))
+    weighing = frozenset(pulled_bodies(scene, WEIGHT))
+    for name in each(name for name in hinged_at_end(scene) if name in weighing):
+        words = f"the weight of the {spoken(name)} was taken to act at its end"
+        yield words, Change(altered=of_forces((name,), farther))
 
 
 def mass_at_end(scene: Scene) -> Made:
     """I = m L² and the weight at L, of a rod that is hinged at its end."""
-    first = scene.moments[0].state
-    for name in each(name for name, body in scene.configuration.bodies.items() if shape_of(body).slender):
-        held = scene.configuration.pivot(name, first)
-        if held is not None and held.point in ("start", "end") and name in scene.bodies:
-            yield (
-                f"the {spoken(name)} was taken as a point mass at its end",
-                Change(altered=of_bodies((name,), gathered_at_end)),
-            )
+    for name in each(hinged_at_end(scene)):
+        words = f"the {spoken(name)} was taken as a point mass at its end"
+        yield words, Change(altered=of_bodies((name,), gathered_at_end))
+
+
+def hinged_at_end(scene: Scene) -> Iterator[str]:
+    """The rods that turn about one of their ends."""
+    for name, body in scene.configuration.bodies.items():
+        held = scene.configuration.pivot(name, scene.moments[0].state)
+        if name in scene.bodies and shape_of(body).slender and held is not None and held.point in ("start", "end"):
+            yield name
 
 
 def gathered_at_end(body: BodyFacts, facts: Facts) -> BodyFacts:
@@ -266,6 +265,9 @@ def without_reaction(body: BodyFacts, facts: Facts) -> BodyFacts:
     """The body as its weight and other pulls would move its centre of mass on its circle."""
     forces = tuple(force for force in body.forces if not force.role.holds)
     return replace(body, forces=forces, axes=(direction_of(body.cm).turned(90),))
+
+
+# accelerations
 
 
 def centre_at_rest(scene: Scene) -> Made:

@@ -150,22 +150,24 @@ def without_steiner_term(equation: Equation) -> Equation:
 
 
 def shape_factors(scene: Scene) -> Made:
-    """Another factor of the table: m R² for ½ m R²."""
+    """Another factor of the table, m R² for ½ m R², and for an annulus ½ m (R² − r²)."""
     bodies = list(bodies_and_parts(scene.problem.bodies))
     right = {body.name: body.inertia.formula for body in scene.bodies.values() if body.inertia is not None}
     for among, size in ((ROUND, round_radius), (LONG, rod_length)):
         for factor, noun in among:
-            told = with_factor(factor, size)
-            sized = [body for body in bodies if size(body) is not None]
-            about = {
-                body.name: (shape_inertia(body), right.get(body.name, ZERO)) for body in sized
-            }  # about the centre, and about its axis
-            fitting = [body.name for body in sized if not any(is_zero(told(body) - one) for one in about[body.name])]
+            wrong = with_factor(factor, size)
+            sized = (body for body in bodies if size(body) is not None)
+            fitting = (body.name for body in sized if not is_right(wrong(body), body, right.get(body.name, ZERO)))
             for names, who in each_and_all(fitting):
-                yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, told))
-    for names, who in each_and_all(body.name for body in bodies if body.shape is not None and body.shape.walled):
+                yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, wrong))
+    for names, who in each_and_all(body.name for body in bodies if shape_of(body).walled):
         words = f"in the moment of inertia of {who} the square of the inner radius was taken away instead of added"
-        yield words, Change(problem=with_inertia(names, hollowed_inertia))
+        yield words, Change(problem=with_inertia(names, with_difference))
+
+
+def is_right(formula: Formula, body: Body, about_its_axis: Formula) -> bool:
+    """Whether a formula is the moment of inertia of a body, about its centre of mass or about its axis."""
+    return any(is_zero(formula - right) for right in (shape_of(body).moment(body.mass or ZERO), about_its_axis))
 
 
 def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
@@ -177,11 +179,11 @@ def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
 
 def round_radius(body: Body) -> Formula | None:
     """The radius of a round shape that has a factor in the table."""
-    return body.shape.outer if body.shape is not None and tells_inertia(body) else None
+    return shape_of(body).outer if tells_inertia(body) else None
 
 
 def rod_length(body: Body) -> Formula | None:
-    return body.shape.reach() if body.shape is not None and tells_inertia(body) else None
+    return shape_of(body).reach() if tells_inertia(body) else None
 
 
 def tells_inertia(body: Body) -> bool:
@@ -194,22 +196,17 @@ def with_factor(factor: Fraction, size: Callable[[Body], Formula | None]) -> Cal
     return lambda body: Number(factor) * (body.mass or ZERO) * (size(body) or ZERO) ** 2
 
 
-def shape_inertia(body: Body) -> Formula:
-    """The moment of inertia of a shape about its centre of mass."""
-    return shape_of(body).moment(body.mass or ZERO)
-
-
-def hollowed_inertia(body: Body) -> Formula:
+def with_difference(body: Body) -> Formula:
     """½ m (R² − r²) of an annulus."""
     sizes: dict[str, Formula] = dict(getattr(body.shape, "radii", ()))
     return (body.mass or ZERO) * (sizes["outer"] ** 2 - sizes["inner"] ** 2) / 2
 
 
-def with_inertia(names: tuple[str, ...], told: Callable[[Body], Formula]) -> Callable[[Problem], Problem]:
+def with_inertia(names: tuple[str, ...], wrong: Callable[[Body], Formula]) -> Callable[[Problem], Problem]:
     """The scene with given moments of inertia of some bodies about their centres of mass."""
 
     def changed(body: Body) -> Body:
         parts = tuple(replace(part, body=changed(part.body)) for part in body.parts)
-        return replace(body, parts=parts, **({"inertia": told(body)} if body.name in names else {}))
+        return replace(body, parts=parts, **({"inertia": wrong(body)} if body.name in names else {}))
 
     return lambda problem: replace(problem, bodies=tuple(changed(body) for body in problem.bodies))

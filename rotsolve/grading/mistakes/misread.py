@@ -21,6 +21,7 @@ if TYPE_CHECKING:
 
 TURNS = ("rev", "rpm", "turn")  # in the text of a unit that counts revolutions
 MINUTE = Number(UNITS["min"].scale)
+Turn = Callable[[Formula], Formula]
 
 
 def misread_givens(scene: Scene, fits: Callable[[Unit], bool], wrong: Callable[[Unit], Formula], words: str) -> Made:
@@ -148,7 +149,7 @@ def radii_of(body: Body) -> Iterator[str]:
         yield from radii_of(part.body)
 
 
-Turn = Callable[[Formula], Formula]
+# angles
 
 
 def sine_for_cosine(scene: Scene) -> Made:

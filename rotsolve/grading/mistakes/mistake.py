@@ -13,6 +13,8 @@ from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Problem
 
+MOST = 8  # places that are tried one by one; of more only all together
+
 
 class Change(Struct, frozen=True):
     """What a mistake changes: what is read of the scene, what the laws say of it, or what is put in for a given at the end.
@@ -52,7 +54,7 @@ class Mistake(Struct, frozen=True):
 Made = Iterator[tuple[str, Change]]  # words that complete "It looks as if ", and the change that goes with them
 
 
-MOST = 8  # places that are tried one by one; of more only all together
+# places
 
 
 def each(names: Iterable[str]) -> tuple[str, ...]:

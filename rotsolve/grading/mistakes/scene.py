@@ -34,6 +34,8 @@ from rotsolve.search.search import Search
 
 ROUNDS = 2  # times that a question is asked
 NO_ANSWER = (Unsolvable, SceneError, ValueError, ArithmeticError)  # what a scene that makes no sense ends in
+NEARLY = 1e-9  # relative: numbers closer than this are not told apart
+DIGITS = 10  # to which a difference of two forms is worked out
 
 
 class Scene(Struct, frozen=True, dict=True):
@@ -137,6 +139,9 @@ def answers_of(search: Search) -> dict[str, Answer]:
     return {one.name: one for one in DerivationComposer(search).results.answers()}
 
 
+# answers
+
+
 def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, Formula]) -> Answer:
     """An answer with something else written for letters, and with other numbers; without one where it has no closed form."""
     closed = None if answer.closed is None else answer.closed.substitute(letters)
@@ -158,10 +163,6 @@ def value_in_unit(closed: Formula, factor: Formula, values: Mapping[str, Formula
         return evaluate(closed / factor, values)
     except Undefined:
         return None
-
-
-NEARLY = 1e-9  # relative: numbers closer than this are not told apart
-DIGITS = 10  # to which a difference of two forms is worked out
 
 
 class Differing(Struct, frozen=True):

@@ -18,6 +18,8 @@ from rotsolve.grading.mistakes.mistake import Made, Mistake
 from rotsolve.grading.mistakes.scene import Scene, same_answers
 from rotsolve.language.problem import Problem
 
+Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
+
 
 class MistakeKind(Struct, frozen=True):
     """One entry: its name, what it is in general, and how it is made at each place of a scene where it can be."""
@@ -86,9 +88,6 @@ MISTAKES: list[MistakeKind] = [
     MistakeKind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
     MistakeKind("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
 ]
-
-
-Wrong = tuple[Mistake, Mapping[str, Answer]]  # a mistake with the answers that it changes
 
 
 class WrongAnswers:

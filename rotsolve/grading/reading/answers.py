@@ -38,6 +38,11 @@ from rotsolve.grading.reading.vectors import (
 from rotsolve.grading.reading.vocabulary import all_ways, read_formula
 
 _WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
+LATEX = re.compile(r"\\begin\{[pb]?matrix\}(?P<inside>.*)\\end\{[pb]?matrix\}", re.DOTALL)
+NESTED = re.compile(r"\s*[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
+FLAT = re.compile(r"\s*[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
+LARGEST = 4000  # characters of a matrix
+OPEN, CLOSE = "[(", "])"
 
 
 class AnswerLine(Struct, frozen=True):
@@ -208,11 +213,7 @@ def si_formula(side: LineReading) -> Formula | None:
     return side.formula * side.unit.factor
 
 
-LATEX = re.compile(r"\\begin\{[pb]?matrix\}(?P<inside>.*)\\end\{[pb]?matrix\}", re.DOTALL)
-NESTED = re.compile(r"\s*[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
-FLAT = re.compile(r"\s*[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
-LARGEST = 4000  # characters of a matrix
-OPEN, CLOSE = "[(", "])"
+# matrices
 
 
 class MatrixRow(Struct, frozen=True):

@@ -31,6 +31,36 @@ _CLAUSE = re.compile(
     r"(?:[,;(]|\b(?:with|where|for|taking|using|and)\b)\s*(?P<name>[^\W\d_]\w*)\s*=\s*[-+−]?\d[^=,;()]*\)?\s*$"
 )
 
+_DIRECTIONS = {
+    "left": r"left(?:wards?)?|←|\\leftarrow",
+    "right": r"right(?:wards?)?|→|\\rightarrow",
+    "up": r"up(?:wards?|hill)?|vertically up(?:wards?)?|↑|\\uparrow",
+    "down": r"down(?:wards?|hill)?|vertically down(?:wards?)?|↓|\\downarrow",
+    "counterclockwise": r"counter-?\s?clockwise|anti-?\s?clockwise|ccw|↺",
+    "clockwise": r"clockwise|cw|↻",
+    "forward": r"forwards?",
+    "back": r"back(?:wards?)?",
+}
+_GROUPS = "|".join(f"(?P<{word}>{pattern})" for word, pattern in _DIRECTIONS.items())
+_SLOPE = r"(?P<slope>\s+(?:along\s+)?the\s+(?:slope|incline|inclined plane|plane|ramp|hill))?"
+_TAIL = (  # compiled when a line first needs it
+    rf"(?<![A-Za-z_\\])[\s,;(\[]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}\]$]*$"
+)
+_ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
+ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
+LONGEST_DIRECTION = 80  # columns of such words
+EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
+# what stands between members
+_LEADS = re.compile(rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;")
+WORD_ENDS = ("s", ".", ",")  # how the leads end that are words
+_IN_BRACKETS = re.compile(r"(?P<formula>.*\S)\s+\((?P<value>[≈\s]*[-+−]?\d[^()]*)\)\s*$")  # 3/5 g sin β (2.49 m/s²)
+_NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
+_ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
+_SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
+# `a = 3 m/s², T` before another `=`
+_NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\band\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
+PAIRED = frozenset(("atan2", "arctan2", "integral"))  # functions whose arguments commas part
+
 
 def without_asides(text: str, names: Names) -> str:
     """The line without words that say nothing of its value; one that is too long for any stays as it is."""
@@ -63,24 +93,7 @@ def blanks(words: str) -> str:
     return " " * len(words)
 
 
-_DIRECTIONS = {
-    "left": r"left(?:wards?)?|←|\\leftarrow",
-    "right": r"right(?:wards?)?|→|\\rightarrow",
-    "up": r"up(?:wards?|hill)?|vertically up(?:wards?)?|↑|\\uparrow",
-    "down": r"down(?:wards?|hill)?|vertically down(?:wards?)?|↓|\\downarrow",
-    "counterclockwise": r"counter-?\s?clockwise|anti-?\s?clockwise|ccw|↺",
-    "clockwise": r"clockwise|cw|↻",
-    "forward": r"forwards?",
-    "back": r"back(?:wards?)?",
-}
-_GROUPS = "|".join(f"(?P<{word}>{pattern})" for word, pattern in _DIRECTIONS.items())
-_SLOPE = r"(?P<slope>\s+(?:along\s+)?the\s+(?:slope|incline|inclined plane|plane|ramp|hill))?"
-_TAIL = (  # compiled when a line first needs it
-    rf"(?<![A-Za-z_\\])[\s,;(\[]*(?:\\text\s*\{{\s*)?(?:(?:directed|pointing|acting|to|towards|on)\s+)*(?:the\s+)?(?:{_GROUPS}){_SLOPE}[\s).}}\]$]*$"
-)
-_ENDINGS = "ft ht rd ds up wn se cw ck ne pe mp ll ow"
-ENDINGS = frozenset((*_ENDINGS.split(), *"←→↑↓↺↻"))  # the last letters of these words
-LONGEST_DIRECTION = 80  # columns of such words
+# directions
 
 
 def direction_behind(text: str, start: int) -> tuple[str, int]:
@@ -95,16 +108,7 @@ def direction_behind(text: str, start: int) -> tuple[str, int]:
     return (f"{word} the slope" if match["slope"] else word), match.start()
 
 
-EQUALS = re.compile(r"(?<![<>!]):?==?|[≈≃＝]|\\(?:approx|simeq)(?![A-Za-z])")
-# what stands between members
-_LEADS = re.compile(rf"=>|⇒|[-–]>|→|∴|(?:[,;]\s*)?(?:\bthat is\b|\bi\.e\.),?|{EQUALS.pattern}|;")
-WORD_ENDS = ("s", ".", ",")  # how the leads end that are words
-_IN_BRACKETS = re.compile(r"(?P<formula>.*\S)\s+\((?P<value>[≈\s]*[-+−]?\d[^()]*)\)\s*$")  # 3/5 g sin β (2.49 m/s²)
-_NAME = r"\\?[^\W\d_][\w{}\\]*(?:\(t\))?"
-_ALONE = re.compile(rf"[\s$]*({_NAME})[\s$]*")
-_SET = str.maketrans("", "", "\\{}$ ")  # what only says how letters are set: \omega_{0} is omega_0
-# `a = 3 m/s², T` before another `=`
-_NEXT_ANSWER = re.compile(rf"(?:[,;\n]|\band\b|&|\\\\)\s*\$?\s*{_NAME}\s*$")
+# chains
 
 
 def chain_members(text: str, names: Names) -> tuple[str, ...]:
@@ -163,7 +167,7 @@ def _holds_asked(piece: str, names: Names) -> bool:
     return any(names.is_asked(match[0]) for match in re.finditer(r"[^\W\d_]\w*", piece))
 
 
-PAIRED = frozenset(("atan2", "arctan2", "integral"))  # functions whose arguments commas part
+# commas
 
 
 def with_points(tokens: list[Token], forks: Forks) -> tuple[list[Token], tuple[Remark, ...]]:

@@ -25,6 +25,8 @@ BASIC = ("kg", "m", "s", "N", "J", "W", "rad")  # before all others where units 
 UNIT_MARKS = frozenset(("*", ".", "/", "^", "(", ")", "[", "]", "raised", "number", "-", "°", "%"))
 PER_SECOND = {"ms": ("m", "s"), "rads": ("rad", "s")}  # before a negative power
 _INDEXED = re.compile(r"([A-Za-zµμ]+?)([23])")  # m/s2
+WEIGHT = "mg"  # seldom milligrams where both are letters
+NO_NAMES: frozenset[str] = frozenset()
 
 
 def looks_like_unit(tokens: list[Token]) -> bool:
@@ -137,8 +139,7 @@ def _unit_fault(message: str, tokens: list[Token]) -> FormulaError:
     return FormulaError(message, tokens[0].start, tokens[-2].end)
 
 
-WEIGHT = "mg"  # seldom milligrams where both are letters
-NO_NAMES: frozenset[str] = frozenset()
+# numbers with units
 
 
 class NumberAndUnit(Struct, frozen=True):

@@ -17,6 +17,8 @@ from rotsolve.core.registry import TIME
 from rotsolve.grading.verdict import Remark
 
 SHORT_TIME = "t"
+_DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
+FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word", "equation"
 
 
 class Names(Struct, frozen=True, dict=True):
@@ -61,10 +63,6 @@ def spelled_alike(typed: str, name: str) -> bool:
     if typed[:1] == "w" and name == f"omega{typed[1:]}":
         return True
     return len(typed) > 1 and typed.replace("_", "").casefold() == name.replace("_", "").casefold()
-
-
-_DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
-FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word", "equation"
 
 
 class LineReading(Struct, frozen=True):

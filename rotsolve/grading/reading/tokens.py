@@ -45,6 +45,28 @@ _MARKS = {
     "relation": "le leq ge geq lt gt ne neq",
 }
 _MARK_OF = {command: mark for mark, commands in _MARKS.items() for command in commands.split()}
+MAX_LENGTH = 600
+MARKS = {
+    **SAME_MARK,
+    **dict.fromkeys("⁄∶", "/"),
+    **dict.fromkeys("—‐‑‒", "-"),
+    **dict.fromkeys("•∗", "*"),
+    **dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "="),
+    **{"⟨": "(", "⟩": ")", "∣": "|", "º": "°"},
+}
+_TOKEN = re.compile(
+    rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
+    rf"|{RAISED}"
+    r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
+    r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
+    r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
+)
+_CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
+_INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
+_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
+_CHANGED = re.compile(rf"\s*(?:\\({'|'.join(GREEK_LETTERS)})(?![A-Za-z])|([A-Za-z]))")
+_ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
+_HATTED = {"î": "i", "ĵ": "j"}
 
 
 def command_mark(word: str) -> str | None:
@@ -59,24 +81,6 @@ def unknown_command(found: str, start: int, end: int) -> FormulaError:
     known = [*NAMES, *FRACTION, "sqrt", *CONTENT, *_MARK_OF]
     meant = next(iter(get_close_matches(found[1:], known, n=1)), None)
     return FormulaError(f"unknown LaTeX command `{found}`", start, end, f"\\{meant}" if meant else None)
-
-
-MAX_LENGTH = 600
-MARKS = SAME_MARK | dict.fromkeys("⁄∶", "/") | dict.fromkeys("—‐‑‒", "-") | dict.fromkeys("•∗", "*")
-MARKS |= dict.fromkeys(("≈", "≃", ":=", "==", "＝"), "=") | {"⟨": "(", "⟩": ")", "∣": "|", "º": "°"}
-_TOKEN = re.compile(
-    rf"(?P<space>[\s$~]+)|(?P<number>{NUMBER})|(?P<fraction>[{''.join(FRACTIONS)}])|(?P<name>[îĵ]|{RUN})"
-    rf"|{RAISED}"
-    r"|(?P<degree>\^\s*(?:\\circ(?![A-Za-z])|\{\s*\\circ\s*\}))"
-    r"|(?P<command>\\(?:[A-Za-z]+|.))|(?P<brace>[{}])|(?P<relation><=|>=|!=|[<>≤≥≠])"
-    r"|(?P<mark>\*\*|:=|==|[-+*/^()\[\]|,;=.√∫→°º%@∠−–—‐‑‒·×⋅∙•∗÷∕⁄∶⟨⟩∣≈≃＝])|(?P<other>.)"
-)
-_CALLED = re.compile(rf"(?<!_)(?:{'|'.join(sorted(FUNCTION_NAMES, key=len, reverse=True))})(?=[0-9])")
-_INDEX = re.compile(r"_\s*(?:\{([^{}]*(?:\{[^{}]*\}[^{}]*)*)\}|([0-9]+|[A-Za-z]+)|(\\[A-Za-z]+))")
-_MATRIX = re.compile(r"\s*\{\s*[pbv]?(?:small)?matrix\s*\}")
-_CHANGED = re.compile(rf"\s*(?:\\({'|'.join(GREEK_LETTERS)})(?![A-Za-z])|([A-Za-z]))")
-_ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
-_HATTED = {"î": "i", "ĵ": "j"}
 
 
 class LineLexer(Lexer):

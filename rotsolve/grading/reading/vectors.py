@@ -29,6 +29,22 @@ OPENING, CLOSING = ("(", "[", "<"), (")", "]", ">")
 MOST_COMPONENTS = 9
 
 ReadValue = Callable[[list[Token]], LineReading]
+# A comma between digits is a decimal one, and `rad/s` is no angle.
+_HINT = re.compile(
+    r"°|∠|@|deg|rad\b(?!\s*[/·*]|\s*s)|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis"
+)
+# What is rare is compiled when a line first needs it.
+_SPLIT = (
+    r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)(?:;|(?<![0-9]),|,(?![0-9])))(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
+    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
+)
+_DIRECTION_WORD = (
+    r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
+    r"|measured|axis|[+\-−]?[xy](?=[\s-]axis|$)|counter-?clockwise|anti-?clockwise|clockwise"
+)
+_PHRASE = rf"(?i:(?:(?<![A-Za-z\\])(?:{_DIRECTION_WORD})(?![A-Za-z])[\s,.$)\-]*)*)$"
+COUNTER = ("counter", "anti", "counterclockwise", "anticlockwise")  # before "clockwise"
+DEGREE, RADIAN = UNITS["deg"], UNITS["rad"]
 
 
 def end_at(token: Token) -> Token:
@@ -212,22 +228,7 @@ def axis_and_coefficient(term: list[Token]) -> tuple[Token, list[Token]]:
     return axis, rest
 
 
-# A comma between digits is a decimal one, and `rad/s` is no angle.
-_HINT = re.compile(
-    r"°|∠|@|deg|rad\b(?!\s*[/·*]|\s*s)|\\circ|\\angle|\bangle|\bat\s+[0-9.,]+\s*$|horizontal|vertical|axis"
-)
-# What is rare is compiled when a line first needs it.
-_SPLIT = (
-    r"(?:\s*(?<!\\)[,;])?\s*(?:\b(?:at|with|under|in)\b|@|∠|\\angle|(?<!\\)(?:;|(?<![0-9]),|,(?![0-9])))(?:\s*(?:an?\s+|the\s+)?(?:angle|direction)(?:\s+of)?\b)?\s*"
-    r"(?=[^,;]*(?:°|∠|@|deg|rad\b|\\circ|horizontal|vertical|axis)|(?<!,)(?<!, )[0-9.,]+\s*$)"
-)
-_DIRECTION_WORD = (
-    r"above|below|under|over|up(?:wards?)?|down(?:wards?)?|left|right|of|to|from|with|the|horizontal|vertical|negative|positive|and|on|side"
-    r"|measured|axis|[+\-−]?[xy](?=[\s-]axis|$)|counter-?clockwise|anti-?clockwise|clockwise"
-)
-_PHRASE = rf"(?i:(?:(?<![A-Za-z\\])(?:{_DIRECTION_WORD})(?![A-Za-z])[\s,.$)\-]*)*)$"
-COUNTER = ("counter", "anti", "counterclockwise", "anticlockwise")  # before "clockwise"
-DEGREE, RADIAN = UNITS["deg"], UNITS["rad"]
+# by size and direction
 
 
 class SizeAndAngle(Struct, frozen=True):
