@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from textwrap import wrap as wrap_words
 
 from msgspec import Struct
 
@@ -88,6 +87,7 @@ def wrap(text: str, width: int, hanging: int = 0) -> list[str]:
     """The text in lines of at most `width` columns where it has a place to break; later lines are indented by `hanging`."""
     if len(text) <= width:
         return [text]
+    from textwrap import wrap as wrap_words  # few lines are too long
 
     def folded(text: str) -> list[str]:
         return wrap_words(

@@ -26,10 +26,8 @@ MOST_FIGURES = 15
 MOST_POINTS = 1000
 
 
-def read_marking(scope: Scope, node: Node | None, asked: Mapping[str, Dimension | None]) -> tuple[Marking, ...]:
-    """What the section says of each answer, on top of what it says of all; nothing where there is no section."""
-    if node is None:
-        return ()
+def read_marking(scope: Scope, node: Node, asked: Mapping[str, Dimension | None]) -> tuple[Marking, ...]:
+    """What the section says of each answer, on top of what it says of all."""
     entries = scope.entries(node, "`marking`", [ALL, *asked])
     usual = Marking(ALL)
     if ALL in entries:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import re
 from collections.abc import Callable, Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
@@ -22,7 +21,6 @@ from rotsolve.scene.bodies import read_body
 from rotsolve.scene.elements import read_element, read_value
 from rotsolve.scene.givens import read_givens
 from rotsolve.scene.literals import Want
-from rotsolve.scene.marking import read_marking
 from rotsolve.scene.phrases import read_find
 from rotsolve.scene.rough import size
 from rotsolve.scene.scope import Scope
@@ -31,10 +29,8 @@ from rotsolve.scene.tree import BYTES, List, Map, Node, Text, compose
 from rotsolve.scene.values import read_scalar
 
 if TYPE_CHECKING:
+    from rotsolve.language.marks import Marking
     from rotsolve.language.problem import Variation
-
-# what no text holds, and YAML's parser refuses
-CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
 
 
 def read_source(source: str | os.PathLike[str], settings: Mapping[str, str] | None = None) -> Problem:
@@ -84,12 +80,19 @@ def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | Non
     if len(text) > BYTES:
         raise file_too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
-    control = CONTROL.search(text)
+    control = min((text.index(letter) for letter in set(text) if is_control(ord(letter))), default=None)
     if control is not None:
-        line = text.count("\n", 0, control.start()) + 1
-        message = f"a control character, U+{ord(control[0]):04X}, in line {line}"
+        line = text.count("\n", 0, control) + 1
+        message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
         raise SceneError([Fault(message, None, "a scene is YAML text in UTF-8", "file")], (), file)
     return read_tree(*compose(text, file), file, settings)
+
+
+def is_control(code: int) -> bool:
+    """Whether no text holds a letter, and YAML's parser refuses it: all below a blank but tab and line break, and others."""
+    if code < 0x20:
+        return code not in (0x09, 0x0A)
+    return (0x7F <= code <= 0x9F and code != 0x85) or 0xD800 <= code <= 0xDFFF or code in (0xFFFE, 0xFFFF)
 
 
 def read_tree(
@@ -202,7 +205,7 @@ class Sections:
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
         fields["answers"] = self.answers(asked)
-        fields["marking"] = read_marking(self.scope, self.node("marking"), asked)
+        fields["marking"] = self.marking(asked)
         fields["vary"] = self.vary()
         return Problem(file=file, lines=lines, givens=self.all_givens(), **fields)
 
@@ -298,6 +301,14 @@ class Sections:
         self.scope.later(self.top["assume"][0], "assume")
         items = node.items if isinstance(node, List) else (node,)
         return tuple(item.value for item in items if isinstance(item, Text))
+
+    def marking(self, asked: Mapping[str, Any]) -> tuple[Marking, ...]:
+        node = self.node("marking")
+        if node is None:
+            return ()
+        from rotsolve.scene.marking import read_marking  # few scenes say it
+
+        return read_marking(self.scope, node, asked)
 
     def vary(self) -> Variation | None:
         node = self.node("vary")

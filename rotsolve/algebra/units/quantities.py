@@ -124,7 +124,7 @@ def _literal(text: str, match: re.Match[str]) -> tuple[Fraction, int]:
         return top / _denominator(match["bottom"], match.start("bottom")), match.end()
     if match["glyph"] is not None:
         return FRACTIONS[match["glyph"]], match.end()
-    ten = re.compile(_TEN).match(text, match.end()) if "10" in text else None
+    ten = re.compile(_TEN).match(text, match.end()) if text[match.end() :].lstrip()[:1] in tuple("×x*·") else None
     value = _leading_number(match["number"], match.start("number"))
     if ten is None:
         return value, match.end()
