@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
-from rotsolve.core.faults import Span
 from rotsolve.core.vectors.heading import LEFT, RIGHT, UP, Heading
 from rotsolve.language.keys import Element
-from rotsolve.language.shape import Shape
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.core.faults import Span
+    from rotsolve.language.shape import Shape
 
 
 class PointRef(Struct, frozen=True):

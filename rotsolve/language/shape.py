@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.slicing import Slicing
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
 from rotsolve.language.keys import Element, key
+
+if TYPE_CHECKING:
+    from rotsolve.core.slicing import Slicing
 
 Place = tuple[Formula, Formula]
 WHEEL: tuple[str, ...] = ("center", "rim", "top", "bottom")

@@ -8,6 +8,7 @@ a level rod, drawn from left to right, is pressed, pushed up at the cut, and ben
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -20,8 +21,10 @@ from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Vector, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import Rod
 from rotsolve.language.problem import Body, Path, PointRef
-from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import RigidPiece, centre_of_mass, moment_about, positive_part, tidy
+
+if TYPE_CHECKING:
+    from rotsolve.motion.instant import Instant
 
 
 class CrossSection(Struct, frozen=True):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
 
@@ -11,12 +12,14 @@ from rotsolve.core.facts import REACTION, BodyFacts, Facts, Force
 from rotsolve.core.passage import Encounter, Meeting
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Vector, unit
 from rotsolve.language.bodies import PointRef
-from rotsolve.language.elements import Event
-from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_body
-from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import tidy
-from rotsolve.motion.timeline import Interval
+
+if TYPE_CHECKING:
+    from rotsolve.language.elements import Event
+    from rotsolve.motion.configuration import Configuration
+    from rotsolve.motion.instant import Instant
+    from rotsolve.motion.timeline import Interval
 
 
 def encounter(interval: Interval, before: tuple[Instant, Facts], after: tuple[Instant, Facts]) -> Encounter | None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
@@ -17,52 +18,14 @@ from rotsolve.core.varying import paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.bodies import Orbit
 from rotsolve.language.keys import varying_values
-from rotsolve.language.problem import Body, PointRef
 from rotsolve.language.shape import WHEEL
-from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rigid import ON_RIM, Frame, direction_of, locate, polar, tidy
 
-
-def value_now(value: Formula, instant: Instant) -> Formula:
-    """The value with letters of this moment for `time` and for paths of bodies."""
-    if not value.symbols():
-        return value
-    letters = {name: letter_of(word, instant.host(owner), instant) for name, owner, word in paths_in(value)}
-    return value.substitute({**letters, TIME: instant.time()})
-
-
-def letter_of(word: str, name: str, instant: Instant) -> Formula:
-    """Place or rate of a body at a moment, along its declared sense; even at a moment of a motion only thought of, the real rate."""
-    match word:
-        case "angle":
-            return instant.ask("angle", name, words=TURNS)
-        case "angular_velocity":
-            return instant.ask(word, name, when=instant.when, words=instant.turn_words(name))
-        case "velocity":
-            return instant.ask(word, name, when=instant.when, words=line_words(name, instant))
-        case _:
-            return since_first(word, name, instant)
-
-
-def since_first(word: str, name: str, instant: Instant) -> Formula:
-    """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
-    words = instant.turn_words(name) if word == "rotation" else line_words(name, instant)
-    timeline = instant.configuration.timeline
-    if instant.generic:
-        return instant.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
-    result: Formula = ZERO
-    for interval in timeline.between(timeline.states[0].name, instant.state):
-        if interval.event is None:
-            result = result + instant.ask(word, name, when=interval.name, words=words)
-    return result
-
-
-def line_words(name: str, instant: Instant) -> tuple[str, str]:
-    """The words for the two senses in which a body travels along its line."""
-    line = instant.line(name)
-    return (line[1], opposite(line[1])) if line else ("", "")
+if TYPE_CHECKING:
+    from rotsolve.language.bodies import Orbit
+    from rotsolve.language.problem import Body, PointRef
+    from rotsolve.motion.configuration import Configuration
 
 
 STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
@@ -352,5 +315,37 @@ class Instant(Struct, frozen=True, dict=True):
         return Symbol("time") if self.generic else self.ask("time", "")
 
     def now(self, value: Formula) -> Formula:
-        """A value that varies, at this moment."""
-        return value_now(value, self)
+        """A value that varies, in the letters of this moment for `time` and for paths of bodies."""
+        if not value.symbols():
+            return value
+        letters = {name: self.variable(word, self.host(owner)) for name, owner, word in paths_in(value)}
+        return value.substitute({**letters, TIME: self.time()})
+
+    def variable(self, word: str, name: str) -> Formula:
+        """Place or rate of a body, along its declared sense; even at a moment of a motion only thought of, the real rate."""
+        match word:
+            case "angle":
+                return self.ask("angle", name, words=TURNS)
+            case "angular_velocity":
+                return self.ask(word, name, when=self.when, words=self.turn_words(name))
+            case "velocity":
+                return self.ask(word, name, when=self.when, words=self.line_words(name))
+            case _:
+                return self.since_first(word, name)
+
+    def since_first(self, word: str, name: str) -> Formula:
+        """Rotation or displacement since the first state: the sum over the phases gone by; in the midst of a phase a running letter."""
+        words = self.turn_words(name) if word == "rotation" else self.line_words(name)
+        timeline = self.configuration.timeline
+        if self.generic:
+            return self.ask(word, name, when=GENERIC + timeline.states[0].name, words=words)
+        result: Formula = ZERO
+        for interval in timeline.between(timeline.states[0].name, self.state):
+            if interval.event is None:
+                result = result + self.ask(word, name, when=interval.name, words=words)
+        return result
+
+    def line_words(self, name: str) -> tuple[str, str]:
+        """The words for the two senses in which a body travels along its line."""
+        line = self.line(name)
+        return (line[1], opposite(line[1])) if line else ("", "")

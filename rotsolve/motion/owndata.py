@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import Formula
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius, shape_of
-from rotsolve.language.problem import Body, Condition, State
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.language.problem import Body, Condition, State
 
 OWN = ("mass", "inertia", "gyration", "radius", "length")
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from functools import partial
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -15,11 +16,7 @@ from rotsolve.core.passage import Passage, Work
 from rotsolve.core.registry import SEPARATOR, TIME
 from rotsolve.core.varying import CONSTANT, RATES, UNKNOWN, at_any_time, running
 from rotsolve.core.vectors.heading import UP, Vector, heading
-from rotsolve.language.bodies import Orbit
-from rotsolve.language.problem import PointRef
-from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.instant import Instant
-from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import (
     Lead,
     displacement,
@@ -32,6 +29,12 @@ from rotsolve.motion.travels import (
     stored_place,
     travels_of,
 )
+
+if TYPE_CHECKING:
+    from rotsolve.language.bodies import Orbit
+    from rotsolve.language.problem import PointRef
+    from rotsolve.motion.configuration import Configuration
+    from rotsolve.motion.timeline import Interval
 
 
 def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Work]:

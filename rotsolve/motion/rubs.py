@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
 from rotsolve.language.elements import Connection
-from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.instant import Instant
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.formula import Formula
+    from rotsolve.motion.configuration import Configuration
+    from rotsolve.motion.instant import Instant
 
 FORWARD, BACK, STICKS = "slips", "slips back", "sticks"
 TURNS_BACK, HOLDS = "turns back", "holds"

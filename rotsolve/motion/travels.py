@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -15,8 +16,10 @@ from rotsolve.core.passage import Travel
 from rotsolve.core.registry import GENERIC
 from rotsolve.core.varying import PLACES, POSITION, RATE, RATES, paths_in, running
 from rotsolve.language.keys import varying_values
-from rotsolve.motion.instant import Instant, letter_of, line_words
-from rotsolve.motion.timeline import Interval
+
+if TYPE_CHECKING:
+    from rotsolve.motion.instant import Instant
+    from rotsolve.motion.timeline import Interval
 
 
 class Lead(Struct, frozen=True):
@@ -63,12 +66,12 @@ def stored_place(group: frozenset[str], first: Facts, last: Facts, middle: Facts
 
 def led_by(name: str, word: str, first: Instant, last: Instant, middle: Instant) -> Lead | None:
     """Angle, rotation or displacement of a body as the leading place."""
-    letter = letter_of(word, name, middle)
+    letter = middle.variable(word, name)
     if not isinstance(letter, Symbol):
         return None
-    start, end = (letter_of(word, name, moment) for moment in (first, last))
+    start, end = (moment.variable(word, name) for moment in (first, last))
     motion = middle.motion(name)
-    rate = letter_of("velocity" if word == "displacement" else "angular_velocity", name, middle)
+    rate = middle.variable("velocity" if word == "displacement" else "angular_velocity", name)
     return Lead(name, letter, start, end, signed(rate, motion.sense) if word == "angle" else rate)
 
 
@@ -240,7 +243,7 @@ def ways(name: str, instant: Instant, component: str) -> tuple[str, str]:
     """The words for the two senses in which a body travels."""
     if component:
         return ("right", "left") if component == "x" else ("up", "down")
-    return line_words(name, instant)
+    return instant.line_words(name)
 
 
 def rotation(name: str, interval: Interval, instant: Instant) -> Formula:

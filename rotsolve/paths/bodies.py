@@ -16,12 +16,12 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
-from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
 
 if TYPE_CHECKING:
+    from rotsolve.motion.instant import Instant
     from rotsolve.paths.inertias import OfInertias
 
 HALF = Number(Fraction(1, 2))

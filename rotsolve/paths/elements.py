@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec.structs import replace
 
@@ -12,10 +12,12 @@ from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.language.elements import Connection
-from rotsolve.language.problem import Path
 from rotsolve.paths.bodies import OfBodies
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, vector_size
+
+if TYPE_CHECKING:
+    from rotsolve.language.elements import Connection
+    from rotsolve.language.problem import Path
 
 
 class Acting(NamedTuple):

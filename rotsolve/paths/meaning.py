@@ -4,23 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from fractions import Fraction
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, signed, square
-from rotsolve.core.faults import Span
 from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Path, Term
-from rotsolve.motion.instant import Instant
 from rotsolve.motion.rigid import tidy
+
+if TYPE_CHECKING:
+    from rotsolve.algebra.units.dimension import Dimension
+    from rotsolve.core.derivation import Words
+    from rotsolve.core.faults import Span
+    from rotsolve.language.problem import Path, Term
+    from rotsolve.motion.instant import Instant
 
 
 class NotYet(ValueError):
