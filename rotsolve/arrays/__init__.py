@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.arrays.program import NotForMany, program
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer

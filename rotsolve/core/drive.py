@@ -9,8 +9,7 @@ from rotsolve.algebra.calculus.derivative import differentiate, in_powers
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import Formula, negate
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.core.registry import TIME
-from rotsolve.core.varying import pace_of
+from rotsolve.core.symbols import TIME, pace_of
 from rotsolve.core.vectors.heading import Heading
 
 TURNING = ("angle", "angular_velocity", "angular_acceleration")
@@ -52,7 +51,7 @@ class Drive(Struct, frozen=True):
 
     @property
     def pace(self) -> str:
-        """How the acceleration varies (see core.varying)."""
+        """How the acceleration varies (see core.symbols)."""
         return pace_of(self.rates()[self.words[2]])
 
 

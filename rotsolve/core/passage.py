@@ -14,7 +14,7 @@ from rotsolve.core.vectors.heading import Vector
 class Travel(Struct, frozen=True):
     """One coordinate of a body over a phase: rate at both ends, its acceleration, and the change of the coordinate.
 
-    `pace` is as in core.varying; for varying paces `acceleration` is that at any moment and `moving` the rate then; `coordinate`
+    `pace` is as in core.symbols; for varying paces `acceleration` is that at any moment and `moving` the rate then; `coordinate`
     is the angle or position symbol that it may depend on.
     """
 

@@ -8,21 +8,12 @@ from msgspec import Struct, field
 
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.symbols import PHASE, SPOKEN, TIME, SymbolKey, phase_midst
 
-# Quantities are symbols whose internal name is the key itself; letters are given when it is known which ones are printed.
-SEPARATOR = "|"
-TIME = "time"  # the running time, a letter of its own
-VIRTUAL = "^"  # marks the velocities of a small motion that is only thought of
-GENERIC = "~"  # marks the moment in the midst of a phase, at which nothing is known
 COURSES = ("angle", "rotation", "angular_velocity", "position", "displacement", "velocity")
-PHASE = " to "  # within the name of a phase
-REST = "="  # marks the equilibrium about which a state's bodies swing
-NEAR = "≈"  # marks a moment of their swings
-COURSE = "…"  # marks a moment of a motion that is followed in time: all places and speeds are letters
-SPOKEN = {VIRTUAL: "any_", GENERIC: "from_", REST: "rest ", NEAR: "swing "}  # the marks in a printed letter
 
 
-class Quantity(Struct, frozen=True):
+class SceneQuantity(Struct, frozen=True):
     """One quantity: `acceleration` of `block` in `now`.
 
     `positive`, `negative` are the words for the two directions ("down", "up"); empty for sizes such as a tension.
@@ -39,21 +30,16 @@ class Quantity(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        return SEPARATOR.join((self.kind, self.owner, self.component, self.when))
+        return SymbolKey(self.kind, self.owner, self.component, self.when).name
 
     @property
     def runs(self) -> bool:
         """Whether it is a coordinate or a rate in the midst of a phase, which a textbook writes as a function of time."""
-        return self.when.startswith(GENERIC) and self.kind in COURSES
+        return phase_midst(self.when) != "" and self.kind in COURSES
 
     @property
     def symbol(self) -> Symbol:
         return Symbol(self.key)
-
-
-def in_midst(key: str) -> bool:
-    """Whether a letter is one of any moment in the midst of a phase, so that it may run through it."""
-    return key.rpartition(SEPARATOR)[2].startswith(GENERIC) and SEPARATOR in key
 
 
 class Registry(Struct):
@@ -62,16 +48,16 @@ class Registry(Struct):
     The only mutable thing of a run: elements and laws ask for letters here while they write.
     """
 
-    quantities: dict[str, Quantity] = field(default_factory=dict)
+    quantities: dict[str, SceneQuantity] = field(default_factory=dict)
     known: dict[str, Formula] = field(default_factory=dict)
 
-    def ask(self, quantity: Quantity) -> Formula:
+    def ask(self, quantity: SceneQuantity) -> Formula:
         """The symbol of a quantity, or its value where the scene fixes it."""
         key = quantity.key
         self.quantities.setdefault(key, quantity)
         return self.known.get(key, Symbol(key))
 
-    def fix(self, quantity: Quantity, value: Formula) -> None:
+    def fix(self, quantity: SceneQuantity, value: Formula) -> None:
         self.quantities.setdefault(quantity.key, quantity)
         self.known[quantity.key] = value
 
@@ -97,11 +83,11 @@ class Registry(Struct):
         return names
 
 
-def _each(index: Callable[[Quantity], str]) -> Callable[[list[Quantity], set[str]], dict[str, str]]:
+def _each(index: Callable[[SceneQuantity], str]) -> Callable[[list[SceneQuantity], set[str]], dict[str, str]]:
     """The names by one index, of those quantities that do not share them and find them free."""
 
-    def named(pending: list[Quantity], occupied: set[str]) -> dict[str, str]:
-        wanted: dict[str, list[Quantity]] = {}
+    def named(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str]:
+        wanted: dict[str, list[SceneQuantity]] = {}
         for quantity in pending:
             wanted.setdefault(index(quantity), []).append(quantity)
         return {group[0].key: name for name, group in wanted.items() if len(group) == 1 and name not in occupied}
@@ -109,16 +95,16 @@ def _each(index: Callable[[Quantity], str]) -> Callable[[list[Quantity], set[str
     return named
 
 
-def _numbered(pending: list[Quantity], occupied: set[str]) -> dict[str, str]:
+def _numbered(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str]:
     """a₁, a₂ for what one letter is in one phase after the other, where nothing else has that letter with a number."""
     names: dict[str, str] = {}
-    groups: dict[str, list[Quantity]] = {}
+    groups: dict[str, list[SceneQuantity]] = {}
     for quantity in pending:
         groups.setdefault(quantity.letter, []).append(quantity)
     for letter, group in groups.items():
         wanted = [f"{letter}{number}" for number in range(1, len(group) + 1)]
         alike = len({(quantity.owner, quantity.component) for quantity in group}) == 1 and not group[0].component
-        phases = all(PHASE in quantity.when or quantity.when.startswith(GENERIC) for quantity in group)
+        phases = all(PHASE in quantity.when or phase_midst(quantity.when) != "" for quantity in group)
         phases = phases and not any(quantity.runs for quantity in group)
         free = not {f"{letter}{number}" for number in range(10)} & occupied
         if alike and phases and free and len(group) > 1 and not letter[-1].isdigit():
@@ -137,13 +123,13 @@ def _as_index(part: str) -> str:
     return "_".join(part.split())
 
 
-Index = Callable[[Quantity], str]
+Index = Callable[[SceneQuantity], str]
 
 
 def _indices(time: str, indices: Mapping[str, str]) -> tuple[tuple[Index, ...], tuple[Index, ...]]:
     """Ways to index a letter, from the plainest on, without and with a time; ω(t) for one in the midst of a phase."""
 
-    def of_body(quantity: Quantity, body: str) -> str:
+    def of_body(quantity: SceneQuantity, body: str) -> str:
         index = indices.get(body, "") if quantity.letter.isalpha() else ""
         return quantity.letter + index if index else _join(quantity.letter, quantity.component)
 

@@ -10,7 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Symbol, add, multiply, negate
 from rotsolve.core.derivation import Words
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import coordinate_name
 from rotsolve.core.vectors.tensor import AXES, ENTRIES, ORIGIN, Place
 
 SQUARES = {"xx": ("yy", "zz"), "yy": ("xx", "zz"), "zz": ("xx", "yy")}  # Σ m (y² + z²), …
@@ -18,7 +18,7 @@ SQUARES = {"xx": ("yy", "zz"), "yy": ("xx", "zz"), "zz": ("xx", "yy")}  # Σ m (
 
 def coordinate(name: str) -> Symbol:
     """The symbol of a coordinate, which no letter of a scene can be."""
-    return Symbol(SEPARATOR + name)
+    return Symbol(coordinate_name(name))
 
 
 class Range(Struct, frozen=True):

@@ -10,7 +10,7 @@ from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.varying import POSITION
+from rotsolve.core.symbols import POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.consistency import KnownBalls
 from rotsolve.derivation.letters import Letters

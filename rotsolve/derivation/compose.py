@@ -13,7 +13,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Answer, Check, Derivation, Equality, LawLine, Move, Section, Trial, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.symbols import TIME, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.diagrams import Diagrams
@@ -236,7 +236,7 @@ class DerivationComposer:
     # head
 
     def _conventions(self) -> tuple[Words, ...]:
-        angles = any(name.startswith("angle" + SEPARATOR) for name in self.scene.registry.quantities)
+        angles = any(key_of(name).kind == "angle" for name in self.scene.registry.quantities)
         said: list[Words] = [("angles from the rightward horizontal, counterclockwise positive",)] if angles else []
         configuration = self.scene.configuration
         if configuration.mentions.functions:

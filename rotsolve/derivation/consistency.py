@@ -16,8 +16,7 @@ from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol
 from rotsolve.core.equation import SEPARATED_BY_PLACE, Equation, Law
-from rotsolve.core.registry import SEPARATOR
-from rotsolve.core.varying import POSITION, RATE, at_any_time
+from rotsolve.core.symbols import POSITION, RATE, at_any_time, has_quantities, is_key
 from rotsolve.motion.timeline import Interval
 from rotsolve.search.search import Search
 
@@ -107,7 +106,7 @@ def backwards(search: Search, numbers: KnownBalls) -> Equation | None:
 def note_duration(duration: Formula, search: Search) -> None:
     """Tell those who watch that the sign of a duration has decided something: as a formula of the givens, if it has one."""
     value: Formula | None = search.solver.with_found(duration)
-    if value is not None and any(SEPARATOR in letter for letter in value.symbols()):
+    if value is not None and has_quantities(value):
         value = search.apart().settled(value)
     if value is None or not value.symbols() <= search.values.keys():
         decided_by_size()
@@ -151,7 +150,7 @@ class KnownBalls(Struct, frozen=True):
         letters = {name: found.formula for name, found in solver.solved.items() if found.formula is not None}
         for name in solver.told.keys() - letters.keys():
             value = solver.with_found(Symbol(name))
-            if not any(SEPARATOR in letter for letter in value.symbols()):
+            if not has_quantities(value):
                 letters[name] = value
         free = {name: ONE for name, given in search.givens.items() if given.value is None and not given.asked}
         numbers = KnownBalls({}, {**free, **search.values}, frozenset(free))
@@ -161,7 +160,7 @@ class KnownBalls(Struct, frozen=True):
 
     def open_letters(self, equation: Equation) -> list[str]:
         """Letters of the laws in an equation that have no value yet."""
-        return sorted(name for name in equation.symbols() if SEPARATOR in name and name not in self.found)
+        return sorted(name for name in equation.symbols() if is_key(name) and name not in self.found)
 
     def size(self, value: Formula, **more: Ball) -> Ball | None:
         """A ball that holds the number; None where a letter has none, or it is not real."""

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ZERO
 from rotsolve.core.derivation import ForceLine, Words
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_LAW, Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import is_key
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.drafts import Draft
 from rotsolve.equations.scene_equations import SceneEquations
@@ -32,7 +32,7 @@ class Diagrams(Struct, frozen=True):
             for item in body.acting:
                 if not item.role.unseen and not at_the_axis(item, body, pushed):
                     letters = (item.size if isinstance(item, Force) else item.torque).symbols()
-                    yield from sorted(name for name in letters if SEPARATOR not in name)
+                    yield from sorted(name for name in letters if not is_key(name))
 
     def lines(self, draft: Draft, in_use: Set[str], words: Callable[[Words], Words]) -> tuple[ForceLine, ...]:
         """One line for each body; `in_use` are the letters that an equation speaks of, `words` writes them as they are printed."""
@@ -78,7 +78,7 @@ class Diagrams(Struct, frozen=True):
             if size == ZERO:
                 spoken_of.append(absent_force(item))
                 continue
-            letters = {letter for letter in size.symbols() if SEPARATOR in letter}
+            letters = {letter for letter in size.symbols() if is_key(letter)}
             if letters <= in_use:
                 spoken_of.append(words(item.words))
             elif not item.role.unseen:

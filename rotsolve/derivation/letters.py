@@ -8,7 +8,7 @@ from functools import cached_property
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import INDEXED, PRIME
 from rotsolve.core.derivation import Words
-from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.symbols import TIME, is_key
 from rotsolve.derivation.diagrams import Diagrams
 from rotsolve.derivation.drafts import Draft
 from rotsolve.language.problem import Body, Find
@@ -104,7 +104,7 @@ class Letters:
         """The names that the scene gives to what it asks for; a component that was asked before keeps that name."""
         chosen: dict[str, str] = {}
         for asked in (item.asked for item in self.search.answered):
-            if not asked.whole and SEPARATOR not in asked.find.name:  # else it keeps its quantity's letter
+            if not asked.whole and not is_key(asked.find.name):  # else it keeps its quantity's letter
                 chosen.setdefault(asked.letter, self.of_find(asked.find))
         taken = frozenset(given.name for given in self.problem.givens)
         every = [part.asked for item in self.search.answered for part in (item, *item.parts)]

@@ -10,7 +10,7 @@ from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Equality
-from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.symbols import TIME, is_key
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.letters import in_letters
 from rotsolve.derivation.stages import all_names
@@ -34,7 +34,7 @@ class Meanings(Struct, frozen=True, dict=True):
     @cached_property
     def keys(self) -> dict[str, str]:
         """The key of every quantity, by its printed name."""
-        return {printed: key for key, printed in self.names.items() if SEPARATOR in key}
+        return {printed: key for key, printed in self.names.items() if is_key(key)}
 
     @property
     def time(self) -> str:

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.facts import Requirement
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters
 from rotsolve.motion.freebody import free_bodies
@@ -48,7 +48,7 @@ def margin_of(need: Requirement, search: Search, laws: tuple[str, ...]) -> tuple
     """What tells the letters of a requirement, and by how much it is met: what was found on the way, else some laws, else all."""
     gap = need.left - need.right
     found = search.solver.with_found(gap)
-    if not any(SEPARATOR in name for name in found.symbols()):
+    if not has_quantities(found):
         return search.solver.with_found, found
     aside = search.beside_by(laws)
     settled = aside.settled(gap)
@@ -107,7 +107,7 @@ def verge_words(need: Requirement, state: str, search: Search, letters: Letters)
 
 def symbols_in(need: Requirement, search: Search, letters: Letters) -> dict[str, Formula]:
     """Printed letters of what a requirement is about, the plain textbook letter where the derivation has none."""
-    names = [name for name in (need.left - need.right).symbols() if SEPARATOR in name]
+    names = [name for name in (need.left - need.right).symbols() if is_key(name)]
     plain = {name: Symbol(search.scene.registry.quantities[name].letter) for name in names}
     return {**plain, **letters.symbols}
 
@@ -117,7 +117,7 @@ def holding_words(need: Requirement, search: Search, letters: Letters, settled: 
     if need.kind.grips:
         size, limit_ = (decimal(settled(side), search) for side in (need.right, need.left))
         return (f"friction needed {size} N ≤ μₛ N = {limit_} N: {spoken(need.owner)} does not slip",)
-    names = {name for name in need.left.symbols() if SEPARATOR in name}
+    names = {name for name in need.left.symbols() if is_key(name)}
     return (letters.printed(need.left), " > 0: ", need.kept) if names <= set(letters.names) else (need.kept,)
 
 

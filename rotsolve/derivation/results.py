@@ -16,7 +16,7 @@ from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.letters import Letters
@@ -223,7 +223,7 @@ class Results(Struct, frozen=True):
         printed = (
             self.letters.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.letters.of_find(asked.find))
         )
-        return Symbol(asked.find.name) if any(SEPARATOR in name for name in printed.symbols()) else printed
+        return Symbol(asked.find.name) if has_quantities(printed) else printed
 
     def components(self, answered: Answered) -> tuple[Answer, ...]:
         """The x and y parts of a vector: as the derivation found them, else worked out aside."""
@@ -236,7 +236,7 @@ class Results(Struct, frozen=True):
         for axis in "xy":
             part = component(answered.asked, vector, axis)
             value = self._settled(part.formula)
-            if any(SEPARATOR in name for name in value.symbols()):
+            if has_quantities(value):
                 return ()
             found.append(self.answer(Answered(part, Found(part.letter, value), ())))
         return tuple(found)
@@ -244,7 +244,7 @@ class Results(Struct, frozen=True):
     def _settled(self, value: Formula) -> Formula:
         """A formula with all letters of the laws worked out, as far as they can be."""
         value = self.search.solver.with_answers(self._solved(value))
-        if any(SEPARATOR in name for name in value.symbols()):
+        if has_quantities(value):
             value = self.search.apart().settled(value) or value
         return self.search.solver.simplify(value)
 

@@ -19,7 +19,7 @@ from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.derivation import Check
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import has_quantities
 from rotsolve.derivation.consistency import BITS, KnownBalls, runs
 from rotsolve.derivation.letters import Letters
 from rotsolve.paths.meaning import NotYet
@@ -129,7 +129,7 @@ class PuttingIn(Struct, frozen=True):
         if self.balls.free.isdisjoint(equation.symbols()):
             return True
         exact = self.search.solver.with_found(equation.left - equation.right)
-        return not any(SEPARATOR in name for name in exact.symbols()) and is_zero(exact, self.other.solver.positive)
+        return not has_quantities(exact) and is_zero(exact, self.other.solver.positive)
 
     def tells(self, letter: str) -> bool:
         """Whether all equations of the law together tell a letter, or may do so: a combination of their derivatives is that by it alone."""

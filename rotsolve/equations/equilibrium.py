@@ -14,7 +14,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.roots import solve_trig
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Symbol, add
 from rotsolve.core.facts import BodyFacts, Facts, signed
-from rotsolve.core.registry import NEAR, REST, SEPARATOR, Registry
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import NEAR, REST, SymbolKey, is_quantity, key_of, of_kinds
 from rotsolve.core.writing import spoken
 from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving, rates_of_body
 from rotsolve.language.problem import Term
@@ -40,7 +41,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     if balance is None or balance == (ZERO, ZERO):
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
     drive = balance[0] - balance[1]
-    letters = [name for name in sorted(drive.symbols()) if name.split(SEPARATOR)[0] in PLACES]
+    letters = of_kinds(drive.symbols(), PLACES)
     if not any(inside_function(drive, name) for name in letters):
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
         return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
@@ -68,7 +69,7 @@ def turning_rate(angle: str, still: Facts, group: frozenset[str]) -> Formula:
 def angle_rates(angle: str, body: BodyFacts) -> Iterator[Formula]:
     """How fast an angle grows: a body's own by its spin, that of its place on a circle by v/ρ."""
     bend = body.motion.bend
-    if angle.split(SEPARATOR)[1] == body.name:
+    if key_of(angle).owner == body.name:
         yield body.motion.spin
     elif bend is not None and angle in bend.outward.formula().symbols():
         yield body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
@@ -195,7 +196,7 @@ class Placing(Struct, frozen=True):
                     self.put(rate, ZERO)
 
     def put(self, letter: Formula, value: Formula) -> None:
-        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
+        if is_quantity(letter) and letter != value:
             self.registry.known[letter.name] = value
 
     def displace(self, rest: Instant, still: Facts, near: Instant) -> None:
@@ -211,7 +212,7 @@ class Placing(Struct, frozen=True):
                 turned = signed(list(displacements_of_body(near, body.name))[-1], near.sense(body.name))
                 self.put(near.ask("angle", body.name), add(angle, turned))
         for stored in still.potentials:
-            if f"elongation{SEPARATOR}{stored.owner}{SEPARATOR}{SEPARATOR}{rest.when}" in self.registry.quantities:
+            if SymbolKey("elongation", stored.owner, "", rest.when).name in self.registry.quantities:
                 stretched = add(stored.elongation, stored.rate.substitute(changes))
                 self.put(near.ask("elongation", stored.owner), stretched)
 
@@ -229,4 +230,4 @@ def driven_back(name: str, near: Instant) -> bool:
 
 
 def angle_key(instant: Instant, name: str) -> str:
-    return SEPARATOR.join(("angle", name, "", instant.when))
+    return SymbolKey("angle", name, "", instant.when).name

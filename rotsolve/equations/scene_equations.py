@@ -16,7 +16,8 @@ from rotsolve.core.facts import Facts, Rule
 from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR, Registry
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import is_key
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws.table import (
@@ -188,7 +189,7 @@ class SceneEquations(Struct, dict=True):
     def _empty(self, equation: Equation) -> bool:
         """Whether an equation holds whatever happens (0 = 0 once rest is put in)."""
         names = equation.symbols()
-        return not any(SEPARATOR in name for name in names) and is_zero(equation.left - equation.right)
+        return not any(map(is_key, names)) and is_zero(equation.left - equation.right)
 
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
@@ -304,7 +305,7 @@ def term_of(condition: Condition) -> Term:
 
 def question_of(term: Term) -> str:
     """What tells the swings of one question from those of another: the body and the state."""
-    return SEPARATOR.join((term.path.owner, term.at or "", term.start or ""))
+    return f"{term.path.owner} {term.at or ''} {term.start or ''}"
 
 
 def coordinate_rate(travel: Travel, instant: Instant) -> Formula:

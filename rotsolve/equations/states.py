@@ -13,8 +13,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.core.equation import STATED, Equation
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.core.varying import paths_in
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import is_quantity, paths_in
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.configuration import Configuration
@@ -39,7 +39,7 @@ class Fixed(Struct, frozen=True):
 
     def fix(self, letter: Formula, value: Formula) -> None:
         """Give a letter its value; what is no letter of the laws is known already."""
-        if isinstance(letter, Symbol) and SEPARATOR in letter.name and letter != value:
+        if is_quantity(letter) and letter != value:
             self.registry.known[letter.name] = value
 
     def rates(self, instant: Instant, name: str) -> list[Formula]:
@@ -250,7 +250,7 @@ class Statements(Struct):
 
     def _claim(self, letter: Formula, value: Formula, state: str, condition: Condition) -> None:
         """Fix a letter that is free; what is known otherwise becomes an equation."""
-        if isinstance(letter, Symbol) and SEPARATOR in letter.name:
+        if is_quantity(letter):
             self.fixed.fix(letter, value)
         elif letter != value:
             path = condition.path

@@ -14,7 +14,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, heading
 from rotsolve.core.writing import spoken
@@ -24,7 +24,7 @@ from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 
-PLACES = ("elongation" + SEPARATOR, "angle" + SEPARATOR)
+STRETCHES = ("elongation", "angle")  # places that a balance of forces tells
 HARMONIC = " harmonic"  # ends the key of the section in which the harmonic motion is written
 
 
@@ -75,7 +75,7 @@ class Swing(Struct, frozen=True, dict=True):
 
     def title(self, key: str) -> str:
         """Heading of one of its sections; nothing for another one."""
-        angle = self.rest.registry.known.get(SEPARATOR.join(("angle", self.body, "", self.rest.when)))
+        angle = self.rest.registry.known.get(SymbolKey("angle", self.body, "", self.rest.when).name)
         found = f"the equilibrium at {in_degrees(angle)}{self.hanging}" if angle else "the equilibrium"
         place = found if self.found else spoken(self.rest.state)
         headings = {
@@ -140,7 +140,7 @@ class Swing(Struct, frozen=True, dict=True):
         """The angle from the equilibrium at which a large swing starts, at rest."""
         start = Instant(self.near.configuration, self.near.registry, self.start, False, self.near.modes)
         angle, rest = start.angle(self.body), self.rest.angle(self.body)
-        if angle is None or rest is None or any(SEPARATOR in name for name in angle.symbols()):
+        if angle is None or rest is None or has_quantities(angle):
             raise NotYet(f"how far `{self.body}` swings is not told", help=f"say `{self.body}.angle` at `{self.start}`")
         if any(rate != ZERO for rate in rates_of_body("velocity", start, self.body)):
             raise NotYet(
@@ -154,8 +154,8 @@ class Swing(Struct, frozen=True, dict=True):
     @cached_property
     def unsettled(self) -> tuple[str, ...]:
         """Places of the equilibrium that the balance of forces has to tell: how far springs and wires are stretched."""
-        names = sorted({name for equation in self.equations() for name in equation.symbols()})
-        return tuple(name for name in names if name.startswith(PLACES) and name.split(SEPARATOR)[3] == self.rest.when)
+        names = of_kinds({name for equation in self.equations() for name in equation.symbols()}, STRETCHES)
+        return tuple(name for name in names if key_of(name).when == self.rest.when)
 
     def balance(self) -> Iterator[Equation]:
         """Σ F = 0 and Σ τ = 0 at an equilibrium that is no state of the scene."""

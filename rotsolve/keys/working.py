@@ -18,7 +18,7 @@ from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.derivation.validity import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
 from rotsolve.page.values import certified_digits

@@ -14,7 +14,7 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive
 from rotsolve.core.facts import CONTACT, BodyFacts, Couple, Force, Motion, Potential, Requirement, Rule, Turntable
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.core.varying import pace_of
+from rotsolve.core.symbols import pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
@@ -142,7 +142,7 @@ class ActingElement(Element, frozen=True):
         return ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        """How its forces and rules vary while bodies move (see core.varying)."""
+        """How its forces and rules vary while bodies move (see core.symbols)."""
         return "constant"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:

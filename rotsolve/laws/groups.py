@@ -11,6 +11,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Produ
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DERIVATIVE, POWER, RATE, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
+from rotsolve.core.symbols import ACCELERATIONS, key_of, of_kinds
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import flat, positive_first, spoken
 from rotsolve.laws.newton import response
@@ -74,7 +75,6 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
 
 
-ACCELERATIONS = ("acceleration|", "angular_acceleration|")
 HALF = Number(Fraction(1, 2))
 
 
@@ -96,7 +96,7 @@ def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterato
         return
     gains, supplies = ([pair for body in bodies for pair in of(body)] for of in (gained, supplied))
     rates, allowed = freedom(facts, group, [power for _, power in (*gains, *supplies)])
-    names = sorted({name for _, power in gains for name in power.symbols() if name.startswith(ACCELERATIONS)})
+    names = of_kinds({name for _, power in gains for name in power.symbols()}, ACCELERATIONS)
     ties = [rule.acceleration[0] - rule.acceleration[1] for rule in rules if rule.acceleration is not None]
     bound = by_one(names, ties)
     if not allowed or not bound:
@@ -112,7 +112,7 @@ def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterato
         ]
     )
     free = next(name for name in names if name not in bound)
-    pace = "angular velocity" if free.startswith("angular") else "speed"
+    pace = "angular velocity" if key_of(free).turns else "speed"
     words: Words = (
         "The kinetic energy is ",
         HALF * inertia,
@@ -189,7 +189,7 @@ def by_one(names: list[str], ties: list[Formula]) -> dict[str, Formula] | None:
     if not names:
         return None
     equations = [equation for equation in ties if equation.symbols() & set(names)]
-    free = next((name for name in names if name.startswith("angular")), names[0])
+    free = next((name for name in names if key_of(name).turns), names[0])
     others = [name for name in names if name != free]
     try:
         solved = solve_all(equations, others)

@@ -9,6 +9,7 @@ from rotsolve.algebra.formula import ONE, ZERO, Formula, Integral, Sum, Symbol, 
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation, Law
 from rotsolve.core.slicing import Slicing
+from rotsolve.core.symbols import key_of
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place, displaced
 from rotsolve.motion.rigid import RigidPiece
 from rotsolve.motion.spread import DENSITY, EXTENTS, Spread
@@ -35,7 +36,7 @@ def sliced(spread: Spread, piece: RigidPiece) -> Slicing:
     cut = piece.shape.slicing() if piece.whole else None
     if cut is None:
         raise NotSliced(f"`{spread.name}` has no usual elements over which to integrate")
-    return cut.renamed({item.variable.name: spread.coordinate(item.variable.name.lstrip("|")) for item in cut.ranges})
+    return cut.renamed({item.variable.name: spread.coordinate(key_of(item.variable.name).owner) for item in cut.ranges})
 
 
 def origin(piece: RigidPiece) -> Place:

@@ -23,7 +23,7 @@ from rotsolve.core.equation import (
 )
 from rotsolve.core.facts import signed, square
 from rotsolve.core.passage import Passage, Travel
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.laws.table import OverPhase
 
 HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))

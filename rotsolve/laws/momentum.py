@@ -10,8 +10,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGLES_TURNED, BLOWS, COMMON_AXIS, MOMENTUM, RESTITUTION, TWISTS, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
 from rotsolve.core.passage import Encounter, Meeting, Passage, Travel
-from rotsolve.core.registry import SEPARATOR, TIME
-from rotsolve.core.varying import at_any_time
+from rotsolve.core.symbols import TIME, at_any_time, has_quantities, is_key, key_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import flat, law, moved, multiplied_out, positive_first, spoken
 from rotsolve.laws.newton import about
@@ -65,7 +64,7 @@ def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
 
 def of_phase(effort: Formula, name: str) -> bool:
     """Whether the letters of a force or torque are the same in the whole phase."""
-    return all(letter.rpartition(SEPARATOR)[2] in (name, "") for letter in effort.symbols() if SEPARATOR in letter)
+    return all(key_of(letter).when in (name, "") for letter in effort.symbols() if is_key(letter))
 
 
 def momentum_kept(over: OverPhase) -> Iterator[Equation]:
@@ -145,7 +144,7 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
     constant = all(
         travel.pace == "constant" for travel in passage.travels if travel.body in {body.name for body in members}
     )
-    if not constant and any(SEPARATOR in name for torque in outside for name in torque.symbols()):
+    if not constant and any(has_quantities(torque) for torque in outside):
         return None
     return [
         Integral(torque, TIME, *passage.times) if TIME in torque.symbols() else torque * passage.duration

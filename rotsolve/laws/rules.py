@@ -11,7 +11,7 @@ from rotsolve.core.drive import TURNING
 from rotsolve.core.equation import GIVEN_MOTION, PERIOD, RULE, RULE_OF_WAYS, STEADY, STRETCH, Equation, Law
 from rotsolve.core.facts import GivenMotion, Rule, signed
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.registry import SEPARATOR, TIME
+from rotsolve.core.symbols import TIME, is_quantity
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.laws.table import AtMoment, OverPhase
 
@@ -100,7 +100,7 @@ def steady_rotation(at: AtMoment) -> Iterator[Equation]:
         if period is None:
             continue
         spin = signed(motion.spin, motion.sense)
-        asked = isinstance(period, Symbol) and SEPARATOR in period.name
+        asked = is_quantity(period)
         rate: Formula = Call("abs", (spin,)) if asked else spin
         yield PERIOD.equation(period, 2 * PI / rate, at.state, (body.name,))
         yield STEADY.equation(motion.spin_rate, ZERO, at.state, (body.name,))

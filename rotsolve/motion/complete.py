@@ -12,8 +12,8 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
 from rotsolve.core.quantity import DIMENSIONS
-from rotsolve.core.registry import SEPARATOR, Registry
-from rotsolve.core.varying import paths_in
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide
 from rotsolve.elements.shapes import Graded, Particle, Shape, shape_of
 from rotsolve.language.elements import Action, Connection
@@ -99,7 +99,7 @@ def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
     holes = body.holes and tuple([_hole(hole, shape) for hole in body.holes])
     if shape is not None:
         shape = shape.following(letters.positive)
-    if body.density is not None and shape is not None and any(SEPARATOR in name for name in body.density.symbols()):
+    if body.density is not None and shape is not None and has_quantities(body.density):
         shape = Graded(letters.positive, shape, body.density)
         mass = shape.measure()
     elif body.density is not None and shape is not None:

@@ -14,9 +14,8 @@ from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import Drive, along_line
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.letters import letter_order
-from rotsolve.core.registry import SEPARATOR
 from rotsolve.core.remembered import remembered
-from rotsolve.core.varying import UNKNOWN, combined
+from rotsolve.core.symbols import UNKNOWN, combined, is_key
 from rotsolve.core.vectors.directions import WORDS
 from rotsolve.core.vectors.heading import UP, Heading
 from rotsolve.elements.shapes import shape_of
@@ -103,7 +102,7 @@ class Configuration(Struct, frozen=True, dict=True):
 
     def undecided(self, value: Formula, question: str, span: Span | None) -> Unsolvable:
         """A question that hangs on the sign of a formula in which letters lack a value."""
-        names = " and ".join(f"`{name}`" for name in self.signs.lacking(value) if SEPARATOR not in name)
+        names = " and ".join(f"`{name}`" for name in self.signs.lacking(value) if not is_key(name))
         help = f"give a number to {names}" if names else ""
         return Unsolvable(
             f"{question} can not be told", span=span, help=help, lines=self.problem.lines, file=self.problem.file
@@ -326,7 +325,7 @@ class Configuration(Struct, frozen=True, dict=True):
 
     @remembered
     def pace(self, name: str, state: str) -> str:
-        """How the acceleration of a body's component varies in the phase of a state (see core.varying)."""
+        """How the acceleration of a body's component varies in the phase of a state (see core.symbols)."""
         component = self.component(name, state)
         paces = [self._own_pace(member, state) for member in component]
         for item in self.acting(state):

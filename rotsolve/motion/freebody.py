@@ -27,7 +27,7 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.registry import Quantity
+from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.vectors.heading import DOWN, RIGHT, UP, Heading, unit, vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.connections.touch import supporting
@@ -198,7 +198,7 @@ def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
         name = f"{kind.letter}_total" if members and not changes else kind.letter
         when = since or (instant.configuration.timeline.states[0].name if changes else "")
         version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
-        letter = instant.registry.ask(Quantity("inertia", joined, "", version, name, kind.dimension))
+        letter = instant.registry.ask(SceneQuantity("inertia", joined, "", version, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
 
 

@@ -12,9 +12,9 @@ from rotsolve.algebra.formula import ZERO, Formula, Symbol
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.quantity import PLANE, QUANTITIES
-from rotsolve.core.registry import COURSE, GENERIC, TIME, VIRTUAL, Quantity, Registry
+from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.varying import paths_in
+from rotsolve.core.symbols import COURSE, GENERIC, TIME, VIRTUAL, paths_in
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
@@ -156,7 +156,7 @@ class Instant(Struct, frozen=True, dict=True):
         """The letter of a quantity at this moment, or its value where the scene fixes it."""
         kind = QUANTITIES[word]
         moment = self.when if when is None else when
-        quantity = Quantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
+        quantity = SceneQuantity(word, owner, moment, component, letter or kind.letter, kind.dimension, *words)
         return self.registry.ask(quantity)
 
     def sense(self, name: str) -> int:

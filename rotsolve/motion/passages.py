@@ -13,8 +13,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol, total
 from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.passage import Passage, Work
-from rotsolve.core.registry import SEPARATOR, TIME
-from rotsolve.core.varying import CONSTANT, RATES, UNKNOWN, at_any_time, running
+from rotsolve.core.symbols import CONSTANT, RATES, TIME, UNKNOWN, at_any_time, key_of, running
 from rotsolve.core.vectors.heading import UP, Vector, heading
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.travels import (
@@ -173,7 +172,7 @@ def shared(one: Work, other: Work, groups: Sequence[frozenset[str]]) -> bool:
 
 def lettered(work: Work) -> bool:
     """Whether a work goes by its own letter: asked for, or told by energy alone."""
-    own = isinstance(work.amount, Symbol) and work.amount.name.startswith(f"work{SEPARATOR}")
+    own = isinstance(work.amount, Symbol) and key_of(work.amount.name).kind == "work"
     return not work.inner and (own or work.spelled is not None)
 
 

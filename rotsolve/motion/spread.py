@@ -11,7 +11,7 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, Equation, Law
 from rotsolve.core.letters import letter_order
-from rotsolve.core.registry import Quantity, Registry
+from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.vectors.tensor import ORIGIN, Place
 from rotsolve.motion.rigid import RigidPiece
 
@@ -59,13 +59,13 @@ class Spread(Struct, frozen=True):
         letter, dimension = LETTERS[kind]
         kind = f"{kind} by integration" if self.doubled else kind
         index = "_".join(component.split())
-        quantity = Quantity(kind, self.name, "", index, letter, dimension)
+        quantity = SceneQuantity(kind, self.name, "", index, letter, dimension)
         self.registry.ask(quantity)
         return quantity.symbol
 
     def coordinate(self, name: str) -> Symbol:
         """The printed letter of a coordinate: x, or x₁ where a given has that name."""
-        quantity = Quantity(f"coordinate {name}", "1", "", "", name, base.LENGTH)
+        quantity = SceneQuantity(f"coordinate {name}", "1", "", "", name, base.LENGTH)
         self.registry.ask(quantity)
         return quantity.symbol
 

@@ -13,8 +13,7 @@ from rotsolve.algebra.formula import ONE, Formula, Negative, Symbol, negate
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
 from rotsolve.core.passage import Travel
-from rotsolve.core.registry import GENERIC
-from rotsolve.core.varying import PLACES, POSITION, RATE, RATES, paths_in, running
+from rotsolve.core.symbols import PLACES, POSITION, RATE, RATES, key_of, paths_in, running
 from rotsolve.language.keys import varying_values
 
 if TYPE_CHECKING:
@@ -53,7 +52,7 @@ def stored_place(group: frozenset[str], first: Facts, last: Facts, middle: Facts
     if len(owners) != 1 or not all(owners[0] in end for end in ends):
         return None
     stored = next(item for item in middle.potentials if item.owner == owners[0])
-    running_ = [name for name in stored.elongation.symbols() if GENERIC in name]
+    running_ = [name for name in stored.elongation.symbols() if key_of(name).running]
     if len(running_) != 1 or stored.placed:
         return None
     letter = Symbol(running_[0])

@@ -10,6 +10,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.paths.bodies import OfBodies
@@ -150,7 +151,7 @@ class OfElements(AtInstant, frozen=True):
             couplings = [
                 couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
             ]
-            letters = [name for couple in couplings for name in couple.torque.symbols() if name.startswith("force|")]
+            letters = of_kinds((name for couple in couplings for name in couple.torque.symbols()), ("force",))
             if letters:
                 return Symbol(letters[0])
             raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")

@@ -14,6 +14,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, signed, square
 from rotsolve.core.quantity import POINT, QUANTITIES
+from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
 from rotsolve.motion.rigid import tidy
@@ -77,7 +78,7 @@ def absolute(size: Formula) -> Formula:
     """|size| with the bars round the quantities that may be negative only: L |α|."""
     plain = size.operand if hasattr(size, "operand") else size
     factors = plain.factors if isinstance(plain, Product) else (plain,)
-    varying = [part for part in factors if any("|" in name for name in part.symbols())]
+    varying = [part for part in factors if has_quantities(part)]
     inside = [part for part in varying if not is_square(part)]
     outside = [part for part in factors if part not in inside]
     if not inside:

@@ -16,7 +16,7 @@ from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY, Equation, Law
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import asked_name, has_quantities, is_key, is_quantity, part_name
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.core.writing import spoken
@@ -71,7 +71,7 @@ class Asked(Struct, frozen=True):
     @property
     def of_givens(self) -> bool:
         """Whether the question is made of givens alone, so that no law has a say in it."""
-        return not self.find.terms and not any(SEPARATOR in name for name in self.formula.symbols())
+        return not self.find.terms and not has_quantities(self.formula)
 
     @property
     def points(self) -> bool:
@@ -116,8 +116,8 @@ def component(question: Asked, vector: Vector, axis: str) -> Asked:
     path = replace(find.terms[0].path, component=axis)
     own = replace(find, name=f"{find.name}_{axis}", terms=(replace(find.terms[0], path=path),))
     formula = vector.along(RIGHT if axis == "x" else UP)
-    direct = isinstance(formula, Symbol) and SEPARATOR in formula.name
-    letter = formula.name if isinstance(formula, Symbol) and direct else SEPARATOR.join((question.letter, axis))
+    direct = is_quantity(formula)
+    letter = formula.name if isinstance(formula, Symbol) and direct else part_name(question.letter, axis)
     side, words = ("horizontally", ("right", "left")) if axis == "x" else ("vertically", ("up", "down"))
     return Asked(
         own,
@@ -244,7 +244,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     question = Asked(
         find,
         formula,
-        f"asked{SEPARATOR}{find.name}",
+        asked_name(find.name),
         dimension,
         label=label,
         law=KINETIC_ENERGY if share else DEFINITION,
@@ -253,7 +253,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
         laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
     )
     givens = {given.name: given for given in scene.configuration.problem.givens}
-    if isinstance(formula, Symbol) and (SEPARATOR in formula.name or is_unknown(formula.name, scene)):
+    if isinstance(formula, Symbol) and (is_key(formula.name) or is_unknown(formula.name, scene)):
         question = replace(question, letter=formula.name)
         return question if own is None else replace(question, vector=own.vector, words=own.words)
     if isinstance(formula, Symbol) and formula.name in givens:

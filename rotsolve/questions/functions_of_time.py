@@ -19,8 +19,7 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, add
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import REVERSAL, Equation
 from rotsolve.core.quantity import QUANTITIES, SPANNED
-from rotsolve.core.registry import TIME
-from rotsolve.core.varying import CONSTANT
+from rotsolve.core.symbols import CONSTANT, TIME
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term

@@ -8,8 +8,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol, add, negate
 from rotsolve.core.facts import BodyFacts, signed
 from rotsolve.core.passage import Meeting, Passage
 from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
-from rotsolve.core.registry import SEPARATOR
-from rotsolve.core.varying import running
+from rotsolve.core.symbols import key_of, running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import is_negative
 from rotsolve.equations.scene_equations import SceneEquations
@@ -129,7 +128,7 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
 
 
 def _axis(size: Formula) -> str:
-    return size.name.split(SEPARATOR)[2] if isinstance(size, Symbol) and SEPARATOR in size.name else ""
+    return key_of(size.name).component if isinstance(size, Symbol) else ""
 
 
 def work_of_weight(name: str, passage: Passage) -> Formula:

@@ -8,7 +8,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, Call, Formula, Number
 from rotsolve.core.quantity import OSCILLATING, QUANTITIES, SPANNED
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import ANY_TIME, Path, Term
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text
@@ -114,7 +114,7 @@ def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:
 
 def section_of_definition(path: Path, meaning: Meaning, state: str, scene: SceneEquations) -> str:
     """Where a definition is written: with the accelerations of a phase, or at its state."""
-    moments = {name.split(SEPARATOR)[3] for name in meaning.formula.symbols() if name.count(SEPARATOR) == 3}
+    moments = {key_of(name).when for name in meaning.formula.symbols() if is_key(name)}
     if (
         QUANTITIES[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
         or state in moments

@@ -7,7 +7,7 @@ from typing import Any
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import is_coordinate
 from rotsolve.elements.shapes import SHAPES, Particle, Shape
 from rotsolve.language.grammar import BODY, PART
 from rotsolve.language.keys import Key, keys_of
@@ -158,7 +158,7 @@ def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str,
     """What can't be said together."""
     if "gyration" in entries and "inertia" in entries:
         scope.fault(entries["gyration"][0], f"`{name}` has both `inertia` and `gyration`", "give one of them", "form")
-    varies = any(name.startswith(SEPARATOR) for name in (fields.get("density") or ZERO).symbols())
+    varies = any(is_coordinate(name) for name in (fields.get("density") or ZERO).symbols())
     if varies and "holes" in entries:
         message = f"`{name}` has holes and a density that varies"
         scope.fault(entries["holes"][0], message, "give the limits of what is left as a `lamina`", "form")

@@ -9,7 +9,7 @@ from typing import Any
 from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import BODY, POINT, QUANTITIES, SYSTEM, QuantityKind
-from rotsolve.core.varying import PLACES, RATES
+from rotsolve.core.symbols import PLACES, RATES
 from rotsolve.elements.shapes import WHEEL
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef

@@ -8,8 +8,8 @@ from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
-from rotsolve.core.registry import GENERIC, SEPARATOR, VIRTUAL, Quantity
-from rotsolve.core.varying import MIXED, POSITION
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find, Problem
@@ -87,14 +87,14 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
 
 def is_scene_law(equation: Equation) -> bool:
     """Whether an equation is of the scene, and not what a question means."""
-    return bool(equation.law.words) and not any(name.startswith("asked" + SEPARATOR) for name in equation.symbols())
+    return bool(equation.law.words) and not any(key_of(name).kind == ASKED for name in equation.symbols())
 
 
-def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[Quantity | str]:
+def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[SceneQuantity | str]:
     """The unknowns that the scene has words for: quantities of the laws, and letters that it asks for."""
     quantities = scene.registry.quantities
     asked = {given.name for given in scene.configuration.problem.givens if given.asked}
-    found: dict[Quantity | str, None] = {}
+    found: dict[SceneQuantity | str, None] = {}
     for name in names:
         if name in quantities:
             found[quantities[name]] = None
@@ -103,15 +103,15 @@ def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[Quantit
     return list(found)
 
 
-def unknowns_listed(missing: Sequence[Quantity | str], scene: SceneEquations) -> str:
+def unknowns_listed(missing: Sequence[SceneQuantity | str], scene: SceneEquations) -> str:
     """What the unknowns are; of many only the first few."""
-    told = [told_quantity(item, scene) if isinstance(item, Quantity) else f"`{item}`" for item in missing]
+    told = [told_quantity(item, scene) if isinstance(item, SceneQuantity) else f"`{item}`" for item in missing]
     told = list(dict.fromkeys(told))
     more = f" and {len(told) - MANY} more" if len(told) > MANY else ""
     return ", ".join(told[:MANY]) + more
 
 
-def told_quantity(quantity: Quantity, scene: SceneEquations) -> str:
+def told_quantity(quantity: SceneQuantity, scene: SceneEquations) -> str:
     """A quantity of the laws in the scene's words: "tension of cord at held"."""
     at_cut = quantity.kind in INSIDE  # the index is that of the cut, no direction
     side = "" if at_cut else {"x": "horizontal ", "y": "vertical "}.get(quantity.component, "")
@@ -121,10 +121,10 @@ def told_quantity(quantity: Quantity, scene: SceneEquations) -> str:
 
 def when_words(when: str, scene: SceneEquations) -> str:
     """When a quantity is, in words; nothing where the scene has one nameless instant."""
-    name = when.replace(VIRTUAL, "")
+    name = real(when)
     timeline = scene.configuration.timeline
-    if name.startswith(GENERIC):
-        phase = timeline.phase_of(name.removeprefix(GENERIC))
+    if start := phase_midst(name):
+        phase = timeline.phase_of(start)
         return f" on the way from {spoken(phase.start)} to {spoken(phase.end)}" if phase is not None else ""
     interval = timeline.interval(name)
     if interval is None:
@@ -136,7 +136,7 @@ def when_words(when: str, scene: SceneEquations) -> str:
     )
 
 
-def suggestion(missing: Sequence[Quantity | str], scene: SceneEquations, asked: str = "") -> str:
+def suggestion(missing: Sequence[SceneQuantity | str], scene: SceneEquations, asked: str = "") -> str:
     """What to add to the scene; never what is asked."""
     lonely = unreached(scene)
     if lonely:
@@ -144,7 +144,7 @@ def suggestion(missing: Sequence[Quantity | str], scene: SceneEquations, asked: 
     unplaced = without_angle(scene)
     if unplaced:
         return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"
-    quantities = [item for item in missing if isinstance(item, Quantity)]
+    quantities = [item for item in missing if isinstance(item, SceneQuantity)]
     soft = {item.name for item in scene.configuration.problem.connections if getattr(item, "stiffness", ZERO) is None}
     spring = next((item.owner for item in quantities if item.kind == "force" and item.owner in soft), None)
     if spring is not None:
@@ -162,7 +162,7 @@ def suggestion(missing: Sequence[Quantity | str], scene: SceneEquations, asked: 
     return "say more: sizes and masses, where each body is at each state, how fast it moves"
 
 
-def at_start(quantity: Quantity, scene: SceneEquations) -> bool:
+def at_start(quantity: SceneQuantity, scene: SceneEquations) -> bool:
     """Whether a quantity belongs to the first of several states."""
     states = scene.configuration.timeline.states
     return len(states) > 1 and quantity.when == states[0].name

@@ -14,7 +14,7 @@ from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import RATES, has_quantities, of_kinds
 from rotsolve.core.writing import flat, is_negative, spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
@@ -28,7 +28,6 @@ from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
-RATES = ("velocity|", "angular_velocity|")
 TRIALS = 27  # ways in which contacts may stick and slip that are tried
 
 
@@ -230,7 +229,7 @@ class Trials:
         speeds = {rub.key: moving_rate(rub, instant) for rub in group}
         sides = [side for rule in rules for side in rule.velocity]
         sides += [speed for speed in speeds.values() if speed is not None]
-        rates = sorted({name for side in sides for name in side.symbols() if name.startswith(RATES)})
+        rates = of_kinds({name for side in sides for name in side.symbols()}, RATES)
         allowed = one_motion(rates, rules) or {}
         senses = {}
         for rub in group:
@@ -241,7 +240,7 @@ class Trials:
                 )
                 continue
             value = speed.substitute(allowed) if speed is not None else ONE
-            rate = value.substitute({name: ONE for name in value.symbols() if name.startswith(RATES)})
+            rate = value.substitute(dict.fromkeys(of_kinds(value.symbols(), RATES), ONE))
             senses[rub.key] = -1 if signs.by_numbers(rate) == -1 else 1
         first = next((sense for sense in senses.values() if sense), 1)
         return {key: sense * first * way for key, sense in senses.items()}
@@ -280,7 +279,7 @@ def greatest_friction(contact: Connection, normal: Answered) -> Formula | None:
 
 def is_known(speed: Formula) -> bool:
     """Whether a speed holds givens alone."""
-    return not any(SEPARATOR in name for name in speed.symbols())
+    return not has_quantities(speed)
 
 
 def smooth(rub: Rub, signs: SignOracle) -> bool:

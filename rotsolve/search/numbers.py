@@ -10,8 +10,8 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, decided_by_size, ends
 from rotsolve.algebra.certified.sign import SignOracle
-from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.algebra.formula import Formula
+from rotsolve.core.symbols import is_quantity
 
 FIGURES = (15, 60, 240)  # significant figures at which a number is looked at, one after the other, until it tells
 
@@ -65,6 +65,6 @@ class Numbers(Struct, frozen=True):
 
     def push(self, acceleration: Formula | None) -> Formula | None:
         """The acceleration that starts the motion, found aside."""
-        if acceleration is None or not isinstance(acceleration, Symbol) or SEPARATOR not in acceleration.name:
+        if not is_quantity(acceleration):
             return acceleration
         return self.aside(acceleration.name)

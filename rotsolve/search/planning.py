@@ -13,7 +13,7 @@ from itertools import combinations
 from msgspec import Struct
 
 from rotsolve.core.equation import ANGULAR_MOMENTUM, FAMILIES, KINEMATICS, NEWTON, SECOND_CHOICE
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import of_kinds
 from rotsolve.plan import Plan, Planner, Shortage
 
 MOST_PLANS = 60  # that are looked through for one with few equations of constant acceleration
@@ -28,7 +28,7 @@ def families_for(law: str | None) -> tuple[str, ...]:
 
 def forces_in(plan: Plan) -> int:
     """How many unknowns of a plan are forces."""
-    return sum(name.startswith(tuple(kind + SEPARATOR for kind in FORCES)) for name in plan.unknowns)
+    return len(of_kinds(plan.unknowns, FORCES))
 
 
 class LawChoice(Struct, frozen=True, dict=True):

@@ -13,7 +13,8 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
 from rotsolve.core.quantity import DIMENSIONS, OSCILLATING
-from rotsolve.core.registry import GENERIC, SEPARATOR, Quantity
+from rotsolve.core.registry import SceneQuantity
+from rotsolve.core.symbols import RATES, is_key, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.bodies import Orbit
@@ -22,8 +23,6 @@ from rotsolve.laws.groups import one_motion
 from rotsolve.motion.positive import is_angle
 from rotsolve.search.numbers import Numbers
 from rotsolve.solver.steps import PickedRoot
-
-RATES = ("velocity|", "angular_velocity|")
 
 
 class Expected(Struct, frozen=True):
@@ -61,8 +60,8 @@ class Expected(Struct, frozen=True):
         After an event, or at the first state, it is the way to the angle of the next state.
         """
         timeline = self.scene.configuration.timeline
-        midst = state.removeprefix(GENERIC)
-        if midst != state and (around := timeline.after(midst)) is not None:
+        midst = phase_midst(state)
+        if midst and (around := timeline.after(midst)) is not None:
             whole = "rotation" if kind == "angular_velocity" else "displacement"
             return self._onward(whole, owner, around.name)
         if state not in timeline.order:
@@ -96,14 +95,14 @@ class Expected(Struct, frozen=True):
         words = quantity.positive if sign > 0 else quantity.negative
         return sign, (f"{spoken(owner)} {verb} {words}: ", Symbol(name), " > 0" if sign > 0 else " < 0")
 
-    def _by_turn(self, name: str, quantity: Quantity) -> tuple[int, Words]:
+    def _by_turn(self, name: str, quantity: SceneQuantity) -> tuple[int, Words]:
         """Which way a part of a velocity points: as the rules tie it to the turn of the body."""
         rules = list(self.scene.facts(quantity.when).rules)
         names = {letter for rule in rules for side in rule.velocity for letter in side.symbols()}
-        rates = sorted(letter for letter in names if letter.startswith(RATES))
+        rates = of_kinds(names, RATES)
         tied = (one_motion(rates, rules) or {}).get(name)
-        turns = [letter for letter in tied.symbols() if letter.startswith(RATES)] if tied is not None else []
-        if tied is None or len(turns) != 1 or turns[0].split(SEPARATOR)[2]:
+        turns = of_kinds(tied.symbols(), RATES) if tied is not None else []
+        if tied is None or len(turns) != 1 or key_of(turns[0]).component:
             return 0, ()
         share = self.numbers.found(tied.substitute({turns[0]: ONE}))
         sign, words = self.sign(turns[0])
@@ -231,7 +230,7 @@ class FirstReached(Struct, frozen=True):
     def _place_behind(self, name: str) -> tuple[str, Formula, Formula]:
         """The angle that an asked letter stands for, with the letter = scale · angle + shift."""
         formula = self.definition(name)
-        angles = [key for key in formula.symbols() if SEPARATOR in key] if formula is not None else []
+        angles = [key for key in formula.symbols() if is_key(key)] if formula is not None else []
         if formula is None or len(angles) != 1:
             return name, ONE, ZERO
         at = [formula.substitute({angles[0]: Number(Fraction(value))}) for value in range(3)]

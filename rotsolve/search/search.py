@@ -15,9 +15,8 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.equation import NEWTON, Equation
 from rotsolve.core.letters import letter_order
 from rotsolve.core.passage import Passage
-from rotsolve.core.registry import GENERIC, SEPARATOR
 from rotsolve.core.remembered import remembered
-from rotsolve.core.varying import POSITION, RATE
+from rotsolve.core.symbols import POSITION, RATE, has_quantities, is_key, key_of
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Find
 from rotsolve.plan import Plan, Planner, Shortage
@@ -316,7 +315,7 @@ class Search(Struct, dict=True):
     def settled(self, value: Formula) -> Formula | None:
         """A formula with every letter of the laws worked out, without a derivation; None where one is not settled."""
         for name in sorted(value.symbols()):
-            if SEPARATOR in name:
+            if is_key(name):
                 try:
                     found = self.value_of(name)
                 except NoAnswer:
@@ -338,11 +337,9 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
     letters = [travel.coordinate for travel in travels if travel.pace == POSITION]
     letters += [travel.moving for travel in travels if travel.leads and travel.pace == RATE]
     names = [letter.name for letter in letters if isinstance(letter, Symbol)]
-    return {name for name in names if SEPARATOR in name and GENERIC in name}
+    return {name for name in names if key_of(name).running}
 
 
 def has_calls(value: Formula) -> bool:
     """Whether a letter of the laws stands inside a function."""
-    return any(
-        isinstance(node, Call) and any(SEPARATOR in name for name in node.symbols()) for node in value.walk(Call)
-    )
+    return any(isinstance(node, Call) and has_quantities(node) for node in value.walk(Call))

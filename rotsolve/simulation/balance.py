@@ -15,7 +15,7 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
 from rotsolve.algebra.tape import BITS, ONE
 from rotsolve.core.facts import BodyFacts, Force
-from rotsolve.core.registry import GENERIC, SEPARATOR, TIME
+from rotsolve.core.symbols import GENERIC, TIME, SymbolKey
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.laws import energy
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime
@@ -165,7 +165,7 @@ def risen(body: BodyFacts, system: System) -> Formula:
     if motion.bend is not None:
         return motion.bend.radius * motion.bend.outward.sin()
     axis = "" if motion.heading is not None else "y"
-    gone = Symbol(SEPARATOR.join(("displacement", body.name, axis, since)))
+    gone = Symbol(SymbolKey("displacement", body.name, axis, since).name)
     return gone if motion.heading is None else gone * motion.heading.sin()
 
 

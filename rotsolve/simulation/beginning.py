@@ -12,8 +12,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula, Number, Symbol
 from rotsolve.core.equation import Equation
-from rotsolve.core.registry import SEPARATOR, TIME, Registry
-from rotsolve.core.varying import paths_in
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import TIME, has_quantities, paths_in
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.keys import keys_of
 from rotsolve.language.problem import Condition, Path, State
@@ -114,7 +114,7 @@ class Beginning(Struct, frozen=True):
         return self.told(letter, f"the {word} of `{owner}` at first is not told", f"{owner}.{word}")
 
     def told(self, letter: Formula, words: str, line: str) -> Formula:
-        if any(SEPARATOR in name for name in letter.symbols()):
+        if has_quantities(letter):
             raise NotYet(words, help=f"let the first state say `{line}`")
         return letter
 

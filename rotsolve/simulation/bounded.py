@@ -17,7 +17,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
 from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar

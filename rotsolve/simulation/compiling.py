@@ -19,7 +19,8 @@ from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
 from rotsolve.algebra.formula import ZERO as NOTHING
 from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Unwritable
 from rotsolve.core.facts import Facts, signed
-from rotsolve.core.registry import COURSE, GENERIC, SEPARATOR, TIME, Registry
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import COURSE, GENERIC, TIME, SymbolKey, is_key, is_quantity, key_of
 from rotsolve.equations.states import Fixed, prescribe
 from rotsolve.equations.swing import rates_of_body
 from rotsolve.laws.table import FOLLOWED, SPEEDS, AtMoment, equations_for
@@ -34,8 +35,6 @@ from rotsolve.simulation.system import (
     System,
     Variable,
     check_rules,
-    component_in,
-    letter_key,
     named_in_text,
     path_name,
     refusal,
@@ -225,15 +224,15 @@ class Compiler(Struct, dict=True):
         """The coordinates: their names, letters and rates."""
         for name in bodies:
             motion, orbit = moment.motion(name), moment.orbit(name)
-            letter = letter_key("angle", name, moment.when)
+            letter = SymbolKey("angle", name, "", moment.when).name
             if letter in self.origins:
                 yield f"{name}.angle", letter, motion.spin
             if orbit is not None and motion.bend is not None:
                 rate = motion.velocity.along(motion.bend.outward.turned(90)) / motion.bend.radius
-                yield f"{orbit.owner}.angle", letter_key("angle", orbit.owner, moment.when), rate
+                yield f"{orbit.owner}.angle", SymbolKey("angle", orbit.owner, "", moment.when).name, rate
             if motion.kind != "axis":
                 yield from self._ways(name, moment)
-            turned = letter_key("rotation", name, GENERIC + self.configuration.timeline.states[0].name)
+            turned = SymbolKey("rotation", name, "", GENERIC + self.configuration.timeline.states[0].name).name
             if turned in self.registry.quantities:
                 self._enter(turned, NOTHING)
                 yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
@@ -252,12 +251,12 @@ class Compiler(Struct, dict=True):
         """How far a body has travelled since the first state, along its line or to the right and up."""
         since = GENERIC + self.configuration.timeline.states[0].name
         if moment.motion(name).kind == "line":
-            letter = letter_key("displacement", name, since)
+            letter = SymbolKey("displacement", name, "", since).name
             self._enter(letter, NOTHING)
             yield f"{name}.position", letter, next(rates_of_body("velocity", moment, name))
             return
         for axis in "xy":
-            letter = letter_key("displacement", name, since, axis)
+            letter = SymbolKey("displacement", name, axis, since).name
             self._enter(letter, NOTHING)
             yield f"{name}.position.{axis}", letter, moment.component("velocity", name, axis)
 
@@ -270,7 +269,7 @@ class Compiler(Struct, dict=True):
     def _speeds(self, bodies: list[str], moment: Instant, facts: Facts) -> list[str]:
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
         letters = [speed for name in bodies for speed, _ in self._pairs(moment, name)]
-        names = {letter.name for letter in letters if isinstance(letter, Symbol) and SEPARATOR in letter.name}
+        names = {letter.name for letter in letters if is_quantity(letter)}
         equations = list(equations_for(SPEEDS, AtMoment(facts, "", "")))
         rows = self._rows((item.left - item.right for item in equations), names)
         free: list[str] = []
@@ -281,7 +280,7 @@ class Compiler(Struct, dict=True):
 
         for name in names - {name for row in rows for name in row}:
             self.letters[name] = left_free(name)
-        turning_ = {name: 1 for name in names if component_in(name) == ""}
+        turning_ = {name: 1 for name in names if key_of(name).component == ""}
         told = self.linear.in_terms_of_free(rows, turning_, left_free)
         self.letters.update(told)
         first = self._first_speeds(bodies, moment) if self.before is None else {}
@@ -297,7 +296,7 @@ class Compiler(Struct, dict=True):
                 rates_of_body("velocity", moment, name), rates_of_body("velocity", start, name), strict=True
             ):
                 letters.update({now.name: then} if isinstance(now, Symbol) else {})
-        unknown = {name for then in letters.values() for name in then.symbols() if SEPARATOR in name}
+        unknown = {name for then in letters.values() for name in then.symbols() if is_key(name)}
         rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)
         zero = self.tape.number(ZERO)
         found = self.linear.in_terms_of_free(rows, {}, lambda name: zero)
@@ -332,7 +331,7 @@ class Compiler(Struct, dict=True):
             formula = (law.left - law.right).substitute(inertias)
             open_ = formula.symbols() - set(self.letters)
             self._check_places(open_)
-            missing = sorted(name for name in open_ if SEPARATOR not in name)
+            missing = sorted(name for name in open_ if not is_key(name))
             self.unnumbered = self.unnumbered or next(iter(missing), "")
             if not missing and open_:
                 laws.append((law, formula, open_))

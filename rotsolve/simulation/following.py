@@ -9,7 +9,7 @@ from msgspec import Struct, field
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.tape import Exact
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs

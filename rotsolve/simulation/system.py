@@ -8,7 +8,8 @@ from msgspec import Struct
 
 from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Facts
-from rotsolve.core.registry import SEPARATOR, TIME, Registry
+from rotsolve.core.registry import Registry
+from rotsolve.core.symbols import TIME, is_key, key_of
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.series import FLOATS, Expansion, nearest_float
@@ -42,20 +43,12 @@ class System(Struct, frozen=True):
     moment: Instant
 
 
-def letter_key(word: str, owner: str, when: str, component: str = "") -> str:
-    return SEPARATOR.join((word, owner, component, when))
-
-
-def component_in(letter: str) -> str:
-    return letter.split(SEPARATOR)[2]
-
-
 def path_name(letter: str) -> str:
     """The name of a quantity as the scene language writes it: `block.velocity`, `pivot.force.x`, `string.block.tension`."""
-    word, owner, component, _ = letter.split(SEPARATOR)
-    if word == "tension" and component:
-        return f"{owner}.{component}.{word}"
-    return ".".join(filter(None, (owner, word, component)))
+    key = key_of(letter)
+    if key.kind == "tension" and key.component:
+        return f"{key.owner}.{key.component}.{key.kind}"
+    return ".".join(filter(None, (key.owner, key.kind, key.component)))
 
 
 def named_in_text(letter: str, registry: Registry) -> str:
@@ -68,7 +61,7 @@ def refusal(error: Unwritable, registry: Registry) -> NotYet:
     letter = str(error)
     if letter in registry.quantities:
         return NotYet(f"how `{path_name(letter)}` runs in time is not told")
-    if SEPARATOR not in letter and " " not in letter:
+    if not is_key(letter) and " " not in letter:
         return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
     return NotYet(f"{letter} is not simulated yet")
 
@@ -169,11 +162,12 @@ def check_rules(system: System) -> None:
 def dependent_speeds(system: System) -> Sequence[tuple[str, int, str]]:
     """The speeds that are told by others, with their places and the letters of their accelerations."""
     found = []
-    accelerations = {tuple(letter.split(SEPARATOR)[:3]): letter for letter in system.letters if SEPARATOR in letter}
+    keys = {letter: key_of(letter) for letter in system.letters}
+    accelerations = {(key.kind, key.owner, key.component): letter for letter, key in keys.items() if key.kind}
     own = {item.letter for item in system.variables}
     for letter, place in system.letters.items():
-        word, *rest = letter.split(SEPARATOR)
-        rate = accelerations.get((PAIRS.get(word, ""), *rest[:2]))
+        key = keys[letter]
+        rate = accelerations.get((PAIRS.get(key.kind, ""), key.owner, key.component))
         if rate is not None and letter not in own:
             found.append((letter, place, rate))
     return found

@@ -15,7 +15,7 @@ from operator import mul
 from msgspec import Struct, field
 
 from rotsolve.algebra.tape import ONE, ZERO
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.simulation.series import Arithmetic, Expansion
 from rotsolve.simulation.system import System
 from rotsolve.simulation.tape import Scalar

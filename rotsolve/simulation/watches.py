@@ -14,7 +14,7 @@ from rotsolve.algebra.flints import fmpq
 from rotsolve.algebra.formula import PI, Formula, call
 from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
-from rotsolve.core.registry import COURSE
+from rotsolve.core.symbols import COURSE
 from rotsolve.core.writing import spoken
 from rotsolve.equations.states import EXTREMES, RATE_OF
 from rotsolve.language.problem import Condition, Path, State

@@ -16,6 +16,7 @@ from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Integral, Symbol
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import ENERGY, FOUND, KINEMATICS, Equation
+from rotsolve.core.symbols import ACCELERATIONS, key_of
 from rotsolve.plan import Plan
 from rotsolve.solver.isolation import Isolation
 from rotsolve.solver.steps import (
@@ -38,8 +39,7 @@ from rotsolve.solver.steps import (
 )
 from rotsolve.solver.textbook import part_of_whole, quarters_turned
 
-FORCES = ("tension|", "force|", "normal_force|", "friction_force|", "impulse|")
-ACCELERATIONS = ("acceleration|", "angular_acceleration|")
+FORCES = ("tension", "force", "normal_force", "friction_force", "impulse")
 ROUNDS = 8  # values put in one after the other, since one may speak of the next
 NUMERICALLY: Words = ("no closed form: solved numerically, with certified digits",)
 SUMMED_NUMERICALLY: Words = ("no closed form: the integral is worked out numerically, with certified digits",)
@@ -127,10 +127,12 @@ class Solver(Isolation, kw_only=True):
                 explicit = isolated(item, name)
                 others = holders[name] - 1
                 kind = elimination_kind(item, name, names, items)
-                if kind == 2 and name.startswith(ACCELERATIONS) and self.pool[item.index].family == KINEMATICS:
+                if kind == 2 and key_of(name).kind in ACCELERATIONS and self.pool[item.index].family == KINEMATICS:
                     kind = 4  # v = a t tells a speed by the acceleration, not the other way round
                 # rules that lead to the asked unknown first; forces are eliminated rather than accelerations
-                away = int(asked not in names) if kind == 2 else int(not name.startswith(FORCES)) if kind == 4 else 0
+                away = (
+                    int(asked not in names) if kind == 2 else int(key_of(name).kind not in FORCES) if kind == 4 else 0
+                )
                 ranked.append(((kind, away, others, len(names), 0 if explicit else 1), item, name))
         ranked.sort(key=lambda entry: entry[0])
         return self._first_linear(ranked, items)

@@ -12,7 +12,7 @@ from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import Call, Formula, Integral, Negative, Power, Product, Quotient, Sum, multiply, total
-from rotsolve.core.registry import TIME, in_midst
+from rotsolve.core.symbols import TIME, at_any_time
 from rotsolve.core.vectors.heading import heading
 from rotsolve.solver.steps import Found
 
@@ -177,7 +177,7 @@ class Textbook(Struct, kw_only=True):
 
     def _open(self, node: Integral) -> bool:
         """Whether something within an integral runs with its variable in a way that is not known yet."""
-        return any(in_midst(name) for name in node.integrand.symbols() - {node.variable})
+        return at_any_time(node.integrand.symbols() - {node.variable})
 
     def sign(self, value: Formula) -> int | None:
         """The sign of a formula with the answers put in."""

@@ -15,7 +15,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units import dimension as dims
 from rotsolve.algebra.units.dimension import TIME, Dimension, DimensionError, dimension_of
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import has_quantities, key_of
 from rotsolve.core.vectors.heading import UP
 from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.equations.scene_equations import SceneEquations
@@ -43,7 +43,7 @@ def moments(scene: SceneEquations) -> Iterator[Facts]:
 
 
 def is_rate(name: str) -> bool:
-    return name.split(SEPARATOR)[0] in RATES and SEPARATOR in name
+    return key_of(name).kind in RATES
 
 
 def allowed(facts: Facts) -> dict[str, Formula]:
@@ -101,7 +101,7 @@ def test_stored_energy_has_the_force_for_slope(file: Path, readings: Readings) -
         for facts in moments(scene):
             rates = allowed(facts)
             for stored in facts.potentials:
-                if not any(SEPARATOR in name for name in stored.elongation.symbols()):
+                if not has_quantities(stored.elongation):
                     continue  # fixed at this moment: the midst of the phase has a letter for it
                 given = total([power(body, item) for body, item in items(facts) if item.owner == stored.owner])
                 growth = slope(stored.energy, stored.elongation) * stored.rate
@@ -152,7 +152,7 @@ def growth(stored: Formula, facts: Facts) -> Formula:
     result: Formula = ZERO
     stretch = {item.owner: item.rate for item in facts.potentials}
     for name in sorted(stored.symbols()):
-        kind, owner = (*name.split(SEPARATOR), "")[:2]
+        kind, owner = key_of(name).kind, key_of(name).owner
         body = facts.body(owner)
         if kind in STRETCHES:
             result = result + differentiate(stored, name) * stretch[owner]

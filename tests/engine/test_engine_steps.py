@@ -10,7 +10,7 @@ import pytest
 
 from rotsolve.algebra.formula import Formula, Integral, Sum, Symbol
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.registry import GENERIC, VIRTUAL
+from rotsolve.core.symbols import GENERIC, VIRTUAL
 from rotsolve.language.problem import Problem
 from rotsolve.search.search import Search
 

@@ -11,7 +11,7 @@ import rotsolve
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.core.derivation import Answer
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.records import Names

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import COUPLING, DRIVE, INNER, Couple, Force, Rule, signed
-from rotsolve.core.varying import UNKNOWN, pace_of
+from rotsolve.core.symbols import UNKNOWN, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.core.writing import balance
 from rotsolve.elements.shapes import rim_radius

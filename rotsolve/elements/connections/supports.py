@@ -20,7 +20,7 @@ from rotsolve.core.facts import (
     signed,
 )
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.varying import combined, pace_of
+from rotsolve.core.symbols import combined, pace_of
 from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef, Ride

@@ -24,7 +24,7 @@ from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Answer
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.forms import Yardstick, term_count
 from rotsolve.motion.positive import is_angle
 

@@ -12,7 +12,7 @@ from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
-from rotsolve.core.registry import SEPARATOR, SPOKEN, TIME
+from rotsolve.core.symbols import TIME, key_of
 from rotsolve.derivation.letters import in_letters
 from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
@@ -21,8 +21,6 @@ from rotsolve.language.marks import Marking, marking_of
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.positive import positive_letters
 from rotsolve.solution import Solution
-
-CONSTANT = f"inertia{SEPARATOR}"  # how the keys of moments of inertia begin
 
 
 class Target(Struct, frozen=True, eq=False):
@@ -95,12 +93,12 @@ class SceneLetters(Struct, frozen=True, dict=True):
     @cached_property
     def printed(self) -> frozenset[str]:
         """The letters that the laws print."""
-        return frozenset(name for name, key in self.meanings.keys.items() if not any(mark in key for mark in SPOKEN))
+        return frozenset(name for name, key in self.meanings.keys.items() if not key_of(key).marked)
 
     @cached_property
     def constants(self) -> frozenset[str]:
         """The letters of moments of inertia that the laws print: those are the bodies' own, whatever moves."""
-        return frozenset(name for name in self.printed if self.meanings.keys[name].startswith(CONSTANT))
+        return frozenset(name for name in self.printed if key_of(self.meanings.keys[name]).kind == "inertia")
 
     def meaning(self, name: str) -> Formula | None:
         """The closed form of a letter that is no given."""
@@ -129,18 +127,12 @@ class SceneLetters(Struct, frozen=True, dict=True):
     def bare(self) -> dict[str, str]:
         """Letters that are printed with the name of a state alone, by the letter without it: ω for ω_end where something is asked at the
         end, and nothing else is called so there."""
-        keys = {name: key.split(SEPARATOR) for name, key in self.meanings.keys.items()}
-        asked = {keys[name][-1] for name in self.answers if name in keys}
+        keys = {name: key_of(key).when for name, key in self.meanings.keys.items()}
+        asked = {keys[name] for name in self.answers if name in keys}
         found: dict[str, list[str]] = {}
         for name, key in keys.items():
             head, _, state = name.partition("_")
-            if (
-                state
-                and state == key[-1]
-                and state in asked
-                and head not in keys
-                and head not in self.givens | self.told
-            ):
+            if state and state == key and state in asked and head not in keys and head not in self.givens | self.told:
                 found.setdefault(head, []).append(name)
         return {head: names[0] for head, names in found.items() if len(names) == 1}
 

@@ -14,7 +14,7 @@ from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_CHOICE, Equation, Law
 from rotsolve.core.facts import Force
 from rotsolve.core.passage import Encounter, Meeting
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.mistake import Change, Made
 from rotsolve.laws import momentum
@@ -122,7 +122,7 @@ def no_work(scene: Scene) -> Made:
 
 def workless(equation: Equation) -> Equation:
     """An energy equation without the works that have a letter."""
-    works = {name: ZERO for name in equation.symbols() if name.startswith(f"work{SEPARATOR}")}
+    works = dict.fromkeys(of_kinds(equation.symbols(), ("work",)), ZERO)
     if equation.family != ENERGY or not works:
         return equation
     left, right = equation.left.substitute(works), equation.right.substitute(works)

@@ -13,7 +13,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Facts, Force, Inertia, Role
-from rotsolve.core.registry import SEPARATOR
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import shape_of
@@ -186,7 +186,7 @@ def rubbed_by_weight(force: Force, body: BodyFacts) -> Force:
     if not force.role.rubs:
         return force
     weight = total([other.size for other in body.forces if other.role.weighs])
-    normals = {name: weight for name in force.size.symbols() if name.startswith(f"normal_force{SEPARATOR}")}
+    normals = dict.fromkeys(of_kinds(force.size.symbols(), ("normal_force",)), weight)
     return replace(force, size=force.size.substitute(normals))
 
 

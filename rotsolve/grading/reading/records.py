@@ -13,7 +13,7 @@ from rotsolve.algebra.notation.letters import spellings
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError, UnknownName
 from rotsolve.algebra.units.unit_table import Unit
-from rotsolve.core.registry import TIME
+from rotsolve.core.symbols import TIME
 from rotsolve.grading.verdict import Remark
 
 SHORT_TIME = "t"
