@@ -11,8 +11,9 @@ from __future__ import annotations
 import argparse
 import gc
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from fractions import Fraction
+from functools import cache
 from pathlib import Path
 from random import Random
 from statistics import mean
@@ -50,8 +51,10 @@ class Subject:
         self.letters = frozenset((*judge.letters.givens, *judge.letters.told))
 
 
-def subjects() -> Iterator[Subject]:
+@cache
+def subjects() -> tuple[Subject, ...]:
     """The answers with a closed form of all scenes."""
+    found = []
     for file in sorted(PROBLEMS.glob("*/*.yaml"))[::EACH]:
         solution = solve(file)
         judge = Judge(solution)
@@ -60,7 +63,8 @@ def subjects() -> Iterator[Subject]:
             if closed is not None and closed.symbols():
                 unit = "" if answer.unit is None else answer.unit.text
                 typed = closed.substitute({TIME: Symbol(judge.letters.meanings.time)})  # t, as it is printed
-                yield Subject(typed, unit, judge, judge.targets[answer.name])
+                found.append(Subject(typed, unit, judge, judge.targets[answer.name]))
+    return tuple(found)
 
 
 def mixed(formula: Formula, random: Random) -> Formula:

@@ -5,6 +5,7 @@ In these files the lists of shapes, formats and the like stand by their names, `
 
 from __future__ import annotations
 
+import gc
 from functools import cache
 from pathlib import Path
 
@@ -18,8 +19,20 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def pytest_configure(config: pytest.Config) -> None:
+    gc.set_threshold(100_000)  # as the commands do: of all that is kept for other tests little is garbage
     if config.getoption("--regenerate") and config.getoption("numprocesses", None):
         raise pytest.UsageError("--regenerate writes files that several tests share: leave -n out")
+
+
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """The tests of one scene behind each other, whatever file they stand in: so each worker solves about half of the scenes."""
+    items.sort(key=scene_of)
+
+
+def scene_of(item: pytest.Item) -> str:
+    """The file of the scene that a test is about; nothing where it is about none."""
+    values = item.callspec.params.values() if hasattr(item, "callspec") else ()
+    return next((str(value) for value in values if isinstance(value, Path) and value.suffix == ".yaml"), "")
 
 
 @cache

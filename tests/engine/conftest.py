@@ -53,7 +53,7 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     """`scene` runs over the scenes of this folder, `file` over them and the project's problems."""
     for name, paths in (("scene", SCENES), ("file", [*SCENES, *PROBLEMS])):
         if name in metafunc.fixturenames:
-            metafunc.parametrize(name, paths, ids=[path.stem for path in paths], scope="session")
+            metafunc.parametrize(name, paths, ids=[path.stem for path in paths])
 
 
 @cache

@@ -19,6 +19,7 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.pipeline import solve
 from rotsolve.solution import Solution
+from solutions import solved
 
 HERE = Path(__file__).resolve().parent
 FILES = sorted([*(HERE / "scenes").glob("*.yaml"), *(HERE.parent.parent / "problems").rglob("*.yaml")])
@@ -57,7 +58,7 @@ def assert_in_order(derivation: Derivation, where: str) -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
 def test_no_internal_name_is_printed_and_nothing_used_before_it_is_found(path: Path) -> None:
-    solution = solve(path)
+    solution = solved(path)
     assert_readable(all_texts(solution), path.name)
     assert_in_order(solution.derivation, path.name)
 

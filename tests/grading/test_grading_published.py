@@ -7,7 +7,6 @@ from pathlib import Path
 
 import pytest
 
-import rotsolve
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_latex, to_text
 from rotsolve.core.derivation import Answer
@@ -15,6 +14,7 @@ from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.records import Names
+from solutions import solved
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").glob("*/*.yaml"))
 UNDECIDED = {
@@ -31,7 +31,7 @@ def closed_forms(answers: tuple[Answer, ...]) -> Iterator[tuple[str, Formula]]:
 
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)
 def test_published_answers(file: Path) -> None:
-    solution = rotsolve.solve(file)
+    solution = solved(file)
     published = [item for item in solution.problem.answers if item.formula is not None]
     if not published:
         return

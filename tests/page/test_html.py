@@ -14,7 +14,7 @@ from msgspec.structs import replace
 from rotsolve.core.derivation import Check, Derivation
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.html import PRINTER
-from rotsolve.pipeline import solve
+from solutions import solved
 
 PROBLEMS = sorted((Path(__file__).resolve().parents[2] / "problems").rglob("*.yaml"))
 VOID = {"meta"}
@@ -49,7 +49,7 @@ def read(text: str) -> Reader:
 
 @cache
 def printed(file: Path) -> str:
-    return solve(file).to("html")
+    return solved(file).to("html")
 
 
 @pytest.mark.parametrize("file", PROBLEMS, ids=lambda file: file.stem)

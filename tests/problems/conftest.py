@@ -12,4 +12,4 @@ PROBLEMS = sorted((ROOT / "problems").rglob("*.yaml"))
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if "problem_file" in metafunc.fixturenames:
-        metafunc.parametrize("problem_file", PROBLEMS, ids=[file.stem for file in PROBLEMS], scope="session")
+        metafunc.parametrize("problem_file", PROBLEMS, ids=[file.stem for file in PROBLEMS])

@@ -19,19 +19,14 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Unsolvable
 from rotsolve.language.problem import Published
-from rotsolve.pipeline import solve
 from rotsolve.scene.reference import json_schema
 from rotsolve.solution import AnswerView, Solution
+from solutions import solved
 
 ACCURACY = Fraction(1, 10**9)
 WIDTH = 100
 RUNNING = {"time": Symbol("t")}  # as the running time is printed
 RAW = re.compile(r"[a-z_]\|[a-z_]")  # the key of a quantity of the laws, which no reader should see
-
-
-@cache
-def solved(file: Path, law: str | None = None, at: str | None = None) -> Solution:
-    return solve(file, law=law, at=at)
 
 
 def letters(solution: Solution) -> frozenset[str]:
