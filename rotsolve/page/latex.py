@@ -10,15 +10,17 @@ from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, An
 from rotsolve.page.printer import Lines
 from rotsolve.page.tex import LATEX_PREAMBLE, TexPrinter, latex_prose
 
+WORDS = 40  # letters on one line, beside a formula or in a table
+ROWS = 40  # of a table on one page
+
 
 class Latex(TexPrinter):
     """Pages as LaTeX."""
 
     styles: ClassVar = {
+        **dict.fromkeys((STRONG, FAULT), r"\textbf{{{}}}"),
         NAME: r"\emph{{{}}}",
         LABEL: r"\textbf{{{}}}\quad ",
-        STRONG: r"\textbf{{{}}}",
-        FAULT: r"\textbf{{{}}}",
         CODE: r"\texttt{{{}}}",
     }
 
@@ -38,17 +40,20 @@ class Latex(TexPrinter):
     def bullets(self, block: Bullets) -> Iterator[str]:
         yield r"\begin{itemize}"
         for item in block.items:
-            code = "".join(rf"\\ \texttt{{{self.prose(line).replace(' ', '~')}}}" for line in item.code)
+            code = "".join(rf"\\ \mbox{{\texttt{{{self.prose(line).replace(' ', '~')}}}}}" for line in item.code)
             yield rf"  \item {self.words(item.words)}{code}"
             yield from self.bullets(Bullets(item.inner)) if item.inner else ()
         yield r"\end{itemize}"
 
     def table(self, block: blocks.Table) -> Iterator[str]:
-        """A table, whose last cells are broken where they are long."""
-        yield rf"\begin{{tabular}}{{{'l' * (len(block.columns) - 1)}p{{0.5\linewidth}}}}"
-        yield " & ".join(map(self.prose, block.columns)) + r" \\ \hline"
-        yield from (" & ".join(map(self.words, row)) + r" \\" for row in block.rows)
-        yield from (r"\end{tabular}", "")
+        """A table, in parts that each fit on a page; the last cells are broken where they are long."""
+        rows = [[*map(self.words, row)] for row in block.rows]
+        last = r"p{0.5\linewidth}" if any(len(row[-1]) > WORDS for row in rows) else "l"
+        for first in range(0, len(rows), ROWS):
+            yield rf"\begin{{tabular}}{{{'l' * (len(block.columns) - 1)}{last}}}"
+            yield " & ".join(map(self.prose, block.columns)) + r" \\ \hline"
+            yield from (" & ".join(row) + r" \\" for row in rows[first : first + ROWS])
+            yield from (r"\end{tabular}", "")
 
     def formulas(self, block: Formulas) -> Iterator[str]:
         yield rf"\textbf{{{block.caption}}}"
@@ -88,7 +93,7 @@ def align(rows: Sequence[str]) -> Iterator[str]:
 
 def words_cell(text: str) -> str:
     """Words behind an equation, wrapped where they are long."""
-    if len(text) > 40:
+    if len(text) > WORDS:
         return rf" && \parbox[t]{{0.4\linewidth}}{{\raggedright {text}}}"
     return rf" && \text{{{text}}}" if text else ""
 

@@ -50,6 +50,7 @@ Hold = Callable[[Path, str], None]
         (["--width", "80"], "student.txt"),
         (["--width", "50"], "student-narrow.txt"),
         (["-f", "markdown"], "student.md"),
+        (["-f", "latex"], "student.tex"),
         (["-f", "html"], "student.html"),
         (["-f", "json"], "student.json"),
     ],
@@ -70,6 +71,7 @@ def test_a_student(made_up: Command, options: list[str], name: str, expected: Ho
     [
         (["--width", "100"], "class.txt"),
         (["-f", "markdown"], "class.md"),
+        (["-f", "latex"], "class.tex"),
         (["-f", "html"], "class.html"),
         (["-f", "json"], "class.json"),
     ],
@@ -160,6 +162,7 @@ def test_nothing_that_a_student_writes_is_markup(made_up: Command) -> None:
     assert page.text.count("<script>alert(1)</script>") == 3
     text = made_up("ada.txt").out + made_up("ada.txt", "-f", "markdown").out
     assert "\x1b" not in text
+    assert r"\input" not in made_up("ada.txt", "-f", "latex").out
 
 
 def test_long_answers_are_clipped_around_their_remarks() -> None:

@@ -26,6 +26,7 @@ from rotsolve.page.blocks import (
     Phrase,
     Title,
 )
+from rotsolve.page.text import plain_text
 
 TONES = {RIGHT: GOOD, WRONG: BAD}
 FIRST = "wrong, here first"
@@ -62,8 +63,6 @@ class StudentPage(Page, frozen=True):
         yield Paragraph((sum_of_marks(self.marked),))
 
     def data(self) -> dict[str, Any]:
-        from rotsolve.grading.course.report.data import marked_data
-
         return {"problem": self.task.title, **marked_data(self.marked, self.variant)}
 
 
@@ -111,3 +110,36 @@ def marks_text(marks: Fraction) -> str:
 def marks_of(marks: Fraction, most: Fraction) -> str:
     """`2.5 of 5`."""
     return f"{marks_text(marks)} of {marks_text(most)}"
+
+
+def marked_data(marked: Marked, variant: str) -> dict[str, Any]:
+    return {
+        "student": marked.student,
+        "variant": variant,
+        "answers": [part_data(part) for part in marked.parts],
+        "working": [line_data(line) for line in marked.lines],
+        "marks": marks_data(marked.marks),
+        "of": marks_data(marked.of),
+    }
+
+
+def part_data(part: JudgedPart) -> dict[str, Any]:
+    marks = {"marks": marks_data(part.marks), "of": marks_data(part.of), "followed": part.followed}
+    return {"name": part.name, "text": part.text, **verdict_data(part.verdict), **marks}
+
+
+def line_data(line: JudgedLine) -> dict[str, Any]:
+    return {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong}
+
+
+def verdict_data(verdict: Verdict) -> dict[str, Any]:
+    """Outcome, reading and remarks; columns count from 0, the end is the one behind the last."""
+    remarks = [
+        {"kind": remark.kind, "text": plain_text(remark.words), "start": remark.start, "end": remark.end}
+        for remark in verdict.remarks
+    ]
+    return {"outcome": verdict.outcome, "read_as": verdict.read_as, "remarks": remarks}
+
+
+def marks_data(marks: Fraction) -> dict[str, Any]:
+    return {"exact": str(marks), "number": float(marks)}

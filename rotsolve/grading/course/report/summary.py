@@ -12,7 +12,7 @@ from msgspec import Struct
 
 from rotsolve.core.derivation import Words
 from rotsolve.core.faults import printable
-from rotsolve.grading.course.report.student import Task, marks_of, marks_text, printable_words
+from rotsolve.grading.course.report.student import Task, marked_data, marks_of, marks_text, printable_words
 from rotsolve.grading.course.table import Columns, Entry
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, JudgedPart, Marked
 from rotsolve.page.blocks import Page, PageBlock, Paragraph, Table, Title
@@ -81,9 +81,15 @@ class SummaryPage(Page, frozen=True):
             yield from map(printable_block, blocks)
 
     def data(self) -> dict[str, Any]:
-        from rotsolve.grading.course.report.data import class_data
+        return {"problem": self.course.task.title, "papers": [*map(result_data, self.course.results)]}
 
-        return class_data(self.course)
+
+def result_data(result: Result) -> dict[str, Any]:
+    """A row of a class: its line, its remarks, and, where it was marked, its paper."""
+    row = {"line": result.entry.line, "remarks": list(result.entry.remarks)}
+    if result.marked is None:
+        return {"student": result.entry.student, "variant": result.variant, "marked": False, **row}
+    return {**marked_data(result.marked, result.variant), "marked": True, **row}
 
 
 def printable_block(block: Paragraph | Table) -> PageBlock:
