@@ -8,9 +8,9 @@ from typing import ClassVar
 from rotsolve.page import blocks
 from rotsolve.page.blocks import CODE, FAULT, LABEL, NAME, STRONG, AnswerRow, Answers, Bullets, FormulaRow, Formulas
 from rotsolve.page.printer import Lines
-from rotsolve.page.tex import LATEX_PREAMBLE, TexPrinter, latex_prose
+from rotsolve.page.tex import LATEX_PREAMBLE, WORDS, TexPrinter, aligned, latex_prose, words_cell
 
-WORDS = 40  # letters on one line, beside a formula or in a table
+BOLD = r"\textbf{{{}}}"
 ROWS = 40  # of a table on one page
 
 
@@ -18,9 +18,10 @@ class Latex(TexPrinter):
     """Pages as LaTeX."""
 
     styles: ClassVar = {
-        **dict.fromkeys((STRONG, FAULT), r"\textbf{{{}}}"),
         NAME: r"\emph{{{}}}",
-        LABEL: r"\textbf{{{}}}\quad ",
+        LABEL: BOLD + r"\quad ",
+        STRONG: BOLD,
+        FAULT: BOLD,
         CODE: r"\texttt{{{}}}",
     }
 
@@ -32,7 +33,7 @@ class Latex(TexPrinter):
 
     def title(self, block: blocks.Title) -> Iterator[str]:
         said = self.words(block.words)
-        yield rf"\textbf{{{said}}}" if block.minor else rf"\{'sub' * (block.level - 1)}section*{{{said}}}"
+        yield BOLD.format(said) if block.minor else rf"\{'sub' * (block.level - 1)}section*{{{said}}}"
 
     def paragraph(self, block: blocks.Paragraph) -> Iterator[str]:
         yield from (self.words(block.words), "")
@@ -56,10 +57,10 @@ class Latex(TexPrinter):
             yield from (r"\end{tabular}", "")
 
     def formulas(self, block: Formulas) -> Iterator[str]:
-        yield rf"\textbf{{{block.caption}}}"
+        yield BOLD.format(block.caption)
         for remark in block.remarks:
             yield from ("", self.words(remark))
-        yield from align([line for row in block.rows for line in self._formula_lines(row)])
+        yield from aligned([line for row in block.rows for line in self._formula_lines(row)])
 
     def _formula_lines(self, row: FormulaRow) -> Iterator[str]:
         """A line for each equality: the first says where it comes from, the last has the number."""
@@ -70,7 +71,7 @@ class Latex(TexPrinter):
             yield f"{arrow}{left} &{right}{'' if number else words_cell(said)}{tag}"
 
     def answers(self, block: Answers) -> Iterator[str]:
-        yield from align([line for row in block.rows for line in self._answer_lines(row)])
+        yield from aligned([line for row in block.rows for line in self._answer_lines(row)])
 
     def _answer_lines(self, row: AnswerRow) -> Iterator[str]:
         """An answer and its components, a line each."""
@@ -83,19 +84,6 @@ class Latex(TexPrinter):
     def document(self, bodies: Sequence[str]) -> str:
         """Each page on a sheet of its own."""
         return LATEX_PREAMBLE + "\\clearpage\n".join(bodies) + "\\end{document}\n"
-
-
-def align(rows: Sequence[str]) -> Iterator[str]:
-    """Equations aligned at their signs, with the words behind them."""
-    if rows:
-        yield from (r"\begin{align*}", " \\\\\n".join(f"  {row}" for row in rows), r"\end{align*}")
-
-
-def words_cell(text: str) -> str:
-    """Words behind an equation, wrapped where they are long."""
-    if len(text) > WORDS:
-        return rf" && \parbox[t]{{0.4\linewidth}}{{\raggedright {text}}}"
-    return rf" && \text{{{text}}}" if text else ""
 
 
 PRINTER = Latex()

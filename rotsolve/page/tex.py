@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
 from rotsolve.algebra.notation.text import to_latex
@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.algebra.units.unit_table import Unit
 
+WORDS = 40  # letters on one line, beside a formula or in a table
 LATEX_PREAMBLE = r"""\documentclass{article}
 \usepackage[T1]{fontenc}
 \usepackage[utf8]{inputenc}
@@ -95,6 +96,19 @@ def _latex_letter(letter: str) -> str:
     return (
         letter if letter.isprintable() and ord(letter) < 0x180 else "?"
     )  # Latin letters with accents are in every LaTeX
+
+
+def aligned(rows: Sequence[str]) -> Iterator[str]:
+    """Equations aligned at their signs, with the words behind them."""
+    if rows:
+        yield from (r"\begin{align*}", " \\\\\n".join(f"  {row}" for row in rows), r"\end{align*}")
+
+
+def words_cell(text: str) -> str:
+    """Words behind an equation, wrapped where they are long."""
+    if len(text) > WORDS:
+        return rf" && \parbox[t]{{0.4\linewidth}}{{\raggedright {text}}}"
+    return rf" && \text{{{text}}}" if text else ""
 
 
 class TexPrinter(Printer):
