@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-PACKAGE = Path(__file__).resolve().parent.parent / "rotsolve"
+PACKAGE = Path(__file__).resolve().parents[2] / "rotsolve"
 FILES = sorted(PACKAGE.rglob("*.py"))
 LAYERS = (  # each may import those before it, and itself; names on one line do not import each other
     ("profile", "lean"),
