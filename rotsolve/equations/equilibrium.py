@@ -22,7 +22,7 @@ from rotsolve.language.problem import Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.instant import Instant, swings
+from rotsolve.motion.instant import Instant
 from rotsolve.motion.passages import groups_of
 from rotsolve.paths.meaning import NotYet
 
@@ -221,12 +221,12 @@ class Placing(Struct, frozen=True):
         key = angle_key(rest, name)
         if key in self.registry.quantities:
             return self.registry.known.get(key, Symbol(key))
-        return rest.offset(name).formula() if swings(name, near) else None
+        return rest.offset(name).formula() if near.weight_swings(name) else None
 
 
 def driven_back(name: str, near: Instant) -> bool:
     """Whether the weight of a body can drive it back: of one that hangs from a hinge, or lies on a curved surface."""
-    return swings(name, near) or (near.configuration.heavy and near.orbit(name) is not None)
+    return near.weight_swings(name) or (near.configuration.heavy and near.orbit(name) is not None)
 
 
 def angle_key(instant: Instant, name: str) -> str:

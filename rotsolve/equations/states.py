@@ -19,7 +19,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Condition, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
-from rotsolve.motion.instant import Instant, marked
+from rotsolve.motion.instant import Instant
 from rotsolve.motion.owndata import is_own
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned, displacement
@@ -199,7 +199,7 @@ class Statements(Struct):
     def _as_drawn(self, first: Instant) -> None:
         """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
         for body in self.configuration.present(first.state):
-            angle = first.angle(body.name) if marked(body.name, first) else None
+            angle = first.angle(body.name) if first.follows_marks(body.name) else None
             if angle is not None:
                 self.fixed.fix(angle, ZERO)
 

@@ -32,65 +32,6 @@ STILL = (None, "cm", *WHEEL)  # points that do not turn with a body
 FOLLOWED = ("position", "velocity", "acceleration")
 
 
-def followed(name: str, instant: Instant) -> bool:
-    """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
-    that turns where a motion is followed in time."""
-    if instant.mark == COURSE:
-        return instant.configuration.pivot(name, instant.state) is not None or instant.can_turn(
-            name, slides(name, instant)
-        )
-    rod = shape_of(instant.body(name)).slender
-    if swings(name, instant):
-        return True
-    if not (rod and instant.configuration.heavy) and not (spoken_of(name, instant) or marked(name, instant)):
-        return False
-    return rod or not stands(name, instant)
-
-
-def swings(name: str, instant: Instant) -> bool:
-    """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
-    configuration = instant.configuration
-    hinged = instant.generic and instant.mark != GENERIC and configuration.pivot(name, instant.state) is not None
-    return hinged and configuration.heavy and bool(instant.frame(name).cm.parts)
-
-
-def spoken_of(name: str, instant: Instant) -> bool:
-    """Whether the scene asks for a body's angle, states it, drives it, or lets something vary with it."""
-    configuration = instant.configuration
-    problem = configuration.problem
-    if any(path.owner == name and path.quantity == "angle" and not path.point for path in configuration.mentions.paths):
-        return True
-    if any(drive.word == "angle" for drive in configuration.drives(name, instant.state)):
-        return True
-    values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
-    return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
-
-
-def marked(name: str, instant: Instant) -> bool:
-    """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
-    configuration, body = instant.configuration, instant.body(name)
-    slanted = instant.frame(name).cm.parts and not shape_of(body).slender
-    if len(configuration.timeline.states) < 2 or slanted:
-        return False
-    asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
-    still = (*STILL, *dict(body.radii))
-    return any(
-        path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
-    )
-
-
-def stands(name: str, instant: Instant) -> bool:
-    """Whether a body slides along as it is drawn, with nothing said of its angle."""
-    flat = slides(name, instant)
-    said = instant.configuration.mentions.says
-    return flat and not instant.can_turn(name, flat) and not said(instant.state, name, "angle")
-
-
-def slides(name: str, instant: Instant) -> bool:
-    """Whether a body travels along a line."""
-    return instant.line(name) is not None
-
-
 class Instant(Struct, frozen=True, dict=True):
     """One moment of a configuration; `generic` is a moment in the midst of the phase that starts at `state`, or with another `mark`
     the equilibrium of its bodies or a moment of their swings about it.
@@ -194,9 +135,64 @@ class Instant(Struct, frozen=True, dict=True):
 
     def angle(self, name: str) -> Formula | None:
         """The angle of a body; None where the scene never speaks of it and it stands as drawn or looks the same all round."""
-        return self.ask("angle", name, words=TURNS) if followed(name, self) else None
+        return self.ask("angle", name, words=TURNS) if self.follows_angle(name) else None
 
     @remembered
+    def follows_angle(self, name: str) -> bool:
+        """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
+        that turns where a motion is followed in time."""
+        if self.mark == COURSE:
+            return self.configuration.pivot(name, self.state) is not None or self.can_turn(
+                name, self.travels_on_line(name)
+            )
+        rod = shape_of(self.body(name)).slender
+        if self.weight_swings(name):
+            return True
+        if not (rod and self.configuration.heavy) and not (self.speaks_of_angle(name) or self.follows_marks(name)):
+            return False
+        return rod or not self.stands_as_drawn(name)
+
+    def weight_swings(self, name: str) -> bool:
+        """Whether this is a moment of swings or their equilibrium, and the weight of a hinged body has an arm that turns with it."""
+        configuration = self.configuration
+        hinged = self.generic and self.mark != GENERIC and configuration.pivot(name, self.state) is not None
+        return hinged and configuration.heavy and bool(self.frame(name).cm.parts)
+
+    def speaks_of_angle(self, name: str) -> bool:
+        """Whether the scene asks for a body's angle, states it, drives it, or lets something vary with it."""
+        configuration = self.configuration
+        problem = configuration.problem
+        if any(
+            path.owner == name and path.quantity == "angle" and not path.point for path in configuration.mentions.paths
+        ):
+            return True
+        if any(drive.word == "angle" for drive in configuration.drives(name, self.state)):
+            return True
+        values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
+        return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
+
+    def follows_marks(self, name: str) -> bool:
+        """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
+        configuration, body = self.configuration, self.body(name)
+        slanted = self.frame(name).cm.parts and not shape_of(body).slender
+        if len(configuration.timeline.states) < 2 or slanted:
+            return False
+        asked = (term.path for find in configuration.problem.finds for term in find.terms if term.path.owner == name)
+        still = (*STILL, *dict(body.radii))
+        return any(
+            path.point not in still and path.quantity in FOLLOWED and path.component in (None, *PLANE) for path in asked
+        )
+
+    def stands_as_drawn(self, name: str) -> bool:
+        """Whether a body slides along as it is drawn, with nothing said of its angle."""
+        flat = self.travels_on_line(name)
+        said = self.configuration.mentions.says
+        return flat and not self.can_turn(name, flat) and not said(self.state, name, "angle")
+
+    def travels_on_line(self, name: str) -> bool:
+        """Whether a body travels along a line."""
+        return self.line(name) is not None
+
     def point(self, ref: PointRef) -> Vector:
         """A point of a body from its host's reference point, in space."""
         host = self.host(ref.owner)

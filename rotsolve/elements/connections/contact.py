@@ -20,6 +20,7 @@ from rotsolve.language.keys import key
 
 class Contact(Touch, frozen=True):
     word = "contact"
+    side_by_side = True
     about = "a body lies on, slides along or rolls on a surface or on a body that travels; or a wheel rubs on another, both on fixed axles"
     contact: tuple[PointRef, ...] = key(
         "points", "[body, surface, …]", count=(2, 10), required=True, example="[block, ramp]"
@@ -53,9 +54,6 @@ class Contact(Touch, frozen=True):
             help = "a force that presses a body on a surface stands among the actions"
             raise Unsolvable(f"`press` of `{self.name}` is for two wheels", span=under.span, help=help)
         super().check(scene)
-
-    def check_wheels(self) -> None:
-        """Two wheels on axles of their own may rub on each other."""
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """Between two wheels on fixed axles it is their rims that rub."""

@@ -43,6 +43,7 @@ class Touch(Connection, frozen=True):
         "impulse",
     )
     words: ClassVar[tuple[str, ...]] = ("rolls", "slips", "leaves", "sticks")
+    side_by_side: ClassVar[bool] = False  # whether it may be that of two wheels on axles of their own
 
     def pair(self) -> tuple[PointRef, ...]:
         """The body's point and the surface, or the surfaces that join smoothly: what stands under the key of its word."""
@@ -68,7 +69,9 @@ class Touch(Connection, frozen=True):
         if under.owner in scene.bodies and (ref.owner in scene.held or under.owner in scene.held or self.pressed):
             for wheel in self.pair():
                 check_wheel(wheel, "a contact with a wheel on an axle is solved for two of them only", scene)
-            self.check_wheels()
+            if not self.side_by_side:
+                help = f"write `contact: [{ref.owner}, {under.owner}]`"
+                raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
         elif under.owner in scene.bodies:
             self.check_carrier(scene)
         self.check_places(scene)
@@ -78,21 +81,13 @@ class Touch(Connection, frozen=True):
         """Whether a force of its own presses it together."""
         return False
 
-    def check_wheels(self) -> None:
-        """Two wheels on axles of their own that touch."""
-        ref, under = self.pair()[:2]
-        help = f"write `contact: [{ref.owner}, {under.owner}]`"
-        raise Unsolvable("two wheels on fixed axles do not roll on each other", span=under.span, help=help)
-
     def check_carrier(self, scene: Surroundings) -> None:
         """What carries another body travels along a flat surface, or along the line that it `moves`, and does not turn."""
         ref, under = self.pair()[:2]
         carrier = scene.bodies[under.owner]
-        flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)} | {
-            *scene.bodies
-        }
+        flat = {name for name, surface in scene.surfaces.items() if not (surface.curved or surface.upright)}
         laid = (item for item in scene.problem.connections if item.lying() == carrier.name and item is not self)
-        on_flat = any(item.places()[0].owner in flat for item in laid)
+        on_flat = any(item.places()[0].owner in (*flat, *scene.bodies) for item in laid)
         if carrier.turns is not None or rim_radius(carrier, None) is not None or len(self.pair()) > 2:
             raise Unsolvable(f"`{ref.owner}` on `{carrier.name}`, which turns, is not solved yet", span=under.span)
         if not on_flat and carrier.moves not in ("left", "right"):
