@@ -7,8 +7,6 @@ from collections.abc import Mapping
 from msgspec import Struct, field
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import evaluate
-from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.core.equation import STATED, Equation
@@ -300,14 +298,9 @@ class Statements(Struct):
         if before.event is not None:
             raise NotYet(f"the {word} of `{name}` can't change in an event", help="let a phase lead to this state")
         earlier = self.configuration.body(name, before.start).mass
-        if word == "mass" and earlier is not None:
-            values = {given.name: given.value for given in self.configuration.problem.givens if given.value is not None}
-            try:
-                lost = evaluate(earlier - condition.value, values, digits=6).sign
-            except (Undefined, ValueError):
-                return
-            if lost == 1:
-                raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
+        lost = None if word != "mass" or earlier is None else earlier - condition.value
+        if lost is not None and self.configuration.signs.by_numbers(lost) == 1:
+            raise NotYet(f"what leaves `{name}` takes momentum along, which is not solved yet")
 
     def _letter(self, state: str, path: Path) -> Formula:
         """What a line of a state speaks of: a quantity of this moment, or of the phase that ends here."""

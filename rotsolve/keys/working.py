@@ -14,6 +14,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, witnessed
 from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import PI, Call, Formula
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation
@@ -188,10 +189,7 @@ def told_givens(solution: Solution) -> frozenset[str]:
 
 def sign_at(value: Formula, values: Values) -> int:
     """The sign of a formula, 0 where nothing tells it from 0 or it has no number."""
-    try:
-        return evaluate(value, values, digits=6).sign or 0
-    except (Undefined, ValueError, ZeroDivisionError):
-        return 0
+    return SignOracle(values).by_numbers(value) or 0
 
 
 def revalued(answer: Answer, values: Values) -> Answer | None:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import evaluate
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
@@ -176,19 +176,17 @@ def configured(problem: Problem) -> Configuration:
         raise Unsolvable(
             fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
         ) from None
-    faults = list(negative_inertia(configuration.problem))
+    faults = list(negative_inertia(configuration.problem.bodies, configuration.signs))
     if faults:
         raise SceneError(faults, problem.lines, problem.file)
     return configuration
 
 
-def negative_inertia(problem: Problem) -> Iterator[Fault]:
+def negative_inertia(bodies: Iterable[Body], signs: SignOracle) -> Iterator[Fault]:
     """Moments of inertia given about a point that are smaller than m d² alone."""
-    values = {given.name: given.value for given in problem.givens if given.value is not None}
-    for body in problem.bodies:
-        if body.inertia is None or body.inertia_about is None or body.inertia.symbols() - set(values):
+    for body in bodies:
+        if body.inertia is None or body.inertia_about is None:
             continue
-        sign = evaluate(body.inertia, values, digits=3).sign
-        if sign is not None and sign < 0:
+        if signs.by_numbers(body.inertia) == -1:
             message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
             yield Fault(message, body.span, "", "limits")

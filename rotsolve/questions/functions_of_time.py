@@ -13,6 +13,7 @@ from rotsolve.algebra.calculus.derivative import differentiate, in_powers, perio
 from rotsolve.algebra.certified.ball import Certified, decided_by_size, evaluate
 from rotsolve.algebra.certified.balls import Ball, Undefined
 from rotsolve.algebra.certified.rootfind import real_roots
+from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
 from rotsolve.algebra.formula import PI, ZERO, Formula, add
@@ -58,7 +59,10 @@ class Beside(Struct, frozen=True):
 
     def side(self, value: Formula) -> int:
         """The sign of a value that does not depend on time; 0 where no precision tells it from 0."""
-        return evaluate(value, self.values, digits=8).sign or 0
+        number = SignOracle(self.values).number(value)
+        if number is None:
+            raise NotYet("a value on the way is not defined")
+        return number.sign or 0
 
     def zeros(self, function: Formula, start: Formula, end: Formula) -> list[Formula]:
         """The times between the ends at which a function of time changes its sign, in order and in closed form."""

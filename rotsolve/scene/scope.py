@@ -142,13 +142,10 @@ class Scope:
 
     def side(self, value: Formula) -> int | None:
         """The certified sign of a value, which rough numbers do not tell where it nearly vanishes; None where a letter has no number."""
-        from rotsolve.algebra.certified.ball import evaluate
+        from rotsolve.algebra.certified.sign import SignOracle
 
         known = {given.name: given.value for given in self.givens.values() if given.value is not None}
-        try:
-            return evaluate(value, known, digits=3).sign
-        except (ValueError, ZeroDivisionError):
-            return None
+        return SignOracle(known).by_numbers(value)
 
     def free(self, letter: str, owner: str, hint: str = "") -> str:
         """A name that nothing else has: letter_owner, letter_owner_hint, letter_owner2, …"""

@@ -15,7 +15,7 @@ from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import RATES, has_quantities, of_kinds
-from rotsolve.core.writing import flat, is_negative, spoken
+from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find
@@ -112,7 +112,7 @@ class Trials:
         if speed is None:
             return 0
         if is_known(speed):
-            return self.sense_of(speed)
+            return self.sense_of(rub, speed)
         first = rub.state == self.configuration.timeline.states[0].name
         return 0 if rub.contact is not None and first else self.sense_left(rub, speed)
 
@@ -120,17 +120,18 @@ class Trials:
         """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
         for sense in (1, -1):
             found = self.search({**self.modes, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
-            if found is not None and is_known(found) and self.sense_of(found) == sense:
+            if found is not None and is_known(found) and self.sense_of(rub, found) == sense:
                 return sense
         return 0
 
-    def sense_of(self, speed: Formula) -> int:
-        """The sign of a speed; without numbers that of its terms, where they agree: letters stand for positive sizes."""
-        number = self.configuration.signs.number(speed)
-        if number is not None:
-            return number.sign or 0
-        signs = {-1 if is_negative(term) else 1 for term in flat([simplify(speed)])}
-        return signs.pop() if len(signs) == 1 else 0
+    def sense_of(self, rub: Rub, speed: Formula) -> int:
+        """The sign of a speed, 0 where no precision tells it from 0; letters without a number stand for positive sizes."""
+        signs = self.configuration.signs
+        sign = signs.of_sizes(speed)
+        if sign is None and signs.lacking(speed):
+            question = f"which way `{rub.body}` slips or turns against `{rub.name}` at first"
+            raise self.configuration.undecided(speed, question, self.configuration.bodies[rub.body].span)
+        return sign or 0
 
     # one contact at rest
 

@@ -251,3 +251,20 @@ def test_a_side_that_an_answer_tells_is_held_against_it(acceleration: str, angle
             solve(text)
     else:
         assert solve(text).answers["theta"].float == pytest.approx(angle, rel=1e-3)
+
+
+BOWLED = """\
+given: {{M: kg, R: m, v: m/s, w: rad/s, mu: number}}
+surfaces: {{floor: level}}
+bodies: {{ball: {{shape: sphere, mass: M, radius: R, moves: right}}}}
+connections: {{touch: {{contact: [ball, floor], friction: mu}}}}
+states: {{start: {{ball.velocity: v, ball.angular_velocity: {turn}}}}}
+find: {{a: ball.acceleration at start}}
+"""
+
+
+def test_the_way_in_which_a_body_slips_is_never_guessed() -> None:
+    """Letters stand for positive sizes: v + R ω says that it slips forward, v − R ω says nothing."""
+    assert solve(BOWLED.format(turn="-w")).answers["a"].exact == "−μ g"
+    with pytest.raises(Unsolvable, match="give a number to `R` and `v` and `w`"):
+        solve(BOWLED.format(turn="w"))

@@ -84,7 +84,8 @@ class SignOracle(Struct, frozen=True):
         if sign is not None or not self.lacking(value):
             return sign
         value = simplify(with_values(value, self.values), positive=self.positive)
-        return 0 if value == ZERO else sign_within(value, value.symbols())
+        acute = {name for name, limits in self.limits().items() if limits == ACUTE}
+        return 0 if value == ZERO else sign_within(value, value.symbols(), acute)
 
 
 def sign_within(value: Formula, positive: Collection[str], acute: Collection[str] = ()) -> int | None:
