@@ -16,7 +16,7 @@ import pytest
 from rotsolve import Solution, Unsolvable, solve
 from rotsolve.arrays.program import NotForMany
 from rotsolve.core.derivation import Answer
-from rotsolve.keys.working import Working
+from rotsolve.keys.working import VariantSolver
 from rotsolve.scene.read import read_text
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -225,7 +225,7 @@ def test_a_letter_is_its_value_in_all_quadrants(template: str, side: str, angles
 @pytest.mark.parametrize(("template", "side"), [(WHEEL, "under"), (SPOOL, "over"), (SPRING, "[rod.end, [0, 1.5 m]]")])
 def test_variants_know_which_side_their_numbers_mean(template: str, side: str) -> None:
     """What is evaluated for other numbers is what a new solution says, in each quadrant."""
-    working = Working(read_text(template.format(side=side, value="theta", given=", theta: 20 deg")))
+    working = VariantSolver(read_text(template.format(side=side, value="theta", given=", theta: 20 deg")))
     for angle in (30, 75, 110, 120, 165):
         worked = working.work({"theta": f"{angle} deg"})
         found = {answer.name: told_by(answer) for answer in worked.answers}
