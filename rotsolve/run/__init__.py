@@ -11,7 +11,7 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.run.attempt import BAD, Outcome, SolveRequest, attempt, internal_error, piped, scenes
+from rotsolve.run.attempt import BAD, FileOutcome, SolveRequest, attempt, internal_error, piped, scenes
 from rotsolve.run.delivery import deliver
 
 __all__ = ["SolveRequest", "internal_error", "solve_files"]
@@ -42,7 +42,7 @@ def solve_and_deliver(request: SolveRequest) -> int:
         outcomes.close()
 
 
-def attempts(request: SolveRequest) -> Iterator[Outcome]:
+def attempts(request: SolveRequest) -> Iterator[FileOutcome]:
     """What each file gave, in order: here, or by other processes where several are to work or none may take too long."""
     if request.jobs > 1 or request.time_limit is not None:
         from rotsolve.run.processes import attempts_in_processes
@@ -54,7 +54,7 @@ def attempts(request: SolveRequest) -> Iterator[Outcome]:
             yield attempt(file, request, text)
 
 
-def with_progress(outcomes: Iterator[Outcome], total: int) -> Generator[Outcome]:
+def with_progress(outcomes: Iterator[FileOutcome], total: int) -> Generator[FileOutcome]:
     """The outcomes one by one; once it takes long, and on a terminal, with a progress bar that makes room for what is written."""
     start, bar = monotonic(), None
     try:

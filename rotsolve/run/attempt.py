@@ -42,7 +42,7 @@ class SolveRequest(Struct, frozen=True):
         return self.output is None and self.format == "text"
 
 
-class Outcome(Struct, frozen=True):
+class FileOutcome(Struct, frozen=True):
     """What one file gave: a page (text, or lines for a terminal that wants colours), or a message with its exit code."""
 
     file: str
@@ -83,18 +83,18 @@ def scenes_in(name: str) -> list[str]:
     return sorted(str(path) for path in folder.rglob("*") if path.suffix in SUFFIXES and path.is_file())
 
 
-def attempt(file: str, request: SolveRequest, text: bytes = b"") -> Outcome:
+def attempt(file: str, request: SolveRequest, text: bytes = b"") -> FileOutcome:
     """Solve one file, or the text that was piped in."""
     from rotsolve.pipeline import solve
 
     if os.path.isdir(file):
-        return Outcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
+        return FileOutcome(file, BAD, None, f"error: there is no scene (*.yaml) in {file}", "file")
     try:
         scene = scene_source(file, text)
         solution = solve(scene, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
         objects = any(check.holds is False for check in solution.derivation.checks)
         with stage("render", whole=True):
-            return Outcome(file, UNSOLVED if objects else SOLVED, page_of(solution, request))
+            return FileOutcome(file, UNSOLVED if objects else SOLVED, page_of(solution, request))
     except Exception as error:
         return failure_outcome(file, error)
 
@@ -110,7 +110,7 @@ def scene_source(file: str, text: bytes) -> str | os.PathLike[str]:
     return Path(file)
 
 
-def failure_outcome(file: str, error: Exception) -> Outcome:
+def failure_outcome(file: str, error: Exception) -> FileOutcome:
     """What is said of a file that something kept from its answer, with the exit code and the kind of fault."""
     from rotsolve.core.faults import SceneError, Unsolvable
 
@@ -118,14 +118,14 @@ def failure_outcome(file: str, error: Exception) -> Outcome:
     match error:
         case SceneError():
             code, kind = (UNSOLVED, "not yet") if error.not_yet else (BAD, "scene")
-            return Outcome(file, code, None, error.render(), kind)
+            return FileOutcome(file, code, None, error.render(), kind)
         case Unsolvable():
-            return Outcome(file, UNSOLVED, None, error.render(), "unsolvable")
+            return FileOutcome(file, UNSOLVED, None, error.render(), "unsolvable")
         case UnicodeDecodeError():
-            return Outcome(file, BAD, None, f"error: {name} is not UTF-8 text", "file")
+            return FileOutcome(file, BAD, None, f"error: {name} is not UTF-8 text", "file")
         case OSError():
-            return Outcome(file, BAD, None, f"error: cannot read {name}: {error.strerror or error}", "file")
-    return Outcome(file, UNSOLVED, None, internal_error(name, error), "internal")
+            return FileOutcome(file, BAD, None, f"error: cannot read {name}: {error.strerror or error}", "file")
+    return FileOutcome(file, UNSOLVED, None, internal_error(name, error), "internal")
 
 
 def page_of(solution: Solution, request: SolveRequest) -> str | tuple[TextLine, ...]:

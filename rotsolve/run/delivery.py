@@ -10,7 +10,7 @@ from contextlib import suppress
 from typing import TYPE_CHECKING
 
 from rotsolve.page.formats import DATA, format_named
-from rotsolve.run.attempt import BAD, SOLVED, Outcome, SolveRequest
+from rotsolve.run.attempt import BAD, SOLVED, FileOutcome, SolveRequest
 
 if TYPE_CHECKING:
     from rotsolve.page.columns import TextLine
@@ -20,10 +20,10 @@ NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
 FORMULA = ("=", "+", "-", "@", "\t", "\r", "＝", "＋", "－", "＠")  # with these a cell begins that is worked out
 
 
-def deliver(outcomes: Iterable[Outcome], request: SolveRequest) -> int:
+def deliver(outcomes: Iterable[FileOutcome], request: SolveRequest) -> int:
     """Write what the files gave; the worst exit code among them."""
     code, pages = SOLVED, 0
-    kept, failed = list[Outcome](), list[str]()
+    kept, failed = list[FileOutcome](), list[str]()
     for outcome in outcomes:
         code = max(code, outcome.code)
         if not request.streams:
@@ -67,7 +67,7 @@ def summary(failed: Sequence[str], total: int) -> str:
     return f"{len(failed)} of {total} files not solved: {', '.join(failed[:NAMED])}{more}"
 
 
-def write_document(outcomes: Sequence[Outcome], request: SolveRequest) -> int:
+def write_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> int:
     """All that was solved as one document, to the file or to standard output; nothing where nothing was solved."""
     if not any(outcome.page for outcome in outcomes) and (not for_programs(request) or len(outcomes) == 1):
         return SOLVED
@@ -83,7 +83,7 @@ def for_programs(request: SolveRequest) -> bool:
     return format_named(request.format).use == DATA
 
 
-def joined_document(outcomes: Sequence[Outcome], request: SolveRequest) -> str:
+def joined_document(outcomes: Sequence[FileOutcome], request: SolveRequest) -> str:
     """All that was solved as one document; for programs, among several, also what was not."""
     chosen, bodies = format_named(request.format), []
     for outcome in outcomes:

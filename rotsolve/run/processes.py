@@ -14,17 +14,17 @@ from typing import Any
 
 from pebble import ProcessExpired, ProcessFuture, ProcessPool
 
-from rotsolve.run.attempt import UNSOLVED, Outcome, SolveRequest, attempt, name_of, piped
+from rotsolve.run.attempt import UNSOLVED, FileOutcome, SolveRequest, attempt, name_of, piped
 
 AHEAD = 32  # files a process that are worked on, or wait to be written, at a time: what bounds the memory
 FILES = 500  # that a process solves before a fresh one takes its place
 
 
-def attempts_in_processes(request: SolveRequest) -> Iterator[Outcome]:
+def attempts_in_processes(request: SolveRequest) -> Iterator[FileOutcome]:
     """What each file gave, in order; a file is handed out once there is room for its page among those that wait."""
     text = piped(request.files)
     pool = ProcessPool(min(request.jobs, len(request.files)), FILES, prepare_process, context=process_context())
-    rest, waiting = iter(request.files), deque[tuple[str, ProcessFuture[Outcome]]]()
+    rest, waiting = iter(request.files), deque[tuple[str, ProcessFuture[FileOutcome]]]()
 
     def hand_out() -> None:
         for file in islice(rest, AHEAD * request.jobs - len(waiting)):
@@ -34,7 +34,7 @@ def attempts_in_processes(request: SolveRequest) -> Iterator[Outcome]:
         with interrupts_held():  # the first file starts the processes
             hand_out()
         while waiting:
-            yield outcome_of(*waiting.popleft(), request.time_limit)
+            yield outcome_from(*waiting.popleft(), request.time_limit)
             hand_out()
     finally:  # at the end, and where the user or the reader of the pages has had enough
         pool.stop()  # type: ignore[no-untyped-call]
@@ -70,16 +70,16 @@ def prepare_process() -> None:
     import rotsolve.pipeline  # noqa: F401
 
 
-def outcome_of(file: str, future: ProcessFuture[Outcome], limit: float | None) -> Outcome:
+def outcome_from(file: str, future: ProcessFuture[FileOutcome], limit: float | None) -> FileOutcome:
     """What a process has found out about a file; a message where it did not come to that."""
     try:
         return future.result()
     except TimeoutError:
         message = f"error: {name_of(file)} takes longer than {limit:g} s, the time limit"
-        return Outcome(file, UNSOLVED, None, message, "time limit")
+        return FileOutcome(file, UNSOLVED, None, message, "time limit")
     except ProcessExpired as error:
         message = f"error: the process that solved {name_of(file)} {how_it_ended(error.exitcode)}"
-        return Outcome(file, UNSOLVED, None, message, "crash")
+        return FileOutcome(file, UNSOLVED, None, message, "crash")
 
 
 def how_it_ended(code: int | None) -> str:

@@ -17,7 +17,7 @@ from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
 from rotsolve.language.grammar import CLAUSES, IS, WHICH
 from rotsolve.language.problem import Condition, Find, Option, Path, WhichOf
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import Lexeme, Want, in_words, lexemes
+from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes
 from rotsolve.scene.phrases import read_phrase
 from rotsolve.scene.scope import NAME, Scope
 from rotsolve.scene.states import EXTREMES
@@ -89,7 +89,9 @@ def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
     if left is None or right is None or left.matches(right):
         return True
     scope.fault(
-        part, f"the sides of {quoted(part.value)} don't agree: {in_words(left)} and {in_words(right)}", kind="dimension"
+        part,
+        f"the sides of {quoted(part.value)} don't agree: {dimension_in_words(left)} and {dimension_in_words(right)}",
+        kind="dimension",
     )
     return False
 
@@ -215,7 +217,7 @@ class OptionReader:
         for side in known[1:]:
             first, second = (self.dimensions[item.name] for item in (known[0], side))
             if not first.matches(second):
-                message = f"`{known[0].text}` is {in_words(first)}, but `{side.text}` is {in_words(second)}"
+                message = f"`{known[0].text}` is {dimension_in_words(first)}, but `{side.text}` is {dimension_in_words(second)}"
                 self.scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
                 return
 

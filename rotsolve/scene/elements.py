@@ -60,7 +60,7 @@ def read_quantity(scope: Scope, key: Key, node: Node, label: str, owner: str) ->
     return read_scalar(scope, node, want, partial(running_path, scope) if key.varies else None)
 
 
-def read_quantities(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+def read_quantity_list(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     letters = key.letter.split() or [""]
 
     def read(index: int, item: Node) -> Any:
@@ -245,7 +245,7 @@ def smaller(one: float | None, other: float | None) -> bool:
 
 READERS: dict[str, KeyReader] = {
     "quantity": read_quantity,
-    "quantities": read_quantities,
+    "quantities": read_quantity_list,
     "place": place_of_key,
     "spot": spot_of_key,
     "places": places_of_key,

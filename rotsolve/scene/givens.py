@@ -14,7 +14,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import LITERAL, Want, in_words, unit_fault
+from rotsolve.scene.literals import LITERAL, Want, dimension_in_words, unit_fault
 from rotsolve.scene.rough import remember
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
@@ -49,7 +49,7 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
     made: dict[str, Formula] = {}
     for name, written in texts.items():
         read_given(scope, name, written, made)
-    resolve(scope, made, texts)
+    resolve_givens(scope, made, texts)
     for name, original in originals.items():
         check_setting(scope, name, original)
 
@@ -111,7 +111,7 @@ def letter_with_unit(scope: Scope, given: Given) -> bool:
     return True
 
 
-def resolve(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:
+def resolve_givens(scope: Scope, made: dict[str, Formula], texts: Mapping[str, Text]) -> None:
     """Dimensions and rough numbers of givens made of others, in the order of dependence; cycles are faults."""
     pending = dict(made)
     while pending:
@@ -162,6 +162,8 @@ def check_setting(scope: Scope, name: str, original: Text | None) -> None:
     except UnitError:
         return
     if old is not None and new is not None and not new.matches(old):
-        message = f"--set {name}: `{name}` is {in_words(old)} in the file, but this is {in_words(new)}"
+        message = (
+            f"--set {name}: `{name}` is {dimension_in_words(old)} in the file, but this is {dimension_in_words(new)}"
+        )
         scope.fault(None, message, kind="dimension")
         scope.dimensions[name] = old  # no further faults from the same cause

@@ -25,7 +25,7 @@ from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
 
 
-def in_words(dimension: Dimension) -> str:
+def dimension_in_words(dimension: Dimension) -> str:
     """The dimension in words, with article and unit: `a force (N)`."""
     return describe(dimension, article=True)
 
@@ -254,7 +254,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
         help = "write `2 rev/s` or `12.6 rad/s`"
         scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
         return False
-    shown = "has no unit" if found == NUMBER else f"is {in_words(found)}"
+    shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
     example = EXAMPLES.get(want.dimension) if found == NUMBER else None
     help = f"write a unit: `{example}`" if example else ""
     scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")

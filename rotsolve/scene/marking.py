@@ -17,7 +17,7 @@ from rotsolve.language.keys import Key
 from rotsolve.language.marks import ALL, FLAWS, Deduction, Marking, Tolerance
 from rotsolve.language.words import quoted
 from rotsolve.scene.elements import read_value
-from rotsolve.scene.literals import in_words, parsed_quantity
+from rotsolve.scene.literals import dimension_in_words, parsed_quantity
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Map, Node, Text
 
@@ -67,8 +67,8 @@ def check_measure(scope: Scope, tolerance: Tolerance, node: Node, name: str, dim
         return
     found = parse_quantity(tolerance.text).dimension
     if not found.matches(dimension):
-        shown = "has no unit" if found == NONE else f"is {in_words(found)}"
-        message = f"the tolerance {quoted(tolerance.text)} {shown}, but `{name}` is {in_words(dimension)}"
+        shown = "has no unit" if found == NONE else f"is {dimension_in_words(found)}"
+        message = f"the tolerance {quoted(tolerance.text)} {shown}, but `{name}` is {dimension_in_words(dimension)}"
         scope.fault(node, message, "write a share, `1 %`, an amount with its unit, or `3 figures`", "dimension")
 
 

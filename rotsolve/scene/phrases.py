@@ -22,7 +22,7 @@ from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS
 from rotsolve.language.problem import Condition, Find, Path, Term
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.clauses import Clauses
-from rotsolve.scene.literals import Lexeme, Want, in_words, lexemes, stand_in
+from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes, stand_in
 from rotsolve.scene.paths import read_path
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
@@ -68,7 +68,7 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
     if dimension is None and len(scope.faults) > faults:
         return None
     if phrase.unit and dimension is not None and not dimension.matches(phrase.unit.dimension):
-        message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {in_words(dimension)}"
+        message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {dimension_in_words(dimension)}"
         scope.fault(node, message, "", "dimension")
         return None
     text = node.value.strip()

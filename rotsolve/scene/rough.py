@@ -34,7 +34,7 @@ def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:
 def size(formula: Formula, numbers: Mapping[str, float]) -> float | None:
     """The value of a formula as a float; None where a letter has no value or the float range is left."""
     try:
-        value = evaluate(formula, numbers)
+        value = float_value(formula, numbers)
     except (ArithmeticError, ValueError, KeyError, TypeError):
         return None
     return value if math.isfinite(value) else None
@@ -46,7 +46,7 @@ def remember(numbers: dict[str, float], name: str, formula: Formula | None) -> N
         numbers[name] = value
 
 
-def evaluate(formula: Formula, numbers: Mapping[str, float]) -> float:
+def float_value(formula: Formula, numbers: Mapping[str, float]) -> float:
     match formula:
         case Number(value):
             return float(value)
@@ -55,10 +55,10 @@ def evaluate(formula: Formula, numbers: Mapping[str, float]) -> float:
         case Constant():
             return math.pi
         case Call("atan2", (y, x)):
-            return math.atan2(evaluate(y, numbers), evaluate(x, numbers))
+            return math.atan2(float_value(y, numbers), float_value(x, numbers))
         case Call(function, (argument,)):
-            return CALLS[function](evaluate(argument, numbers))
-    values = [evaluate(child, numbers) for child in formula.children()]
+            return CALLS[function](float_value(argument, numbers))
+    values = [float_value(child, numbers) for child in formula.children()]
     match formula:
         case Sum():
             return math.fsum(values)

@@ -12,7 +12,7 @@ from rotsolve.algebra.units.quantities import UnitError, UnitValue, number_in_un
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.language.problem import Comparison, Given, Variation, Varied
 from rotsolve.language.words import quoted
-from rotsolve.scene.literals import Want, in_words, unit_fault
+from rotsolve.scene.literals import Want, dimension_in_words, unit_fault
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import as_written, expression
@@ -73,7 +73,7 @@ def read_varied(scope: Scope, name: str, key: Text, node: Node) -> Varied | None
     return Varied(name, values) if values else None
 
 
-def read_value(scope: Scope, given: Given, node: Text) -> UnitValue | None:
+def read_given_value(scope: Scope, given: Given, node: Text) -> UnitValue | None:
     """One value, with the dimension that the given has."""
     try:
         found = parse_quantity(node.value.strip())
@@ -85,9 +85,7 @@ def read_value(scope: Scope, given: Given, node: Text) -> UnitValue | None:
         scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
         return None
     if wanted is not None and not found.dimension.matches(wanted):
-        message = (
-            f"`{given.name}` is {in_words(wanted)}, but {quoted(node.value.strip())} is {in_words(found.dimension)}"
-        )
+        message = f"`{given.name}` is {dimension_in_words(wanted)}, but {quoted(node.value.strip())} is {dimension_in_words(found.dimension)}"
         scope.fault(node, message, kind="dimension")
         return None
     return found
@@ -101,7 +99,7 @@ def listed_values(scope: Scope, given: Given, node: List) -> tuple[str, ...]:
         if not isinstance(item, Text):
             scope.fault(item, f"`{given.name}` wants a list of values", FORM, "form")
             continue
-        value = read_value(scope, given, item)
+        value = read_given_value(scope, given, item)
         if value is not None and value.value in found:
             scope.fault(item, f"{quoted(item.value.strip())} stands twice in the list", kind="choice")
         elif value is not None:
@@ -118,7 +116,7 @@ def stepped_values(scope: Scope, given: Given, node: Text, match: re.Match[str])
         scope.fault(node, f"the range {quoted(node.value.strip())} has no step", help, "form")
         return ()
     parts = [node.cut(*match.span(word)) for word in ("start", "stop", "step")]
-    found = [read_value(scope, given, part) for part in parts]
+    found = [read_given_value(scope, given, part) for part in parts]
     known = [value for value in found if value is not None]
     if len(known) < len(found):
         return ()
@@ -133,7 +131,7 @@ def stepped_values(scope: Scope, given: Given, node: Text, match: re.Match[str])
         return ()
     point = DECIMALS.match(match["start"].lstrip("+-−"))
     least = len(point[1]) if point else 0
-    return tuple(decimal_text(start + step * count, least, unit) for count in range(int((stop - start) / step) + 1))
+    return tuple(value_in_unit(start + step * count, least, unit) for count in range(int((stop - start) / step) + 1))
 
 
 def in_steps(scope: Scope, node: Text, match: re.Match[str], start: Fraction, stop: Fraction, step: Fraction) -> bool:
@@ -152,7 +150,7 @@ def in_steps(scope: Scope, node: Text, match: re.Match[str], start: Fraction, st
     return False
 
 
-def decimal_text(number: Fraction, least: int, unit: Unit) -> str:
+def value_in_unit(number: Fraction, least: int, unit: Unit) -> str:
     """A number as a scene writes it, as a decimal where it has an end, with as many places as the start of its range at least."""
     for places in range(least, least + 40):
         scaled = number * 10**places

@@ -13,7 +13,7 @@ from typing import Any
 import pytest
 
 from rotsolve import cli, run
-from rotsolve.run.attempt import Outcome
+from rotsolve.run.attempt import FileOutcome
 
 Run = Callable[..., Any]
 
@@ -293,8 +293,8 @@ def test_a_terminal_without_colours_gets_plain_text(
     assert on_terminal(monkeypatch, **environment) == f"{ONE}\n{'─' * 72}\n\n{TWO}"
 
 
-def outcomes(*files: str) -> Iterator[Outcome]:
-    return (Outcome(file, 0, file) for file in files)
+def outcomes(*files: str) -> Iterator[FileOutcome]:
+    return (FileOutcome(file, 0, file) for file in files)
 
 
 def test_a_progress_bar_comes_only_where_it_takes_long(monkeypatch: pytest.MonkeyPatch) -> None:
