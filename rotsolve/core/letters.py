@@ -8,42 +8,16 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.dimension import Dimension, rank_of
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import DIMENSIONS
 
 if TYPE_CHECKING:
     from rotsolve.algebra.units.unit_table import Unit
 
-RANKS = (  # m g, F R, M R², I ω, m v L, ½ k x², M g L cos θ
-    "number",
-    "mass",
-    "moment of inertia",
-    "",  # constants of other dimensions, such as those of a law of force
-    "stiffness",
-    "torsional stiffness",
-    "force",
-    "torque",
-    "power",
-    "acceleration",
-    "momentum",
-    "velocity",
-    "length",
-    "angular velocity",
-    "angular acceleration",
-    "angle",
-    "time",
-)
-_RANK = {DIMENSIONS[word]: rank for rank, word in reversed(list(enumerate(RANKS))) if word}
-OTHER = RANKS.index("")
-
 
 def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, ...]:
     """Names in the order of a printed product; equal ranks keep the order in which they come."""
-    ranked = [
-        (OTHER if dimension is None else _RANK.get(dimension, OTHER), index, name)
-        for index, (name, dimension) in enumerate(letters)
-    ]
+    ranked = [(rank_of(dimension), index, name) for index, (name, dimension) in enumerate(letters)]
     return tuple(name for _, _, name in sorted(ranked))
 
 

@@ -4,38 +4,9 @@ from __future__ import annotations
 
 from msgspec import Struct
 
-from rotsolve.algebra.units import dimension as base
-from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.dimension import DIMENSIONS, NONE, Dimension
 
-NUMBER = base.NONE
-
-DIMENSIONS: dict[str, Dimension] = {  # the words in which element keys and messages name a dimension
-    "number": base.NONE,
-    "angle": base.ANGLE,
-    "length": base.LENGTH,
-    "mass": base.MASS,
-    "time": base.TIME,
-    "velocity": base.VELOCITY,
-    "acceleration": base.ACCELERATION,
-    "angular velocity": base.ANGULAR_VELOCITY,
-    "angular acceleration": base.ANGULAR_ACCELERATION,
-    "force": base.FORCE,
-    "torque": base.TORQUE,
-    "moment of inertia": base.INERTIA,
-    "stiffness": base.STIFFNESS,
-    "torsional stiffness": base.TORSION_STIFFNESS,
-    "power": base.POWER,
-    "energy": base.ENERGY,
-    "impulse": base.MOMENTUM,
-    "angular impulse": base.ANGULAR_MOMENTUM,
-    "momentum": base.MOMENTUM,
-    "angular momentum": base.ANGULAR_MOMENTUM,
-    "frequency": base.FREQUENCY,
-    "density per length": base.LINE_DENSITY,
-    "density per area": base.AREA_DENSITY,
-    "density": base.DENSITY,
-}
-
+NUMBER = NONE
 PLANE = ("x", "y")
 SPACE = ("x", "y", "z")
 MOTION = ("x", "y", "z", "tangential", "normal")
@@ -44,6 +15,8 @@ BODY, POINT, LINK, ACTION, EVENT, SYSTEM = "body", "point", "connection", "actio
 
 class QuantityKind(Struct, frozen=True):
     """A word of a path. `letter` is the textbook symbol as an ASCII name; `owners` are the kinds of things that have it.
+
+    `measures` names its kind in the table of kinds (algebra/units/dimension); `nonnegative` says that a scene gives it no negative value.
 
     A connection, action or event has only those words that its class lists in `quantities`.
     """
@@ -55,18 +28,21 @@ class QuantityKind(Struct, frozen=True):
     components: tuple[str, ...] = ()
     help: str = ""
     later: bool = False
+    measures: str = ""
+    nonnegative: bool = False
 
 
 def kind(
     word: str,
-    dimension: str,
+    measures: str,
     letter: str,
     owners: tuple[str, ...],
     help: str,
     components: tuple[str, ...] = (),
     later: bool = False,
+    nonnegative: bool = False,
 ) -> QuantityKind:
-    return QuantityKind(word, DIMENSIONS[dimension], letter, owners, components, help, later)
+    return QuantityKind(word, DIMENSIONS[measures], letter, owners, components, help, later, measures, nonnegative)
 
 
 QUANTITIES: dict[str, QuantityKind] = {
@@ -98,10 +74,10 @@ QUANTITIES: dict[str, QuantityKind] = {
         kind(
             "displacement", "length", "x", (BODY, POINT), "signed change of position along the declared sense", MOTION
         ),
-        kind("distance", "length", "d", (BODY, POINT), "length of the way covered"),
+        kind("distance", "length", "d", (BODY, POINT), "length of the way covered", nonnegative=True),
         kind("height", "length", "h", (BODY, POINT), "height above the lowest place or the floor"),
         kind("velocity", "velocity", "v", (BODY, POINT), "signed along the declared sense", (*MOTION, "radial")),
-        kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity"),
+        kind("speed", "velocity", "v", (BODY, POINT), "size of the velocity", nonnegative=True),
         kind(
             "acceleration",
             "acceleration",
@@ -157,16 +133,30 @@ QUANTITIES: dict[str, QuantityKind] = {
             "about the axis; `about` names another point; `body.PART.angular_momentum` is a part's share",
             SPACE,
         ),
-        kind("inertia", "moment of inertia", "I", (BODY, SYSTEM), "moment of inertia about `cm`, or `about` a point"),
-        kind("gyration", "length", "k", (BODY,), "radius of gyration"),
+        kind(
+            "inertia",
+            "moment of inertia",
+            "I",
+            (BODY, SYSTEM),
+            "moment of inertia about `cm`, or `about` a point",
+            nonnegative=True,
+        ),
+        kind("gyration", "length", "k", (BODY,), "radius of gyration", nonnegative=True),
         kind("cm", "length", "x", (BODY, SYSTEM), "place of the centre of mass in the body's coordinates", SPACE),
-        kind("mass", "mass", "m", (BODY, SYSTEM), "mass"),
-        kind("radius", "length", "R", (BODY,), "radius; of a body that rides on another, its distance from the axis"),
-        kind("length", "length", "L", (BODY, LINK), "length"),
+        kind("mass", "mass", "m", (BODY, SYSTEM), "mass", nonnegative=True),
+        kind(
+            "radius",
+            "length",
+            "R",
+            (BODY,),
+            "radius; of a body that rides on another, its distance from the axis",
+            nonnegative=True,
+        ),
+        kind("length", "length", "L", (BODY, LINK), "length", nonnegative=True),
         kind("elongation", "length", "x", (LINK,), "stretch of a spring beyond its rest length"),
-        kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring"),
+        kind("stiffness", "stiffness", "k", (LINK,), "stiffness of a spring", nonnegative=True),
         kind("turns", "number", "n", (BODY,), "number of turns since the state before"),
-        kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`"),
+        kind("time", "time", "t", (SYSTEM,), "time: `time from A to B`", nonnegative=True),
         kind("swing_period", "time", "T", (), "`period of small swings`: time of one swing to and fro"),
         kind("frequency", "frequency", "f", (), "`frequency of small swings`: swings in a unit of time"),
         kind(

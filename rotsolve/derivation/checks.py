@@ -6,10 +6,9 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ZERO, Formula, Symbol
-from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import MASS, TIME, DimensionError, dimension_of
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import FAMILIES
-from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.symbols import POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.consistency import KnownBalls
@@ -28,7 +27,7 @@ def dimensions(search: Search) -> Iterator[Check]:
         if formula is None or wanted is None or formula == ZERO or not formula.symbols() <= set(known) | {"time"}:
             continue
         try:
-            if not dimension_of(formula, {**known, "time": DIMENSIONS["time"]}).matches(wanted):
+            if not dimension_of(formula, {**known, "time": TIME}).matches(wanted):
                 yield Check(("the dimension of ", Symbol(answered.asked.find.name), " is wrong"), False)
             checked += 1
         except DimensionError as error:
@@ -48,7 +47,7 @@ def limit_checks(search: Search) -> Iterator[Check]:
         if answered.asked.find.runs or formula is None or formula.symbols() == frozenset():
             continue
         for given in search.givens.values():
-            if given.name not in formula.symbols() or given.dimension != DIMENSIONS["mass"]:
+            if given.name not in formula.symbols() or given.dimension != MASS:
                 continue
             value = limit(formula, given.name, search)
             if value is None or length(value) > SHORT or value == formula or length(formula) < 6:

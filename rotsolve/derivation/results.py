@@ -11,11 +11,10 @@ from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.dimension import Dimension, word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
-from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.symbols import TIME, has_quantities
 from rotsolve.core.vectors.tensor import ENTRIES, ONE_AXIS
 from rotsolve.core.writing import spoken
@@ -62,7 +61,7 @@ def undefined(formula: Formula, problem: Problem) -> str:
 
 def meaning_of_given(given: Given, problem: Problem) -> str:
     """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
-    kind = next((word for word, dimension in DIMENSIONS.items() if dimension == given.dimension), "value")
+    kind = word_of(given.dimension) or "value"
     owner = given.name.partition("_")[2]
     body = next(
         (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None

@@ -10,8 +10,8 @@ from msgspec.structs import replace
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
+from rotsolve.algebra.units.dimension import DIMENSIONS
 from rotsolve.core.faults import Fault, SceneError, Unsolvable
-from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import has_quantities, paths_in
 from rotsolve.elements.connections import guide

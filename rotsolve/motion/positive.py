@@ -6,28 +6,25 @@ from collections.abc import Iterator, Sequence
 
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.algebra.units.dimension import ANGLE, is_positive
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Given, Problem
-
-POSITIVE = ("mass", "length", "moment of inertia", "stiffness", "torsional stiffness", "time", "acceleration")
 
 
 def positive_letters(givens: Sequence[Given]) -> frozenset[str]:
     """Givens that are positive: masses, lengths, times and the like, and every number that is."""
-    sized = {DIMENSIONS[word] for word in POSITIVE}
     signs = SignOracle({given.name: given.value for given in givens if given.value is not None})
     return frozenset(
         given.name
         for given in givens
         if not given.asked
-        and (given.dimension in sized or (not is_angle(given) and signs.by_numbers(Symbol(given.name)) == 1))
+        and (is_positive(given.dimension) or (not is_angle(given) and signs.by_numbers(Symbol(given.name)) == 1))
     )
 
 
 def is_angle(given: Given) -> bool:
     """Whether a given is an angle, which may be negative."""
-    return given.dimension == DIMENSIONS["angle"]
+    return given.dimension == ANGLE
 
 
 def limited_letters(problem: Problem) -> dict[str, str]:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Symbol, add, negate, sqrt, total
+from rotsolve.algebra.units.dimension import ENERGY, LENGTH
 from rotsolve.core.facts import BodyFacts, signed
 from rotsolve.core.passage import Meeting, Passage
-from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import key_of, running
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector
 from rotsolve.core.writing import is_negative
@@ -209,9 +210,7 @@ def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -
         result = add(result, gained[1] - gained[0])
     word = term.path.quantity.replace("_", " ")
     label = f"{term.modifier.replace('lost', 'loss of')} {word}"
-    return Meaning(negate(result) if term.modifier == "lost" else result, DIMENSIONS["energy"], label=label), intervals[
-        -1
-    ].name
+    return Meaning(negate(result) if term.modifier == "lost" else result, ENERGY, label=label), intervals[-1].name
 
 
 def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquations) -> tuple[Meaning, str]:
@@ -254,7 +253,7 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
 
 def of_point(term: Term, start: str, end: str, scene: SceneEquations) -> Meaning:
     """Displacement of a point of a body on a fixed axis: where it is at the end less where it was."""
-    path, dimension = term.path, DIMENSIONS["length"]
+    path, dimension = term.path, LENGTH
     ref = PointRef(path.owner, path.point, path.argument)
     instants = [scene.instant(state) for state in (start, end)]
     host = instants[0].host(path.owner)

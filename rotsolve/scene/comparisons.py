@@ -13,7 +13,8 @@ from typing import Any
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
+from rotsolve.algebra.units.dimension import word_of
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import CLAUSES, IS, WHICH
 from rotsolve.language.problem import Condition, Find, Option, Path, WhichOf
 from rotsolve.language.words import hint, quoted
@@ -78,7 +79,7 @@ def equality(scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity:
         return Condition(None, ZERO, span=part.span, phrase=both)
     start, stop = words[sign + 1].start, words[end - 1].end
     right = part.cut(start, stop)
-    word = next((word for word, other in DIMENSIONS.items() if other == dimension), None)
+    word = word_of(dimension)
     owner = find.terms[0].path.owner if find.terms else ""
     found = read_scalar(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
     return None if found is None else Condition(None, found, span=part.span, phrase=find)

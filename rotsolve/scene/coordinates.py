@@ -7,8 +7,7 @@ from collections.abc import Collection, Mapping
 from typing import Any
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.algebra.units.dimension import Dimension
-from rotsolve.core.quantity import DIMENSIONS
+from rotsolve.algebra.units.dimension import DIMENSIONS, Dimension
 from rotsolve.core.slicing import Range, coordinate
 from rotsolve.elements.shapes import Shape
 from rotsolve.elements.shapes.integrated import CARTESIAN, POLAR

@@ -14,10 +14,20 @@ from fractions import Fraction
 from msgspec import Struct, field
 
 from rotsolve.algebra.formula import PI, ZERO, Constant, Formula, Negative, Number, Product, Quotient, Sum, Symbol
-from rotsolve.algebra.units.dimension import MASS, NONE, Dimension, DimensionError, describe, dimension_of
+from rotsolve.algebra.units.dimension import (
+    ANGLE,
+    BY_NAME,
+    DIMENSIONS,
+    MASS,
+    NONE,
+    Dimension,
+    DimensionError,
+    describe,
+    dimension_of,
+)
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import DIMENSIONS, NUMBER
+from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
 from rotsolve.language.words import an, quoted
 from rotsolve.scene.rough import rough
@@ -144,13 +154,6 @@ LITERAL = re.compile(
     re.DOTALL,
 )
 COMMA = r"\s*[-+−]?\d+,\d"  # compiled where there is a comma
-EXAMPLES = {"length": "20 cm", "mass": "3 kg", "time": "2 s", "angle": "30 deg", "force": "12 N", "velocity": "4 m/s"}
-EXAMPLES |= {
-    "angular velocity": "3 rad/s",
-    "torque": "5 N m",
-    "moment of inertia": "2 kg m^2",
-    "acceleration": "9.8 m/s^2",
-}
 STEP = Fraction(1, 12)  # 15° in units of π
 EXPRESSION = Symbol("an expression after all")
 
@@ -255,7 +258,7 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
         scope.fault(node, f"{label}, but {shown_text} counts turns", help, "dimension")
         return False
     shown = "has no unit" if found == NUMBER else f"is {dimension_in_words(found)}"
-    example = EXAMPLES.get(want.dimension) if found == NUMBER else None
+    example = BY_NAME[want.dimension].example if found == NUMBER else ""
     help = f"write a unit: `{example}`" if example else ""
     scope.fault(node, f"{label}, but {shown_text} {shown}", help, "dimension")
     return False
@@ -266,7 +269,7 @@ def as_letter(scope: Scope, span: Span, want: Want, quantity: UnitValue) -> Form
     if quantity.value == ZERO:
         return ZERO
     share = share_of_pi(quantity.value)
-    if quantity.dimension == DIMENSIONS["angle"] and share is not None and share % STEP == 0:
+    if quantity.dimension == ANGLE and share is not None and share % STEP == 0:
         return multiple_of_pi(share)
     if not want.letter or (quantity.dimension == NUMBER and want.dimension != "number"):
         return quantity.value

@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import note
 from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.algebra.units.dimension import ACCELERATION
 from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.faults import Fault, SceneError
-from rotsolve.core.quantity import DIMENSIONS
 from rotsolve.language.grammar import SECTIONS
 from rotsolve.language.problem import Given, Problem, references
 from rotsolve.language.words import quoted
@@ -288,9 +288,9 @@ class Sections:
         if node is not None:
             return read_scalar(scope, node, Want("gravity", "acceleration", "g", "", "nonnegative"))
         given = scope.givens.get("g")
-        if given is not None and (given.dimension is None or given.dimension.matches(DIMENSIONS["acceleration"])):
+        if given is not None and (given.dimension is None or given.dimension.matches(ACCELERATION)):
             if given.dimension is None:
-                scope.dimensions["g"] = DIMENSIONS["acceleration"]
+                scope.dimensions["g"] = ACCELERATION
             return Symbol("g")
         return scope.automatic("g", "", parse_quantity(STANDARD_GRAVITY), None)
 

@@ -16,7 +16,6 @@ from rotsolve.scene.values import read_scalar
 
 EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
-POSITIVE = ("mass", "inertia", "radius", "length", "gyration", "stiffness", "speed", "distance", "time")
 
 
 def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
@@ -93,18 +92,10 @@ def conditions_of_line(scope: Scope, state: str, line: Text, node: Node) -> list
 def value_condition(scope: Scope, state: str, path: Path, line: Text, node: Node) -> list[Condition]:
     kind = QUANTITIES[path.quantity]
     owner = "_".join(part for part in (path.owner, path.point if path.point != "at" else "", path.component) if part)
-    limits = "nonnegative" if path.quantity in POSITIVE else ""
-    want = Want(line.value.strip(), dimension_word(path.quantity), kind.letter, owner or state, limits, hint=state)
+    limits = "nonnegative" if kind.nonnegative else ""
+    want = Want(line.value.strip(), kind.measures, kind.letter, owner or state, limits, hint=state)
     found = read_scalar(scope, node, want)
     return [] if found is None else [Condition(path, found, span=line.span)]
-
-
-def dimension_word(word: str) -> str:
-    """The dimension of a path word, by the name that messages use."""
-    from rotsolve.core.quantity import DIMENSIONS
-
-    dimension = QUANTITIES[word].dimension
-    return next(name for name, item in DIMENSIONS.items() if item == dimension)
 
 
 def connection_word(scope: Scope, name: str, line: Text, node: Node) -> list[Condition]:

@@ -10,10 +10,10 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.algebra.units.dimension import DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
-from rotsolve.core.quantity import DIMENSIONS, QUANTITIES
+from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.problem import TimeValue
 from rotsolve.language.words import an, hint, quoted
 from rotsolve.scene.literals import (
@@ -193,7 +193,7 @@ def comma_fault(scope: Scope, node: Text) -> bool:
 def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> bool:
     """Whether the formula has the dimension that is wanted; a letter of unknown dimension gets it from here."""
     wanted = DIMENSIONS[want.dimension] if want.dimension else None
-    known = {**scope.dimensions, **want.extra, "time": DIMENSIONS["time"]}
+    known = {**scope.dimensions, **want.extra, "time": TIME}
     missing = [name for name in sorted(formula.symbols()) if known.get(name) is None]
     if missing:
         found = infer(formula, missing, known, wanted)
@@ -265,6 +265,6 @@ def parsed_time(written: str, text: str, example: str) -> UnitValue:
         found = parse_quantity(written)
     except UnitError as error:
         raise ValueError(f"{quoted(text)}: {error.message}") from None
-    if not found.dimension.matches(DIMENSIONS["time"]):
+    if not found.dimension.matches(TIME):
         raise ValueError(f"{quoted(text)} is no time; write {example}")
     return found

@@ -85,7 +85,8 @@ def read_given_value(scope: Scope, given: Given, node: Text) -> UnitValue | None
         scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
         return None
     if wanted is not None and not found.dimension.matches(wanted):
-        message = f"`{given.name}` is {dimension_in_words(wanted)}, but {quoted(node.value.strip())} is {dimension_in_words(found.dimension)}"
+        shown = f"{quoted(node.value.strip())} is {dimension_in_words(found.dimension)}"
+        message = f"`{given.name}` is {dimension_in_words(wanted)}, but {shown}"
         scope.fault(node, message, kind="dimension")
         return None
     return found

@@ -10,9 +10,10 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol, add, negate
+from rotsolve.algebra.units.dimension import ANGLE
 from rotsolve.core.derivation import Words
 from rotsolve.core.passage import Travel
-from rotsolve.core.quantity import DIMENSIONS, OSCILLATING
+from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import RATES, is_key, key_of, of_kinds, phase_midst
 from rotsolve.core.writing import spoken
@@ -52,7 +53,7 @@ class Expected(Struct, frozen=True):
     def _is_size(self, name: str) -> bool:
         """Whether a given has a dimension, so that it is meant to be positive."""
         given = self.givens.get(name)
-        return given is not None and given.dimension is not None and not given.dimension.matches(DIMENSIONS["angle"])
+        return given is not None and given.dimension is not None and not given.dimension.matches(ANGLE)
 
     def _direction(self, kind: str, owner: str, state: str, name: str) -> tuple[int, Words]:
         """Which way a body moves at a state: the way it has gone since the state before, else as it started or is pushed.

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import ast
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 
+import rotsolve
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.units.dimension import (
     ACCELERATION,
@@ -13,6 +16,7 @@ from rotsolve.algebra.units.dimension import (
     ANGULAR_ACCELERATION,
     ANGULAR_MOMENTUM,
     ANGULAR_VELOCITY,
+    DIMENSIONS,
     ENERGY,
     FORCE,
     INERTIA,
@@ -30,7 +34,11 @@ from rotsolve.algebra.units.dimension import (
     DimensionError,
     describe,
     dimension_of,
+    is_positive,
+    rank_of,
+    word_of,
 )
+from rotsolve.core.quantity import QUANTITIES
 
 SYMBOLS = {
     "m": MASS,
@@ -152,3 +160,33 @@ def test_messages(text: str, message: str) -> None:
 )
 def test_describe(dimension: Dimension, words: str) -> None:
     assert describe(dimension) == words
+
+
+def test_kinds_stand_in_one_table() -> None:
+    """No other file lists what goes by kind: a kind more is a row more of `KINDS`."""
+    package = Path(rotsolve.__file__).parent
+    for path in package.rglob("*.py"):
+        if path == package / "algebra" / "units" / "dimension.py":
+            continue
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, (ast.Dict, ast.Tuple, ast.List, ast.Set)):
+                parts = node.keys if isinstance(node, ast.Dict) else node.elts
+                words = {part.value for part in parts if isinstance(part, ast.Constant)}
+                kinds = words & DIMENSIONS.keys() - QUANTITIES.keys()
+                assert len(kinds) < 2, f"{path}:{node.lineno}: {kinds}"
+
+
+def test_a_kind_tells_its_rank_sign_and_word() -> None:
+    assert [rank_of(DIMENSIONS[word]) for word in ("number", "mass", "moment of inertia", "density", "length")] == [
+        0,
+        1,
+        2,
+        3,
+        12,
+    ]
+    assert is_positive(DIMENSIONS["mass"]) and not is_positive(DIMENSIONS["angle"]) and not is_positive(None)
+    assert [word_of(DIMENSIONS[word]) for word in ("torsional stiffness", "energy")] == [
+        "torsional stiffness",
+        "energy",
+    ]
+    assert rank_of(None) == rank_of(DIMENSIONS["density"]) and word_of(DIMENSIONS["length"] ** 7) is None

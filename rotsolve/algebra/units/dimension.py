@@ -65,6 +65,8 @@ class DimensionError(ValueError):
         self.message = message
 
 
+OTHER_RANK = 3  # of constants of other dimensions, such as those of a law of force
+
 NONE = Dimension()
 LENGTH = Dimension(length=1)
 MASS = Dimension(mass=1)
@@ -95,47 +97,55 @@ ROTARY_DAMPING = TORQUE / ANGULAR_VELOCITY
 
 
 class Kind(Struct, frozen=True):
-    """A kind of quantity: its name, with its article, and the unit in which it is printed."""
+    """A kind of quantity: its name with its article, the unit in which it is printed, and all else that goes by kind.
+
+    `word` is what keys of the language and messages call it where that is not its name, empty where they never do; `rank` its place
+    in a printed product; `positive` says whether a letter of it surely is; `example` is a value for messages.
+    """
 
     name: str
     article: str
     unit: str
     dimension: Dimension
+    word: str | None = None
+    rank: int = OTHER_RANK
+    positive: bool = False
+    example: str = ""
 
     @property
     def words(self) -> str:
         return f"{self.article} {self.name}".strip()
 
 
-KINDS = (  # of kinds with one dimension, the first is meant where nobody says which
-    Kind("pure number", "a", "", NONE),
-    Kind("length", "a", "m", LENGTH),
-    Kind("mass", "a", "kg", MASS),
-    Kind("time", "a", "s", TIME),
-    Kind("angle", "an", "rad", ANGLE),
+KINDS = (  # of kinds with one dimension, the first is meant where nobody says which; ranks: m g, F R, M R², I ω, m v L, ½ k x², M g L cos θ
+    Kind("pure number", "a", "", NONE, word="number", rank=0),
+    Kind("length", "a", "m", LENGTH, rank=12, positive=True, example="20 cm"),
+    Kind("mass", "a", "kg", MASS, rank=1, positive=True, example="3 kg"),
+    Kind("time", "a", "s", TIME, rank=16, positive=True, example="2 s"),
+    Kind("angle", "an", "rad", ANGLE, rank=15, example="30 deg"),
     Kind("area", "an", "m²", AREA),
     Kind("volume", "a", "m³", VOLUME),
-    Kind("rate", "a", "1/s", FREQUENCY),
+    Kind("rate", "a", "1/s", FREQUENCY, word=""),
     Kind("frequency", "a", "Hz", FREQUENCY),
-    Kind("velocity", "a", "m/s", VELOCITY),
-    Kind("acceleration", "an", "m/s²", ACCELERATION),
-    Kind("angular velocity", "an", "rad/s", ANGULAR_VELOCITY),
-    Kind("angular acceleration", "an", "rad/s²", ANGULAR_ACCELERATION),
-    Kind("force", "a", "N", FORCE),
-    Kind("torque", "a", "N m", TORQUE),
-    Kind("energy or torque", "an", "J", ENERGY),
+    Kind("velocity", "a", "m/s", VELOCITY, rank=11, example="4 m/s"),
+    Kind("acceleration", "an", "m/s²", ACCELERATION, rank=9, positive=True, example="9.8 m/s^2"),
+    Kind("angular velocity", "an", "rad/s", ANGULAR_VELOCITY, rank=13, example="3 rad/s"),
+    Kind("angular acceleration", "an", "rad/s²", ANGULAR_ACCELERATION, rank=14),
+    Kind("force", "a", "N", FORCE, rank=6, example="12 N"),
+    Kind("torque", "a", "N m", TORQUE, rank=7, example="5 N m"),
+    Kind("energy or torque", "an", "J", ENERGY, word=""),
     Kind("energy", "an", "J", ENERGY),
-    Kind("work", "", "J", ENERGY),
-    Kind("power", "a", "W", POWER),
-    Kind("momentum", "a", "kg m/s", MOMENTUM),
+    Kind("work", "", "J", ENERGY, word=""),
+    Kind("power", "a", "W", POWER, rank=8),
+    Kind("momentum", "a", "kg m/s", MOMENTUM, rank=10),
     Kind("impulse", "an", "N s", MOMENTUM),
-    Kind("moment of inertia", "a", "kg m²", INERTIA),
+    Kind("moment of inertia", "a", "kg m²", INERTIA, rank=2, positive=True, example="2 kg m^2"),
     Kind("angular momentum", "an", "kg m²/s", ANGULAR_MOMENTUM),
     Kind("angular impulse", "an", "N m s", ANGULAR_MOMENTUM),
-    Kind("stiffness", "a", "N/m", STIFFNESS),
-    Kind("torsion stiffness", "a", "N m/rad", TORSION_STIFFNESS),
-    Kind("line density", "a", "kg/m", LINE_DENSITY),
-    Kind("area density", "an", "kg/m²", AREA_DENSITY),
+    Kind("stiffness", "a", "N/m", STIFFNESS, rank=4, positive=True),
+    Kind("torsion stiffness", "a", "N m/rad", TORSION_STIFFNESS, word="torsional stiffness", rank=5, positive=True),
+    Kind("line density", "a", "kg/m", LINE_DENSITY, word="density per length"),
+    Kind("area density", "an", "kg/m²", AREA_DENSITY, word="density per area"),
     Kind("density", "a", "kg/m³", DENSITY),
     Kind("pressure", "a", "Pa", PRESSURE),
     Kind("damping", "a", "N s/m", DAMPING),
@@ -145,6 +155,25 @@ KINDS = (  # of kinds with one dimension, the first is meant where nobody says w
     Kind("torque per time", "a", "N m/s", TORQUE / TIME),
     Kind("torque per time squared", "a", "N m/s²", TORQUE / TIME**2),
 )
+BY_NAME = {kind.word or kind.name: kind for kind in KINDS if kind.word != ""}  # as the language calls them
+DIMENSIONS = {word: kind.dimension for word, kind in BY_NAME.items()}
+_RANKS = {kind.dimension: kind.rank for kind in reversed(KINDS)}
+_POSITIVE = {kind.dimension for kind in KINDS if kind.positive}
+
+
+def rank_of(dimension: Dimension | None) -> int:
+    """Where letters of this dimension stand in a printed product."""
+    return OTHER_RANK if dimension is None else _RANKS.get(dimension, OTHER_RANK)
+
+
+def is_positive(dimension: Dimension | None) -> bool:
+    """Whether all quantities of this dimension are positive, as masses and lengths."""
+    return dimension in _POSITIVE
+
+
+def word_of(dimension: Dimension | None) -> str | None:
+    """What the language calls a dimension."""
+    return next((word for word, own in DIMENSIONS.items() if own == dimension), None)
 
 
 def kind_of(dimension: Dimension, name: str | None = None) -> Kind | None:
