@@ -88,7 +88,7 @@ def found(outcome: str, kind: str, *words: str | Formula, flaws: tuple[str, ...]
     return Finding(outcome, (Remark(kind, tuple(words)),), flaws)
 
 
-def outcome_of(holds: bool | None) -> str:
+def outcome_for(holds: bool | None) -> str:
     """The outcome for what is proved, disproved or neither."""
     return UNDECIDED if holds is None else RIGHT if holds else WRONG
 

@@ -15,7 +15,6 @@ SECTIONS = {
     "# answers": Names.of(GIVENS, ["a", "omega_f"], asked="a"),
     "# asked for omega_f": Names.of(GIVENS, ["a", "omega_f"], asked="omega_f"),
     "# working": Names.of(GIVENS, ["a", "omega_f"]),
-    "# words": Names.of(GIVENS, ["grip"], asked="grip", words=["slips", "sticks", "does not move", "disc 1"]),
     "# letters e, x and i": Names.of([*GIVENS, "e", "x", "i"], ["a"], asked="a"),
 }
 

@@ -17,7 +17,7 @@ from rotsolve.algebra.units.dimension import DimensionError, describe, dimension
 from rotsolve.grading.comparing.numbers import Typed, certified_number
 from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, value_judged
 from rotsolve.grading.comparing.signs import right_but_for_sign
-from rotsolve.grading.verdict import RIGHT, WRONG, Finding, found, outcome_of
+from rotsolve.grading.verdict import RIGHT, WRONG, Finding, found, outcome_for
 from rotsolve.language import marks
 
 USUAL = 1 / 100  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
@@ -121,7 +121,7 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
             return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
         return Finding(RIGHT)
     if holds is None:
-        return found(outcome_of(None), "equality", "it agrees wherever it was tried, but that is no proof")
+        return found(outcome_for(None), "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = "" if measured else of_other_dimension(formula, asked)
     partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
     if partly is not None or misfit:
@@ -188,7 +188,7 @@ def worked_out(formula: Formula, asked: Scalar) -> Finding:
     """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
     number = certified_number(formula, asked.values)
     if asked.value is None or number is None:
-        return found(outcome_of(None), "equality", "there is no closed form to compare it with")
+        return found(outcome_for(None), "equality", "there is no closed form to compare it with")
     value = Typed(formula.substitute(asked.values))
     return value_judged(value, asked.si, "", asked) or Finding(WRONG)
 

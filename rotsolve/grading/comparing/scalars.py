@@ -25,7 +25,7 @@ from rotsolve.grading.comparing.numbers import (
     without_unit,
 )
 from rotsolve.grading.comparing.signs import points_other_way, right_but_for_sign
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found, outcome_of
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found, outcome_for
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
@@ -130,7 +130,7 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None:
-        return found(outcome_of(None), "tolerance", "it lies on the edge of the tolerance")
+        return found(outcome_for(None), "tolerance", "it lies on the edge of the tolerance")
     if holds:
         return form_judged(typed, value, asked)
     if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):

@@ -14,7 +14,7 @@ from rotsolve.grading.comparing.signs import cut_direction, is_direction, points
 from rotsolve.grading.marking.target import SceneLetters, Target
 from rotsolve.grading.reading.answers import read_line, read_matrix
 from rotsolve.grading.reading.lines import chain_members, without_asides
-from rotsolve.grading.reading.records import NUMBER, WORD, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import NUMBER, AnswerError, LineReading, Names
 from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language.marks import FORM
 
@@ -68,9 +68,9 @@ class Texts:
         plain = best.reading is not None and best.reading.figures is not None  # 4.36 m/s² can be read in one way only
         if best.finding.outcome == RIGHT or target.rows > 1 or plain:
             return best
-        from rotsolve.grading.reading.quantities import read_quantities  # a right answer seldom needs it
+        from rotsolve.grading.reading.quantities import quantity_readings  # a right answer seldom needs it
 
-        others = read_quantities(line, self.names(target.name), self.letters.dimensions, best.reading is not None)
+        others = quantity_readings(line, self.names(target.name), self.letters.dimensions, best.reading is not None)
         if best.reading is None:
             try:
                 others = (*others, *self._with_laws(line, target.name))
@@ -104,8 +104,6 @@ class Texts:
 
     def _read(self, target: Target, reading: LineReading) -> Finding:
         """The finding for one reading."""
-        if reading.kind == WORD:
-            return found(WRONG, "form", "words are no answer here")
         reading = self.meant(reading)
         if reading.formula is not None and self.circular(target, reading.formula):
             return found(WRONG, "form", "the answer speaks of itself")

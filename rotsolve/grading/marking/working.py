@@ -33,7 +33,7 @@ from rotsolve.grading.verdict import (
     Verdict,
     all_findings,
     found,
-    outcome_of,
+    outcome_for,
 )
 from rotsolve.language.marks import ALL, marking_of
 
@@ -101,7 +101,7 @@ class WorkingJudge:
             return found(UNDECIDED, "undeclared", f"the scene does not tell what {open_[0]} is")
         holds = self.holds(left, right, text)
         if holds is not False:
-            return Finding(outcome_of(holds))
+            return Finding(outcome_for(holds))
         unitless = one_is_a_number(left, right) or DECIMAL.search(text)  # numbers lost their units when they were read
         return (
             (None if unitless else self.misfit(left, right))

@@ -164,7 +164,7 @@ def kinetic_terms(meeting: Meeting, *, after: bool) -> list[Formula]:
     return terms
 
 
-def momentum_kept(scene: Scene) -> Made:
+def momentum_through_support(scene: Scene) -> Made:
     """Σ m v₁ = Σ m v₂ though a support pushes as well."""
     for encounter in scene.equations.encounters.values():
         if encounter.pivot:

@@ -143,15 +143,20 @@ def friction_sign(scene: Scene) -> Made:
     """μ N the other way; of friction that no one knows, its torque the other way."""
     for owners, who in rubbing(scene):
         words = f"the friction on {who} was given the wrong sign"
-        yield words, Change(altered=of_owners(owners, reversed_friction))
+        yield words, Change(altered=of_owners(owners, resized(negate)))
         turned = Change(altered=of_owners(owners, with_other_torque), aside=(ENERGY,))
         yield f"the torque of the friction on {who} was given the wrong sign", turned
 
 
-def reversed_friction(item: Force | Couple) -> Force | Couple:
-    if isinstance(item, Couple):
-        return replace(item, torque=negate(item.torque))
-    return replace(item, size=negate(item.size))
+def resized(change: Callable[[Formula], Formula]) -> Callable[[Force | Couple], Force | Couple]:
+    """A force or couple of another size."""
+
+    def changed(item: Force | Couple) -> Force | Couple:
+        if isinstance(item, Couple):
+            return replace(item, torque=change(item.torque))
+        return replace(item, size=change(item.size))
+
+    return changed
 
 
 def with_other_torque(item: Force | Couple) -> Force | Couple:
@@ -161,17 +166,13 @@ def with_other_torque(item: Force | Couple) -> Force | Couple:
 def no_friction(scene: Scene) -> Made:
     """0 for μ N; of what rolls also 0 in Newton's second law alone, as if it need not turn."""
     for owners, who in rubbing(scene):
-        words, smooth = f"the friction on {who} was left out", of_owners(owners, zeroed)
+        words, smooth = f"the friction on {who} was left out", of_owners(owners, resized(lambda size: ZERO))
         yield words, Change(altered=smooth)
         rubbed = (body for body in scene.bodies.values() if any(item.owner in owners for item in body.acting))
         rolling = frozenset(body.name for body in rubbed if body.motion.turns and body.motion.kind != "axis")
         if rolling:
             sliding = replace(smooth, equation=without_rotation(rolling))
             yield words, Change(altered=sliding, aside=(ENERGY,))
-
-
-def zeroed(item: Force | Couple) -> Force | Couple:
-    return replace(item, torque=ZERO) if isinstance(item, Couple) else replace(item, size=ZERO)
 
 
 def normal_as_weight(scene: Scene) -> Made:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -15,7 +15,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Inertia
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.shapes import shape_of
-from rotsolve.grading.mistakes.mistake import Change, Made, each_and_all, of_bodies
+from rotsolve.grading.mistakes.mistake import Change, Made, bodies_and_parts, each_and_all, of_bodies
 from rotsolve.language.problem import Body, Problem
 from rotsolve.motion.rigid import RigidPiece, tidy
 
@@ -157,7 +157,7 @@ def shape_factors(scene: Scene) -> Made:
         for factor, noun in among:
             wrong = with_factor(factor, size)
             sized = (body for body in bodies if size(body) is not None)
-            fitting = (body.name for body in sized if not is_right(wrong(body), body, right.get(body.name, ZERO)))
+            fitting = (body.name for body in sized if not is_its_inertia(wrong(body), body, right.get(body.name, ZERO)))
             for names, who in each_and_all(fitting):
                 yield f"the moment of inertia of {who} was taken as {noun}", Change(problem=with_inertia(names, wrong))
     for names, who in each_and_all(body.name for body in bodies if shape_of(body).walled):
@@ -165,16 +165,9 @@ def shape_factors(scene: Scene) -> Made:
         yield words, Change(problem=with_inertia(names, with_difference))
 
 
-def is_right(formula: Formula, body: Body, about_its_axis: Formula) -> bool:
+def is_its_inertia(formula: Formula, body: Body, about_its_axis: Formula) -> bool:
     """Whether a formula is the moment of inertia of a body, about its centre of mass or about its axis."""
     return any(is_zero(formula - right) for right in (shape_of(body).moment(body.mass or ZERO), about_its_axis))
-
-
-def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
-    """All bodies, and the bodies that are parts of others, each behind the whole."""
-    for body in bodies:
-        yield body
-        yield from bodies_and_parts(part.body for part in body.parts)
 
 
 def round_radius(body: Body) -> Formula | None:

@@ -12,14 +12,14 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Number, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.units.unit_table import UNITS, Unit
 from rotsolve.core.vectors.heading import heading
-from rotsolve.grading.mistakes.mistake import MOST, Change, Made, and_joined, each
+from rotsolve.grading.comparing.numbers import counts_turns, is_hertz
+from rotsolve.grading.mistakes.mistake import MOST, Change, Made, and_joined, bodies_and_parts, each
 from rotsolve.language.keys import Element
 from rotsolve.language.problem import Body, Condition, Problem
 
 if TYPE_CHECKING:
     from rotsolve.grading.mistakes.scene import Scene
 
-TURNS = ("rev", "rpm", "turn")  # in the text of a unit that counts revolutions
 MINUTE = Number(UNITS["min"].scale)
 Turn = Callable[[Formula], Formula]
 
@@ -39,26 +39,9 @@ def misread_givens(scene: Scene, fits: Callable[[Unit], bool], wrong: Callable[[
         yield told, Change(factors={name: factor for name, _, factor in group})
 
 
-def is_in_degrees(unit: Unit) -> bool:
-    return unit.pi_power == 1 and UNITS["°"].text in unit.text
-
-
 def is_in_turns(unit: Unit) -> bool:
     """Revolutions, also by the minute."""
-    return unit.pi_power == 1 and any(word in unit.text for word in TURNS)
-
-
-def by_minutes(unit: Unit) -> bool:
-    return is_in_turns(unit) and ("min" in unit.text or "rpm" in unit.text)
-
-
-def is_in_hertz(unit: Unit) -> bool:
-    return "Hz" in unit.text
-
-
-def scaled(unit: Unit) -> bool:
-    """A multiple of an SI unit."""
-    return not unit.pi_power and unit.scale != 1
+    return unit.pi_power == 1 and counts_turns(unit)
 
 
 def without_factor(unit: Unit) -> Formula:
@@ -71,28 +54,31 @@ def without_turn(unit: Unit) -> Formula:
 
 def degrees_as_radians(scene: Scene) -> Made:
     """30 rad for 30°."""
-    return misread_givens(scene, is_in_degrees, lambda unit: 180 / PI, "{name} in degrees {are} taken as in radians")
+    words = "{name} in degrees {are} taken as in radians"
+    return misread_givens(scene, lambda unit: unit.pi_power == 1 and "°" in unit.text, lambda unit: 180 / PI, words)
 
 
 def revolutions_as_radians(scene: Scene) -> Made:
     """300 rad/s for 300 rev/min; or only the 2π or only the 60 of its factor left out."""
+    words = "{name} in {unit} {are} taken as in radians and seconds"
+    yield from misread_givens(scene, is_in_turns, without_factor, words)
+    words = "the 2π was left out when {name} {are} turned into radians"
+    yield from misread_givens(scene, is_in_turns, without_turn, words)
+    words = "the minutes of {name} were taken for seconds"
     yield from misread_givens(
-        scene, is_in_turns, without_factor, "{name} in {unit} {are} taken as in radians and seconds"
+        scene, lambda unit: is_in_turns(unit) and ("min" in unit.text or "rpm" in unit.text), lambda unit: MINUTE, words
     )
-    yield from misread_givens(
-        scene, is_in_turns, without_turn, "the 2π was left out when {name} {are} turned into radians"
-    )
-    yield from misread_givens(scene, by_minutes, lambda unit: MINUTE, "the minutes of {name} were taken for seconds")
 
 
 def hertz_as_radians(scene: Scene) -> Made:
     """50 rad/s for 50 Hz."""
-    return misread_givens(scene, is_in_hertz, without_turn, "{name} in {unit} {are} taken as in rad/s")
+    return misread_givens(scene, is_hertz, without_turn, "{name} in {unit} {are} taken as in rad/s")
 
 
 def units_not_converted(scene: Scene) -> Made:
-    """20 m for 20 cm."""
-    return misread_givens(scene, scaled, without_factor, "{name} in {unit} {are} not turned into SI units")
+    """20 m for 20 cm: a multiple of an SI unit."""
+    words = "{name} in {unit} {are} not turned into SI units"
+    return misread_givens(scene, lambda unit: not unit.pi_power and unit.scale != 1, without_factor, words)
 
 
 # letters
@@ -135,18 +121,12 @@ def from_rest(scene: Scene) -> Made:
 
 def radius_letters(bodies: Iterable[Body]) -> list[str]:
     """The letters of the radii of some bodies and their parts, each once."""
-    return list(dict.fromkeys(name for body in bodies for name in radii_of(body)))
-
-
-def radii_of(body: Body) -> Iterator[str]:
-    told: Iterable[Formula | None] = (
-        body.radius,
-        getattr(body.shape, "radius", None),
-        *(size for _, size in (*body.radii, *getattr(body.shape, "radii", ()))),
-    )
-    yield from (size.name for size in told if isinstance(size, Symbol))
-    for part in body.parts:
-        yield from radii_of(part.body)
+    found: list[str] = []
+    for body in bodies_and_parts(bodies):
+        named = (*body.radii, *getattr(body.shape, "radii", ()))
+        sizes = (body.radius, getattr(body.shape, "radius", None), *(size for _, size in named))
+        found += [size.name for size in sizes if isinstance(size, Symbol)]
+    return list(dict.fromkeys(found))
 
 
 # angles
@@ -179,12 +159,8 @@ def scene_angles(problem: Problem) -> Iterator[Formula]:
     """All angles of a scene that say how something stands."""
     for element in (*problem.surfaces, *problem.connections, *problem.actions):
         yield from angles_in(element).values()
-    yield from (line.value for line in angle_conditions(problem) if line.value is not None)
-
-
-def angle_conditions(problem: Problem) -> Iterator[Condition]:
-    """The lines of the states that tell an angle."""
-    return (line for state in problem.states for line in state.conditions if tells_angle(line))
+    lines = (line for state in problem.states for line in state.conditions)
+    yield from (line.value for line in lines if tells_angle(line) and line.value is not None)
 
 
 def tells_angle(line: Condition) -> bool:

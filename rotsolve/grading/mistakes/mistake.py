@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import Formula
 from rotsolve.core.alteration import Alteration
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Problem
+from rotsolve.language.problem import Body, Problem
 
 MOST = 8  # places that are tried one by one; of more only all together
 
@@ -70,6 +70,13 @@ def each_and_all(names: Iterable[str]) -> Iterator[tuple[tuple[str, ...], str]]:
         yield (name,), f"the {spoken(name)}"
     if len(known) > 1:
         yield known, and_joined([f"the {spoken(name)}" for name in known])
+
+
+def bodies_and_parts(bodies: Iterable[Body]) -> Iterator[Body]:
+    """All bodies, and the bodies that are parts of others, each behind the whole."""
+    for body in bodies:
+        yield body
+        yield from bodies_and_parts(part.body for part in body.parts)
 
 
 def and_joined(words: Sequence[str]) -> str:

@@ -64,7 +64,9 @@ MISTAKES: list[MistakeKind] = [
     MistakeKind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
     MistakeKind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
     MistakeKind(
-        "momentum kept", "momentum is taken as conserved in a blow though a support pushes too", energies.momentum_kept
+        "momentum kept",
+        "momentum is taken as conserved in a blow though a support pushes too",
+        energies.momentum_through_support,
     ),
     MistakeKind(
         "energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept

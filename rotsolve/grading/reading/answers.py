@@ -23,7 +23,7 @@ from rotsolve.grading.reading.numbers import (
     read_number_with_unit,
     read_unit,
 )
-from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, VECTOR, WORD, AnswerError, LineReading, Names
+from rotsolve.grading.reading.records import EQUATION, FORMULA, NUMBER, VECTOR, AnswerError, LineReading, Names
 from rotsolve.grading.reading.tokens import tokens_of
 from rotsolve.grading.reading.vectors import (
     SizeAndAngle,
@@ -37,7 +37,6 @@ from rotsolve.grading.reading.vectors import (
 )
 from rotsolve.grading.reading.vocabulary import all_ways, read_formula
 
-_WORDS = re.compile(r"[^\W\d_]+(?:[\s'’-]+[^\W\d_]+)*")
 LATEX = re.compile(r"\\begin\{[pb]?matrix\}(?P<inside>.*)\\end\{[pb]?matrix\}", re.DOTALL)
 NESTED = re.compile(r"\s*[\[(]\s*(?P<inside>[\[(].*[\])])\s*[\])]", re.DOTALL)
 FLAT = re.compile(r"\s*[\[(](?P<inside>[^\[\]()]*;[^\[\]()]*)[\])]")
@@ -53,7 +52,6 @@ class AnswerLine(Struct, frozen=True):
 
     text: str
     names: Names
-    word: str
     tokens: list[Token]
     direction: str = ""
     polar: SizeAndAngle | None = None
@@ -74,24 +72,18 @@ def with_distinct_echoes(readings: list[LineReading]) -> tuple[LineReading, ...]
     if len({reading.has_units for reading in readings}) < 2:
         return tuple(readings)
     texts = [reading.text for reading in readings]
-    return tuple(
-        replace(reading, written=f"{reading.text} (with {'units' if reading.has_units else 'letters'})")
-        if texts.count(reading.text) > 1
-        else reading
-        for reading in readings
-    )
+    echoes = [f"{one.text} (with {'units' if one.has_units else 'letters'})" for one in readings]
+    pairs = zip(readings, echoes, strict=True)
+    return tuple(replace(one, written=echo) if texts.count(one.text) > 1 else one for one, echo in pairs)
 
 
 def answer_line(text: str, names: Names) -> AnswerLine:
     """The line without the name in front and without the words behind."""
     start = after_name(text, names)
-    word = word_answer(text[start:].strip(" \t$"), names) if names.words else ""
-    if word:
-        return AnswerLine(text, names, word, [])
     polar = cut_polar(text, start)
     if polar is not None:
         angle = tokens_of(text, polar.start, polar.stop)
-        return AnswerLine(text, names, "", tokens_of(text, start, polar.end), "", polar, tuple(angle))
+        return AnswerLine(text, names, tokens_of(text, start, polar.end), "", polar, tuple(angle))
     direction, end = direction_behind(text, start)
     tokens = tokens_of(text, start, end)
     if "x" in text or "X" in text:
@@ -100,14 +92,7 @@ def answer_line(text: str, names: Names) -> AnswerLine:
         del tokens[-2]  # the end of a sentence
     if len(tokens) == 1:
         raise FormulaError("the answer is empty", start, max(end, start))
-    return AnswerLine(text, names, "", tokens, direction)
-
-
-def word_answer(value: str, names: Names) -> str:
-    """The word that answers a question, as the scene has it where only its capitals differ; '' where a line is none."""
-    folded = {word.casefold(): word for word in names.words}
-    typed = " ".join(value.rstrip(".!").split())
-    return folded.get(typed.casefold(), typed if _WORDS.fullmatch(typed) else "")
+    return AnswerLine(text, names, tokens, direction)
 
 
 def after_name(text: str, names: Names) -> int:
@@ -147,8 +132,6 @@ class AnswerParser:
     def line(self) -> LineReading:
         """What the line says."""
         line = self.source
-        if line.word:
-            return LineReading(WORD, line.word)
         if any(token.kind == "=" for token in line.tokens):
             return self.equation(line.tokens)
         if line.polar is not None:
@@ -160,12 +143,8 @@ class AnswerParser:
         listed = read_list(self.text, line.tokens, self.forks, self.value)
         if listed is not None:
             return listed
-        value = self.pointed(line.tokens)
-        return (
-            replace(value, direction=line.direction, written=f"{value.text} {line.direction}")
-            if line.direction
-            else value
-        )
+        value, direction = self.pointed(line.tokens), line.direction
+        return replace(value, direction=direction, written=f"{value.text} {direction}") if direction else value
 
     def pointed(self, tokens: list[Token]) -> LineReading:
         """A value in which commas may be decimal ones."""

@@ -46,7 +46,7 @@ _TELLS = re.compile(
 Dimensions = Mapping[str, Dimension]
 
 
-def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool = False) -> tuple[LineReading, ...]:
+def quantity_readings(text: str, names: Names, dimensions: Dimensions, known: bool = False) -> tuple[LineReading, ...]:
     """The readings of a line with units within its formula or behind it, and with degrees for the arguments of sin, cos and tan.
 
     `dimensions` are those of the letters; `known` says that the line is a formula in them, so that units in it are told by a decimal
@@ -56,7 +56,7 @@ def read_quantities(text: str, names: Names, dimensions: Dimensions, known: bool
         return ()
     try:
         line = answer_line(text, names)
-        if line.word or line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):
+        if line.polar is not None or any(token.kind in ("=", ";") for token in line.tokens):
             return ()
     except FormulaError:
         return ()

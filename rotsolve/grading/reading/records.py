@@ -18,26 +18,23 @@ from rotsolve.grading.verdict import Remark
 
 SHORT_TIME = "t"
 _DEGREES = re.compile(r"(\d+(?:\.\d+)?) π/180(?!\d)")  # how 30° is printed, an exact number
-FORMULA, NUMBER, VECTOR, WORD, EQUATION = "formula", "number", "vector", "word", "equation"
+FORMULA, NUMBER, VECTOR, EQUATION = "formula", "number", "vector", "equation"
 
 
 class Names(Struct, frozen=True, dict=True):
     """Letters that the scene declares, by their ASCII names: its givens, and the quantities that it asks for.
 
     `asked` is the one that the line is to tell: `a = …` may stand in front. Without it a line with `=` is an equation.
-    `words` are the answers to a question that asks for a word. Where the time is among the letters, t means it unless t is declared.
+    Where the time is among the letters, t means it unless t is declared.
     """
 
     givens: frozenset[str]
     answers: frozenset[str] = frozenset()
     asked: str = ""
-    words: tuple[str, ...] = ()
 
     @classmethod
-    def of(
-        cls, givens: Iterable[str], answers: Iterable[str] = (), asked: str = "", words: Iterable[str] = ()
-    ) -> Names:
-        return cls(frozenset(givens), frozenset(answers), asked, tuple(words))
+    def of(cls, givens: Iterable[str], answers: Iterable[str] = (), asked: str = "") -> Names:
+        return cls(frozenset(givens), frozenset(answers), asked)
 
     @cached_property
     def letters(self) -> frozenset[str]:
