@@ -14,7 +14,7 @@ from rotsolve.elements.connections.touch import check_wheel
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
@@ -26,14 +26,8 @@ class AppliedForce(Action, frozen=True):
     word = "force"
     about = "a force on a point of a body; pulled off a wheel's rim with `over` or `under`"
     quantities = ("force", "torque", "work", "power", "impulse", "angular_impulse")
-    force: Formula | None = key(
-        "quantity",
-        "size; `unknown` asks for it",
-        dimension="force",
-        letter="F",
-        varies=True,
-        required=True,
-        example="20 N",
+    force: Formula | None = amount(
+        "size; `unknown` asks for it", "force", "F", varies=True, required=True, example="20 N"
     )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = key(
@@ -117,9 +111,7 @@ class AppliedCouple(Action, frozen=True):
     word = "couple"
     about = "a torque without a force, along the body's positive sense unless `direction` says otherwise"
     quantities = ("torque", "work", "power", "angular_impulse")
-    couple: Formula | None = key(
-        "quantity", "torque; `unknown` asks for it", dimension="torque", letter="tau", varies=True, required=True
-    )
+    couple: Formula | None = amount("torque; `unknown` asks for it", "torque", "tau", varies=True, required=True)
     on: PointRef | None = key("point", "the body that it turns", required=True, example="wheel")
     direction: Direction | None = key(
         "direction", "clockwise or counterclockwise", default=None, choices=("clockwise", "counterclockwise")
@@ -140,13 +132,9 @@ class Press(Action, frozen=True):
     word = "press"
     about = "a brake block pressed on a rim"
     quantities = ("force", "normal_force", "friction_force", "torque", "work", "power")
-    press: Formula | None = key(
-        "quantity", "force that presses", dimension="force", letter="F", varies=True, required=True
-    )
+    press: Formula | None = amount("force that presses", "force", "F", varies=True, required=True)
     on: PointRef | None = key("point", "the rim", required=True, example="wheel.rim")
-    friction: Formula | None = key(
-        "quantity", "coefficient of friction", dimension="number", letter="mu", limits="nonnegative", required=True
-    )
+    friction: Formula | None = amount("coefficient of friction", "number", "mu", "nonnegative", required=True)
 
     def check(self, scene: Surroundings) -> None:
         for ref in self.touches():
@@ -182,9 +170,7 @@ class AppliedPower(Action, frozen=True):
     word = "power"
     about = "a motor of given power turning a body"
     quantities = ("power", "torque", "work")
-    power: Formula | None = key(
-        "quantity", "power; `unknown` asks for it", dimension="power", letter="P", varies=True, required=True
-    )
+    power: Formula | None = amount("power; `unknown` asks for it", "power", "P", varies=True, required=True)
     on: PointRef | None = key("point", "the body that it drives", required=True, example="wheel")
 
     def pace(self, configuration: Surroundings, state: str) -> str:

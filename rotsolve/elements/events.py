@@ -13,7 +13,7 @@ from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Event, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Joins(Event, frozen=True):
@@ -49,21 +49,9 @@ class Collides(Event, frozen=True):
     collides: tuple[PointRef, ...] = key(
         "points", "the two bodies, or points of them", count=(2, 2), required=True, example="[ball, rod.end]"
     )
-    restitution: Formula | None = key(
-        "quantity",
-        "coefficient of restitution, 0 to 1",
-        dimension="number",
-        letter="e",
-        limits="fraction",
-        default=None,
-    )
-    friction: Formula | None = key(
-        "quantity",
-        "coefficient of friction in the collision",
-        dimension="number",
-        letter="mu",
-        limits="nonnegative",
-        default=None,
+    restitution: Formula | None = amount("coefficient of restitution, 0 to 1", "number", "e", "fraction", default=None)
+    friction: Formula | None = amount(
+        "coefficient of friction in the collision", "number", "mu", "nonnegative", default=None
     )
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
@@ -97,9 +85,7 @@ class Impulse(Event, frozen=True):
     word = "impulse"
     about = "a blow: an impulse on a point of a body"
     quantities = ("impulse", "angular_impulse")
-    impulse: Formula | None = key(
-        "quantity", "size; `unknown` asks for it", dimension="impulse", letter="J", required=True
-    )
+    impulse: Formula | None = amount("size; `unknown` asks for it", "impulse", "J", required=True)
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
     direction: Direction | None = key(
         "direction",

@@ -8,7 +8,7 @@ from typing import ClassVar
 from rotsolve.algebra.formula import PI, ZERO, Formula, add, call, negate
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, heading
 from rotsolve.language.bodies import Surface
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Level(Surface, frozen=True):
@@ -24,15 +24,7 @@ class Slope(Surface, frozen=True):
     slanted = True
     away = "perpendicular to the slope"
     about = "a plane at an angle to the level, falling towards `down`"
-    slope: Formula | None = key(
-        "quantity",
-        "angle to the level",
-        dimension="angle",
-        letter="theta",
-        limits="acute",
-        required=True,
-        example="beta",
-    )
+    slope: Formula | None = amount("angle to the level", "angle", "theta", "acute", required=True, example="beta")
     down: str = key("choice", "the side to which it falls", choices=("left", "right"), default="right")
 
     @property
@@ -113,14 +105,8 @@ class Corner(Curved, frozen=True):
     word = "corner"
     held_at = "corner"
     about = "an edge at a height above the floor, which a wheel climbs or rolls off: `step: {corner: h, side: right}`"
-    corner: Formula | None = key(
-        "quantity",
-        "height of the edge above the floor",
-        dimension="length",
-        letter="h",
-        limits="positive",
-        required=True,
-        example="h",
+    corner: Formula | None = amount(
+        "height of the edge above the floor", "length", "h", "positive", required=True, example="h"
     )
     side: str = key("choice", "the side of the wheel on which it is", choices=("left", "right"), default="right")
 
@@ -141,7 +127,7 @@ class Hollow(Curved, frozen=True):
     away = "towards the centre"
     about = "the inside of a round bowl or loop"
     outside = False
-    hollow: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
+    hollow: Formula | None = amount("radius", "length", "R", "positive", required=True)
 
     def radius(self) -> Formula | None:
         return self.hollow
@@ -151,7 +137,7 @@ class Dome(Curved, frozen=True):
     word = "dome"
     away = "outward"
     about = "the outside of a round hill"
-    dome: Formula | None = key("quantity", "radius", dimension="length", letter="R", limits="positive", required=True)
+    dome: Formula | None = amount("radius", "length", "R", "positive", required=True)
 
     def radius(self) -> Formula | None:
         return self.dome

@@ -44,7 +44,12 @@ def key(kind: str, help: str, *, default: Any = None, **limits: Any) -> Any:
     return Declaration(Key(kind, help, **limits), default)
 
 
-@dataclass_transform(field_specifiers=(key,))
+def amount(help: str, dimension: str, letter: str, limits: str = "", *, default: Any = None, **more: Any) -> Any:
+    """A field with a number or formula of a dimension, for which a textbook has a letter."""
+    return key("quantity", help, default=default, dimension=dimension, letter=letter, limits=limits, **more)
+
+
+@dataclass_transform(field_specifiers=(key, amount))
 class Declared(StructMeta):
     """Makes element classes: keeps the keys that their fields declare, and leaves the fields their plain defaults.
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, ClassVar
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.vectors.tensor import ORIGIN, InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.language.keys import Element, key
+from rotsolve.language.keys import Element, amount
 
 if TYPE_CHECKING:
     from rotsolve.core.slicing import Slicing
@@ -18,7 +18,7 @@ WHEEL: tuple[str, ...] = ("center", "rim", "top", "bottom")
 
 def extent(help: str, letter: str) -> Formula | None:
     """The field of a length that a shape has."""
-    declared: Formula | None = key("quantity", help, dimension="length", letter=letter, limits="positive", default=None)
+    declared: Formula | None = amount(help, "length", letter, "positive", default=None)
     return declared
 
 

@@ -8,7 +8,7 @@ from rotsolve.elements.connections.rubbing import Clutch
 from rotsolve.elements.connections.springs import Spring, Torsion
 from rotsolve.elements.connections.strings import String
 from rotsolve.elements.connections.supports import Axle, Ball, Clamp, Hinge, Rides, Shaft, Weld
-from rotsolve.elements.connections.touch import Friction
+from rotsolve.elements.connections.touch import Friction as Friction
 from rotsolve.language.elements import Connection as Connection
 
 CONNECTIONS: list[type[Connection]] = [
@@ -31,5 +31,3 @@ CONNECTIONS: list[type[Connection]] = [
     Clutch,
     Rides,
 ]
-
-__all__ = ["CONNECTIONS", "Connection", "Contact", "Friction", "Hinge", "Rides", "String", "Weld", "guide"]

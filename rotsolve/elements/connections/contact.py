@@ -15,7 +15,7 @@ from rotsolve.elements.connections.touch import Friction, Touch, is_level
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Contact(Touch, frozen=True):
@@ -32,13 +32,8 @@ class Contact(Touch, frozen=True):
         letter="mu",
         limits="nonnegative",
     )
-    press: Formula | None = key(
-        "quantity",
-        "force that presses two wheels together at their rims",
-        dimension="force",
-        letter="F",
-        limits="positive",
-        default=None,
+    press: Formula | None = amount(
+        "force that presses two wheels together at their rims", "force", "F", "positive", default=None
     )
 
     def grip(self) -> Friction:

@@ -13,7 +13,7 @@ from rotsolve.core.writing import balance
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Belt(Connection, frozen=True):
@@ -67,9 +67,7 @@ class MutualDrive(Connection, frozen=True):
     quantities = ("torque", "angular_velocity", "rotation", "work", "power", "angular_impulse")
     bodily = True
     drives: tuple[PointRef, ...] = key("points", "[carrier, body]", count=(2, 2), required=True, example="[table, man]")
-    couple: Formula | None = key(
-        "quantity", "torque on the last-named", dimension="torque", letter="tau", varies=True, default=None
-    )
+    couple: Formula | None = amount("torque on the last-named", "torque", "tau", varies=True, default=None)
 
     def between(self) -> tuple[PointRef, ...]:
         return self.drives

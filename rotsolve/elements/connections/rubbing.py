@@ -16,7 +16,7 @@ from rotsolve.elements.connections.touch import Friction
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 TWO_THIRDS = Number(Fraction(2, 3))
 
@@ -61,20 +61,15 @@ class Clutch(Rubbing, frozen=True):
     bodily = True
     words = ("slips", "sticks")
     clutch: tuple[PointRef, ...] = key("points", "the two bodies", count=(2, 2), required=True, example="[plate, disc]")
-    friction_torque: Formula | None = key(
-        "quantity", "friction torque between them", dimension="torque", letter="tau", limits="positive", default=None
-    )
-    press: Formula | None = key(
-        "quantity",
+    friction_torque: Formula | None = amount("friction torque between them", "torque", "tau", "positive", default=None)
+    press: Formula | None = amount(
         "force that presses plates together, with `friction`: torque ⅔ μ F R, R the radius of the smaller plate named first",
-        dimension="force",
-        letter="F",
-        limits="positive",
+        "force",
+        "F",
+        "positive",
         default=None,
     )
-    friction: Formula | None = key(
-        "quantity", "coefficient of friction", dimension="number", letter="mu", limits="positive", default=None
-    )
+    friction: Formula | None = amount("coefficient of friction", "number", "mu", "positive", default=None)
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         if self.friction_torque is not None or (self.press is not None and self.friction is not None):

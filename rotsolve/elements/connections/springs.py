@@ -16,7 +16,7 @@ from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
 from rotsolve.elements.connections.places import between, distance, gap_between
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Spring(Connection, frozen=True):
@@ -25,12 +25,8 @@ class Spring(Connection, frozen=True):
     quantities = ("force", "elongation", "potential_energy", "work", "power", "length", "stiffness")
     kept = ("elongation", "force")
     spring: tuple[PointRef, ...] = key("points", "its two ends", count=(2, 2), required=True, example="[ground, block]")
-    stiffness: Formula | None = key(
-        "quantity", "stiffness", dimension="stiffness", letter="k", limits="positive", default=None
-    )
-    rest_length: Formula | None = key(
-        "quantity", "length without force", dimension="length", letter="L", limits="nonnegative", default=None
-    )
+    stiffness: Formula | None = amount("stiffness", "stiffness", "k", "positive", default=None)
+    rest_length: Formula | None = amount("length without force", "length", "L", "nonnegative", default=None)
 
     def check(self, scene: Surroundings) -> None:
         """One from a place ends at a hinged body, whose hinge is the origin, and its rest length tells how it is stretched."""
@@ -104,12 +100,8 @@ class Torsion(Connection, frozen=True):
     torsion: tuple[PointRef, ...] = key(
         "points", "the body, or two bodies", count=(1, 2), required=True, example="disc"
     )
-    stiffness: Formula | None = key(
-        "quantity", "torque per angle", dimension="torsional stiffness", letter="kappa", limits="positive", default=None
-    )
-    rest_angle: Formula | None = key(
-        "quantity", "angle without torque", dimension="angle", letter="theta", default=None
-    )
+    stiffness: Formula | None = amount("torque per angle", "torsional stiffness", "kappa", "positive", default=None)
+    rest_angle: Formula | None = amount("angle without torque", "angle", "theta", default=None)
 
     def completed(self, letters: LetterMaker, held: Container[str]) -> Connection:
         """It always has a stiffness; that of an ordinary spring may be told by its force."""

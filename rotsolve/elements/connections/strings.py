@@ -24,7 +24,7 @@ from rotsolve.elements.connections.touch import supporting
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
@@ -232,13 +232,12 @@ class String(Connection, frozen=True):
         "names", "pulleys that it passes under, turning them counterclockwise", default=(), refers=("body",)
     )
     along: str | None = key("name", "the surface that it runs along", default=None, refers=("surface",))
-    mass: Formula | None = key(
-        "quantity",
+    mass: Formula | None = amount(
         "mass of the string (a heavy rope is a body, `shape: rope`)",
-        dimension="mass",
-        limits="nonnegative",
+        "mass",
+        "m",
+        "nonnegative",
         default=None,
-        letter="m",
         later=True,
     )
 

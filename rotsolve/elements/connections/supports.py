@@ -25,33 +25,21 @@ from rotsolve.core.vectors.heading import RIGHT, UP, unit
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef, Ride
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount, key
 
 
 class Driven(Connection, frozen=True):
     """Base of what turns a body by itself: a rate given as a value or a formula of `time`."""
 
-    friction_torque: Formula | None = key(
-        "quantity",
-        "friction torque, against the motion",
-        dimension="torque",
-        letter="tau",
-        limits="nonnegative",
-        default=None,
+    friction_torque: Formula | None = amount(
+        "friction torque, against the motion", "torque", "tau", "nonnegative", default=None
     )
-    angle: Formula | None = key(
-        "quantity", "driven angle", dimension="angle", letter="theta", varies=True, default=None
+    angle: Formula | None = amount("driven angle", "angle", "theta", varies=True, default=None)
+    angular_velocity: Formula | None = amount(
+        "driven angular velocity", "angular velocity", "omega", varies=True, default=None
     )
-    angular_velocity: Formula | None = key(
-        "quantity", "driven angular velocity", dimension="angular velocity", letter="omega", varies=True, default=None
-    )
-    angular_acceleration: Formula | None = key(
-        "quantity",
-        "driven angular acceleration",
-        dimension="angular acceleration",
-        letter="alpha",
-        varies=True,
-        default=None,
+    angular_acceleration: Formula | None = amount(
+        "driven angular acceleration", "angular acceleration", "alpha", varies=True, default=None
     )
 
     def held(self) -> tuple[PointRef, ...]:
@@ -301,22 +289,11 @@ class Shaft(Connection, frozen=True):
     quantities = ("force", "angle")
     circling = True
     shaft: tuple[PointRef, ...] = key("points", "the point held", count=(1, 1), required=True, example="rod.start")
-    turning: Formula | None = key(
-        "quantity",
-        "angular velocity of the shaft",
-        dimension="angular velocity",
-        letter="Omega",
-        limits="positive",
-        required=True,
-        default=None,
+    turning: Formula | None = amount(
+        "angular velocity of the shaft", "angular velocity", "Omega", "positive", required=True, default=None
     )
-    distance: Formula | None = key(
-        "quantity",
-        "how far to the right of the axis the hinge is",
-        dimension="length",
-        letter="b",
-        limits="nonnegative",
-        default=None,
+    distance: Formula | None = amount(
+        "how far to the right of the axis the hinge is", "length", "b", "nonnegative", default=None
     )
 
     def fixed_points(self) -> tuple[PointRef, ...]:

@@ -11,7 +11,7 @@ from rotsolve.algebra.formula import ZERO, Formula, Number, call
 from rotsolve.core.slicing import Range, Slicing, coordinate, on_line
 from rotsolve.core.vectors.tensor import InertiaTensor
 from rotsolve.core.vectors.tensor import Place as Spot
-from rotsolve.language.keys import key
+from rotsolve.language.keys import amount
 from rotsolve.language.shape import Place, Shape, extent
 
 
@@ -19,14 +19,7 @@ class Particle(Shape, frozen=True):
     word = "particle"
     pointlike = True
     about = "all mass in one point; with `radius`, so far from its `center`, round which it goes on an axle or on what it rides"
-    radius: Formula = key(
-        "quantity",
-        "distance from the centre of its circle",
-        dimension="length",
-        letter="r",
-        limits="positive",
-        default=ZERO,
-    )
+    radius: Formula = amount("distance from the centre of its circle", "length", "r", "positive", default=ZERO)
 
     def centroid(self) -> Place:
         return (self.radius, ZERO)
@@ -95,14 +88,8 @@ class Arc(Shape, frozen=True):
     spread = "line"
     coordinates = ("phi",)
     radius: Formula | None = extent("radius of the circle", "R")
-    opening: Formula | None = key(
-        "quantity",
-        "angle that the arc spans",
-        dimension="angle",
-        letter="theta",
-        limits="positive",
-        default=None,
-        required=True,
+    opening: Formula | None = amount(
+        "angle that the arc spans", "angle", "theta", "positive", default=None, required=True
     )
 
     def moment(self, mass: Formula) -> Formula:
