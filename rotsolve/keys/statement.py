@@ -94,7 +94,7 @@ def asked_phrases(finds: tuple[Find, ...]) -> Iterator[Phrase]:
     for find in finds:
         first.setdefault(find.group, find)
     for group, find in first.items():
-        said = choice_options(find) if find.choice is not None else in_words(find.text)
+        said = choice_options(find) if find.choice is not None else phrase_in_words(find.text)
         plain = not said or said.split()[0] == group  # a letter of the scene, which the text speaks of
         yield (Symbol(group),) if plain else (Symbol(group), f" ({said})")
 
@@ -104,15 +104,15 @@ def choice_options(find: Find) -> str:
     assert find.choice is not None
     said = []
     for option in find.choice.options:
-        sides = [in_words(side.text) for side in option.sides]
+        sides = [phrase_in_words(side.text) for side in option.sides]
         signs = [f" {sign} " for sign in option.signs] + [""]
         said.append(f"{option.label}: {''.join(side + sign for side, sign in zip(sides, signs, strict=True))}")
-    bound = f" {in_words(find.choice.bound.text)}" if find.choice.bound is not None else ""
+    bound = f" {phrase_in_words(find.choice.bound.text)}" if find.choice.bound is not None else ""
     test = f"which is {find.choice.test}{bound}: " if find.choice.test else "which holds: "
     return test + "; ".join(said)
 
 
-def in_words(phrase: str) -> str:
+def phrase_in_words(phrase: str) -> str:
     """A phrase of the language for people: `rod.end.speed at lowest` is the speed of rod end at lowest."""
     return spoken(PATH.sub(lambda match: path_in_words(match[0]), phrase))
 

@@ -13,7 +13,7 @@ GAP = 4  # blanks between two columns of a table
 SHORT = 6  # a remark that is no longer than this is a number, as (12)
 HELD = "\N{NO-BREAK SPACE}"  # a blank at which no line may be broken
 LONG = 40  # a formula longer than this may be broken before its outer signs
-IN_FORMULAS = re.compile(  # blanks behind a number, beside a sign, and before a bracket that a letter is multiplied by
+IN_FORMULAS = (  # blanks behind a number, beside a sign, and before a bracket that a letter is multiplied by; compiled where needed
     r"(?<=\d) (?=\w{1,3}\b|\w+/)| (?=[=+−·≈<>] )|(?<=[=+−·≈<>]) |(?<=\b[^\W\d]) (?=\()"
 )
 CORNERS = (("⎡", "⎤"), ("⎢", "⎥"), ("⎣", "⎦"))
@@ -39,7 +39,7 @@ class ColumnRow(Struct, frozen=True):
 
 def together(prose: str) -> str:
     """Prose with the blanks within its formulas, and between a number and its unit, made unbreakable."""
-    return IN_FORMULAS.sub(HELD, prose)
+    return re.sub(IN_FORMULAS, HELD, prose)
 
 
 def hold(text: str) -> str:

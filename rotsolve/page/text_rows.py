@@ -92,17 +92,19 @@ class TextRows:
         rows, widest = [*block.rows], max((len(row.label) for row in block.rows), default=0)
         while rows:
             row = rows.pop(0)
-            items, separator = self._items(row), HELD * 5 if row.wide else row.separator
+            items, separator = self._items(row, width), HELD * 5 if row.wide else row.separator
             if rows and rows[0].beside:
-                one, other = separator.join(items), "; ".join(self._items(rows[0])).replace(" ", HELD)
+                one, other = separator.join(items), "; ".join(self._items(rows[0], width)).replace(" ", HELD)
                 if 8 + len(one) + 10 + len(other) <= width:
                     items = [f"{one}{HELD * 10}{other}"]
                     rows.pop(0)
             yield from labelled_lines(row.label, items, separator, width, indent, widest)
         yield TextLine("")
 
-    def _items(self, row: blocks.Labelled) -> list[str]:
-        return [together(self.words(item)) if len(item) == 1 else self.words(item) for item in row.items]
+    def _items(self, row: blocks.Labelled, width: int) -> list[str]:
+        """The items of a row; a long one is not broken within what looks like a formula."""
+        items = [*map(self.words, row.items)]
+        return [*map(together, items)] if len(items) == 1 and len(items[0]) > width - 8 else items
 
     def listing(self, block: blocks.Listing, indent: int, width: int) -> Iterator[TextLine]:
         """A row a name; what is said of a single one stands behind the caption."""

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterator
 from fractions import Fraction
+from itertools import takewhile
 from typing import TYPE_CHECKING
 
 from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from rotsolve.algebra.certified.ball import Certified
     from rotsolve.language.problem import Given
 
-WRITTEN = re.compile(r"[-+−]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?")
+WRITTEN = frozenset("+-−.eE0123456789")  # letters of a decimal number
 
 
 def given_equation(given: Given) -> Math:
@@ -33,11 +33,21 @@ def given_value(given: Given) -> Formula | Amount | None:
     if value is None or value.symbols():
         return value
     number = value if given.unit is None else number_in_unit(value, given.unit)
-    written = WRITTEN.match(given.text.strip())
-    if written and number == Number(Fraction(written[0].replace("−", "-"))):
-        return Amount(written[0], given.unit)
+    written = _decimal_prefix(given.text.strip())
+    if written and number == Number(Fraction(written.replace("−", "-"))):
+        return Amount(written, given.unit)
     plain = to_text(number)
     return Amount(plain if in_powers_of_ten(plain)[1] else number, given.unit)
+
+
+def _decimal_prefix(text: str) -> str:
+    """The decimal number that a text begins with: `1e-3` of `1e-3 kg`; '' where it is none."""
+    written = "".join(takewhile(WRITTEN.__contains__, text)).rstrip("+-−eE")
+    try:
+        Fraction(written.replace("−", "-"))
+    except ValueError:
+        return ""
+    return written
 
 
 def shown_givens(givens: tuple[Given, ...]) -> Iterator[Given]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rotsolve.keys.statement import Statement, in_words, paragraphs, statement
+from rotsolve.keys.statement import Statement, paragraphs, phrase_in_words, statement
 from rotsolve.keys.variants import worked_variants
 from rotsolve.page.formats import format_named
 from rotsolve.page.text import plain_text
@@ -77,7 +77,7 @@ def test_what_is_asked_is_told_in_words() -> None:
     ],
 )
 def test_phrases(phrase: str, said: str) -> None:
-    assert in_words(phrase) == said
+    assert phrase_in_words(phrase) == said
 
 
 def test_choices_list_their_options() -> None:

@@ -146,7 +146,7 @@ def answers_by_failures(course: MarkedClass) -> Iterator[Table]:
         for part in paper.parts:
             parts.setdefault(part.name, []).append(part)
     rows = []
-    for name, found in sorted(parts.items(), key=lambda item: sum(is_right(part) for part in item[1])):
+    for name, found in sorted(parts.items(), key=lambda item: sum(is_right_part(part) for part in item[1])):
         counts = Counter(part.verdict.outcome if part.text else "" for part in found)
         marks = marks_of(Fraction(mean(part.marks for part in found)), found[0].of)
         numbers = (counts[RIGHT], counts[WRONG], counts[UNDECIDED], counts[""])
@@ -155,7 +155,7 @@ def answers_by_failures(course: MarkedClass) -> Iterator[Table]:
         yield Table(("answer", RIGHT, WRONG, UNDECIDED, "no answer", "mean marks"), tuple(rows))
 
 
-def is_right(part: JudgedPart) -> bool:
+def is_right_part(part: JudgedPart) -> bool:
     return part.verdict.outcome == RIGHT
 
 
@@ -224,7 +224,7 @@ def oddities(course: MarkedClass, result: Result) -> Iterator[Words]:
     for part in result.marked.parts if result.marked is not None else ():
         if part.text and part.verdict.outcome == UNDECIDED:
             yield (*course.task.letter(part.name), f": can't decide on {part.text[:100]}")
-        for remark in part.verdict.remarks if is_right(part) else ():
+        for remark in part.verdict.remarks if is_right_part(part) else ():
             if remark.kind == "chain":
                 yield (*course.task.letter(part.name), ": ", *remark.words, ", but the answer is right")
 
