@@ -69,7 +69,7 @@ def test_first_command_prints_the_derivation_that_the_readme_shows(clone: Path) 
 
 
 def test_second_command_installs_collects_and_runs_the_tests(clone: Path) -> None:
-    done = shell(blocks("sh")[1], clone, PYTEST_ADDOPTS=f"-k {SMOKE}")
+    done = shell(blocks("sh")[1], clone, PYTEST_ADDOPTS=f"-k {SMOKE}", PYTEST_XDIST_AUTO_NUM_WORKERS="1")
     assert done.returncode == 0, done.stdout + done.stderr
     assert re.search(r"\b1 passed\b", done.stdout), done.stdout
 

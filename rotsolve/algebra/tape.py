@@ -33,7 +33,11 @@ ZERO, ONE, HALF = fmpq(0), fmpq(1), fmpq(1, 2)
 
 
 class Unwritable(ValueError):
-    """A formula that has no place on a tape: a letter without a value by its name, else why in words."""
+    """A formula that has no place on a tape: says why in words; `letter` is one without a value."""
+
+    def __init__(self, words: str, letter: str = "") -> None:
+        super().__init__(words)
+        self.letter = letter
 
 
 class Operation(Struct, frozen=True):
@@ -92,7 +96,7 @@ class Tape(Struct):
                 return self.number(flint_fraction(value))
             case Symbol(name):
                 if name not in letters:
-                    raise Unwritable(name)
+                    raise Unwritable(f"`{name}`", name)
                 return letters[name]
             case Constant():
                 return self.number(arb.pi())

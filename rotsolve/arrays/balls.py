@@ -13,7 +13,7 @@ from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.certified.balls import Ball
 from rotsolve.algebra.flints import acb, arb
 from rotsolve.algebra.tape import BITS
-from rotsolve.arrays.program import Program
+from rotsolve.arrays import Program
 
 FIRST = 80  # bits; a double has 53: what is lost on the way to a result seldom shows in it
 ACCURATE = 50  # bits to which a result is known well enough

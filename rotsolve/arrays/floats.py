@@ -10,7 +10,7 @@ from msgspec.structs import astuple
 
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.tape import Operation
-from rotsolve.arrays.program import NotForMany, Program
+from rotsolve.arrays import NotForMany, Program
 
 PIECE = 16_384  # values worked on at a time
 WORDS: dict[str, Any] = {

@@ -22,7 +22,7 @@ AT_MOST = " at most"  # a trial with as much friction as there can be before it 
 class Rub(Struct, frozen=True):
     """A contact, two bodies that rub on each other, or a wheel on a rubbing axle or under a brake, in the phase that starts at a state."""
 
-    key: str
+    owner: str  # the element that rubs
     body: str
     state: str
     contact: Connection | None = None
@@ -37,7 +37,11 @@ class Rub(Struct, frozen=True):
     @property
     def name(self) -> str:
         """What it is, whatever the state from which it is looked at."""
-        return self.key.partition("@")[0]
+        return self.owner if self.contact is not None or self.pair is not None else f"{self.owner}.{self.body}"
+
+    @property
+    def key(self) -> str:
+        return f"{self.name}@{self.state}"
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
         """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
@@ -63,7 +67,7 @@ def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
     for item in configuration.acting(state):
         if isinstance(item, Connection) and item.rubs():
             name, contact = configuration.host(item.slider().owner, state), item if item.lying() else None
-            yield Rub(f"{item.name}@{state}", name, state, contact, None if contact else item)
+            yield Rub(item.name, name, state, contact, None if contact else item)
         for ref in item.brakes():
             name = configuration.host(ref.owner, state)
-            yield Rub(f"{item.name}.{name}@{state}", name, state)
+            yield Rub(item.name, name, state)

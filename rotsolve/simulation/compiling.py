@@ -351,7 +351,7 @@ class Compiler(Struct, dict=True):
         """A place that the laws speak of is one that is followed."""
         for name in sorted(letters):
             if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
-                raise refusal(Unwritable(name), self.registry)
+                raise refusal(Unwritable("", name), self.registry)
 
     def _outputs(self, lines: list[tuple[str, str, Formula]], variables: tuple[Variable, ...]) -> dict[str, int]:
         """All that can be told: coordinates with their origins, speeds, accelerations, forces."""

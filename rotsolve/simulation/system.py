@@ -58,12 +58,12 @@ def named_in_text(letter: str, registry: Registry) -> str:
 
 def refusal(error: Unwritable, registry: Registry) -> NotYet:
     """What can not be simulated, by its name."""
-    letter = str(error)
+    letter = error.letter
     if letter in registry.quantities:
         return NotYet(f"how `{path_name(letter)}` runs in time is not told")
-    if not is_key(letter) and " " not in letter:
+    if letter and not is_key(letter):
         return NotYet(f"`{letter}` has no number", help=f"give it one, or say --set {letter}=…")
-    return NotYet(f"{letter} is not simulated yet")
+    return NotYet(f"{error} is not simulated yet")
 
 
 ANTIDERIVATIVES: Mapping[str, tuple[str, Exact]] = {"cos": ("sin", ONE), "sin": ("cos", -ONE)}

@@ -78,7 +78,7 @@ def place_on_tape(system: System, value: Formula) -> int:
 
 def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch]:
     """When what rubs comes to rest, or begins to slip."""
-    mode, name = modes.get(rub.key, ""), owner_of(rub)
+    mode, name = modes.get(rub.key, ""), rub.owner
     brake = rub.contact is None and rub.pair is None
     if mode in (FORWARD, BACK, TURNS_BACK) or (brake and not mode):
         speed = rub.rate(system.moment)
@@ -98,11 +98,6 @@ def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch
         yield Watch(SLIPS, place_on_tape(system, room), what, rub, rub.mode(sense))
 
 
-def owner_of(rub: Rub) -> str:
-    """The element whose friction it is."""
-    return rub.key.partition("@")[0].partition(".")[0]
-
-
 def slipping(moment: Instant, rub: Rub, sense: int) -> Facts:
     """The facts of a moment if it were just about to slip one way."""
     mode = rub.mode(sense) + (AT_MOST if rub.contact is not None or rub.pair is not None else "")
@@ -114,7 +109,7 @@ def grip(facts: Facts, rub: Rub) -> Force | Couple | None:
     """The friction on the body that rubs."""
     body = facts.body(rub.body)
     acting = body.acting if body is not None else ()
-    return next((item for item in acting if item.owner == owner_of(rub) and item.role.rubs), None)
+    return next((item for item in acting if item.owner == rub.owner and item.role.rubs), None)
 
 
 def friction_along(item: Force | Couple, reference: Force | Couple) -> Formula:

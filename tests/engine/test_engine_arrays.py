@@ -11,9 +11,9 @@ import pytest
 from rotsolve import solve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.notation.parse import parse
+from rotsolve.arrays import NotForMany, program
 from rotsolve.arrays.balls import ball_results
 from rotsolve.arrays.floats import float_results
-from rotsolve.arrays.program import NotForMany, program
 
 PROBLEMS = Path(__file__).resolve().parents[2] / "problems"
 ATWOOD = PROBLEMS / "pulleys" / "atwood.yaml"

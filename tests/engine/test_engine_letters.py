@@ -14,7 +14,7 @@ from pathlib import Path
 import pytest
 
 from rotsolve import Solution, Unsolvable, solve
-from rotsolve.arrays.program import NotForMany
+from rotsolve.arrays import NotForMany
 from rotsolve.core.derivation import Answer
 from rotsolve.keys.working import VariantSolver
 from rotsolve.scene.read import read_text
