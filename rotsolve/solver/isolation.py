@@ -110,7 +110,7 @@ class Isolation(Textbook, kw_only=True):
                 raise Redundant(item.index)
             found = real_roots(gap, asked, values, -reach, reach).roots
             if found:
-                picked = self.choose(asked, [as_formula(root) for root in found], None)
+                picked = self.choose(asked, [Number(Fraction(root.float)) for root in found], None)
                 return (found[picked.root], picked.words) if picked else (found[0], ())
         raise NoClosedForm("no real value satisfies the equations")
 
@@ -138,13 +138,12 @@ class Isolation(Textbook, kw_only=True):
     def _together(self, side: Formula, name: str) -> Formula:
         terms: list[Formula] = []
         for term in side.terms if isinstance(side, Sum) else ():
-            alike = [other for other in terms if holds_square(term, name) and self._like(term, other)]
+            alike = [
+                other for other in terms if holds_square(term, name) and isinstance(self.simplify(term / other), Number)
+            ]
             terms = [self.simplify(other + term) if other in alike else other for other in terms]
             terms += [] if alike else [term]
         return total(terms) if 0 < len(terms) < len(side.children()) else side
-
-    def _like(self, term: Formula, other: Formula) -> bool:
-        return isinstance(self.simplify(term / other), Number)
 
     def one_root(self, name: str, roots: Sequence[Formula], gap: Formula) -> tuple[Formula, Words] | None:
         """The root that is meant of several, and why it is."""
@@ -189,8 +188,3 @@ class Isolation(Textbook, kw_only=True):
 def letters_of(value: Formula) -> int:
     """How many letters and functions are written in a formula."""
     return sum(isinstance(node, (Symbol, Call)) for node in value.walk())
-
-
-def as_formula(root: Certified) -> Formula:
-    """A certified root as a number, for choosing between roots only."""
-    return Number(Fraction(root.float))

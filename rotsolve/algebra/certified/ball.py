@@ -258,12 +258,8 @@ def evaluate(
     return Certified(
         ball,
         lambda more: _enclose(f, known, more, max_precision, found),
-        lambda value: _equals(f, known, value),
+        lambda value: is_zero(with_values(f, known) - value),
     )
-
-
-def _equals(f: Formula, values: Values, number: Fraction) -> bool:
-    return is_zero(with_values(f, values) - number)
 
 
 def _zero(f: Formula, values: Values) -> bool:
@@ -295,14 +291,12 @@ def _enclose(
             if _zero(f, values):
                 return arb(0)
         bits *= 2
-        if bits > max_precision or (bits > INTEGRAL_LIMIT + 2 * needed and _has_integral(f, values)):
+        if bits > max_precision or (
+            bits > INTEGRAL_LIMIT + 2 * needed and any(g.holds(Integral) for g in (f, *values.values()))
+        ):
             if best is None:
                 raise Undefined("no finite value was found within the highest precision")
             return best
-
-
-def _has_integral(f: Formula, values: Mapping[str, Formula]) -> bool:
-    return any(g.holds(Integral) for g in (f, *values.values()))
 
 
 def decimal_text(value: Any, values: Values | None = None, digits: int = 4) -> str:

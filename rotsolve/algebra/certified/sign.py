@@ -18,11 +18,6 @@ from rotsolve.algebra.formula import ZERO, Formula
 ACUTE = "acute"
 
 
-def no_limits() -> Mapping[str, str]:
-    """Nothing is known of any letter."""
-    return {}
-
-
 class SignOracle(Struct, frozen=True):
     """What is known of the letters of a scene: the values of its givens, which are surely positive, and what limits the others.
 
@@ -31,7 +26,7 @@ class SignOracle(Struct, frozen=True):
 
     values: Mapping[str, Formula]
     positive: frozenset[str] = frozenset()
-    limits: Callable[[], Mapping[str, str]] = no_limits
+    limits: Callable[[], Mapping[str, str]] = dict  # nothing is known of any
     decided: dict[Formula, int] = field(default_factory=dict)  # the signs on which it hung how formulas are made
 
     def decide(self, value: Formula) -> int | None:

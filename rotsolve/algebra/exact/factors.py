@@ -10,7 +10,6 @@ from fractions import Fraction
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.field import Field, Poly, PolynomialSigns, Ratio, Terms, generator_of
-from rotsolve.algebra.formula import Call
 
 Exponent = int | Fraction  # a fraction where it is a root
 
@@ -67,13 +66,9 @@ class Factorization:
     def __init__(self, ring: Field, positive: Collection[str] = ()) -> None:
         self.field = ring
         self.known: dict[int, list[tuple[Poly, tuple[int, list[tuple[Terms, int]]]]]] = {}  # by number of terms
-        self.radicands = {i: square for i, _, square in ring.roots if self._is_sqrt(i)}
+        self.radicands = {i: square for i, _, square in ring.roots if getattr(ring.atoms[i], "function", "") == "sqrt"}
         signs = PolynomialSigns(ring, positive) if self.radicands else None
         self.unsure = {i for i, square in self.radicands.items() if signs and not signs.nonnegative(square)}
-
-    def _is_sqrt(self, i: int) -> bool:
-        atom = self.field.atoms[i]
-        return isinstance(atom, Call) and atom.function == "sqrt"
 
     def of_ratio(self, ratio: Ratio) -> Parts:
         """The factors of a fraction, gathered."""

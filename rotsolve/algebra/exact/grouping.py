@@ -241,7 +241,7 @@ class Grouping:
         if depth == len(TRIED) or not FEWEST <= len(packed) <= MOST:
             return SumPlan(plain)
         best = list[FactoredGroup]()
-        for groups in sorted(self._ways(packed), key=self._reading)[: TRIED[depth]]:
+        for groups in sorted(self._ways(packed), key=lambda groups: sum(map(self._letters, groups)))[: TRIED[depth]]:
             pieces = [self._piece(tuple(group)) for group in groups]
             size = self._sizes(pieces, depth + 1)
             pair = len(pieces) == 2 and all(len(piece.group) > 1 and not piece.is_sum for piece in pieces)
@@ -276,10 +276,6 @@ class Grouping:
             for groups in (_by_powers(packed, BYTE * k), _components(packed, masks, ~(FULL << BYTE * k))):
                 if 1 < len(groups) < len(packed):
                     yield groups
-
-    def _reading(self, groups: list[Group]) -> int:
-        """How many letters there are to read in some groups once they are factored."""
-        return sum([self._letters(group) for group in groups])
 
     def _letters(self, group: Group) -> int:
         """The letters of a group, which is factored only where it may have more factors than what its terms have in common."""

@@ -46,7 +46,7 @@ def solve_all(
 
 def eliminated(problem: Fractions, unknowns: Sequence[str]) -> dict[str, Ratio]:
     """All unknowns of a linear problem as fractions in lowest terms, not yet written as a textbook would."""
-    ring, columns = problem.field, _columns(problem, unknowns)
+    ring, columns = problem.field, {problem.field.index[Symbol(name)]: name for name in unknowns}
     rows = _rows(problem, columns)
     pivots = _eliminate(ring, rows, set(columns))
     used = set(pivots.values())
@@ -75,11 +75,6 @@ def _solved(ring: Field, row: Row, column: int, found: Mapping[int, Ratio]) -> R
         top, under = found[i]
         above = above + row[i] * (top if under == below else top * (below / under))
     return ring.cancel((ring.reduce(-above), ring.reduce(below * row[column])))
-
-
-def _columns(problem: Fractions, unknowns: Sequence[str]) -> dict[int, str]:
-    """The generators of the unknowns."""
-    return {problem.field.index[Symbol(name)]: name for name in unknowns}
 
 
 def _rows(problem: Fractions, columns: dict[int, str]) -> dict[int, Row]:

@@ -56,13 +56,10 @@ def _degree(formula: Formula) -> Fraction:
     return largest
 
 
-def _is_small(value: Fraction) -> bool:
-    return value.denominator == 1 and -MAX_POWER <= value.numerator <= MAX_POWER
-
-
 def check_power(base: Formula, exponent: Formula, start: int, end: int) -> None:
     """Refuse towers of numbers such as 9^9^9, large exponents, and powers of powers that multiply to large ones."""
-    if isinstance(base, Symbol) and isinstance(exponent, Number) and _is_small(exponent.value):
+    small = isinstance(exponent, Number) and exponent.value.denominator == 1 and abs(exponent.value) <= MAX_POWER
+    if small and isinstance(base, Symbol):
         return  # as most are
     check_depth(base, end)
     check_depth(exponent, end)

@@ -100,17 +100,13 @@ def _set_product(factors: tuple[Formula, ...], marks: Marks) -> str:
     for index, factor in enumerate(factors):
         body = _bracketed(_set(factor, marks), QUOTIENT, marks)
         last = index == len(factors) - 1
-        if trails(factor) and not _is_root(factor) and not last and not is_function(factors[index + 1]):
+        root = isinstance(factor, Call) and factor.function == "sqrt"  # its bar tells where the argument ends
+        if trails(factor) and not root and not last and not is_function(factors[index + 1]):
             body = marks.signs.brackets(body)
         dotted = _starts_with_digit(factor) or (index and isinstance(factor, Number))
         joint = marks.dot if dotted else marks.before if is_function(factor) else marks.beside
         text = f"{text}{joint}{body}" if text else body
     return text
-
-
-def _is_root(formula: Formula) -> bool:
-    """Whether the text is a root: its bar tells where the argument ends."""
-    return isinstance(formula, Call) and formula.function == "sqrt"
 
 
 def _starts_with_digit(formula: Formula) -> bool:
