@@ -27,6 +27,18 @@ def time_checked(text: str, option: str) -> float:
     return seconds
 
 
+def refuse_wrong_outputs(plot: str | None, csv: bool, output: str | None) -> None:
+    """A usage error where what is to be written has no place to go, or the wrong one."""
+    if plot is not None and not plot.lower().endswith((".svg", ".png")):
+        raise typer.BadParameter(f"{plot!r} is no .svg or .png", param_hint="'--plot'")
+    if plot is not None and csv:
+        raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
+    if output is not None and not csv:
+        raise typer.BadParameter(
+            "it is for numbers: say --csv too, or --plot FILE for a picture", param_hint="'--output'"
+        )
+
+
 Scene = Annotated[str, typer.Argument(metavar="FILE", help="A scene; - reads one from standard input.")]
 Until = Annotated[str, typer.Option(metavar="TIME", help="Follow the motion so long.")]
 Step = Annotated[str | None, typer.Option(metavar="TIME", help="Time between two rows. [default: about ten rows]")]
@@ -61,14 +73,7 @@ def simulate_command(
 
     The equations of motion are those of the scene's own laws. Every digit shown is settled by the bound of its number.
     """
-    if plot is not None and not plot.lower().endswith((".svg", ".png")):
-        raise typer.BadParameter(f"{plot!r} is no .svg or .png", param_hint="'--plot'")
-    if plot is not None and csv:
-        raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
-    if output is not None and not csv:
-        raise typer.BadParameter(
-            "it is for numbers: say --csv too, or --plot FILE for a picture", param_hint="'--output'"
-        )
+    refuse_wrong_outputs(plot, csv, output)
     seconds = time_checked(until, "'--until'")
     between = time_checked(step, "'--step'") if step is not None else None
     if between is not None and seconds / between > MOST_ROWS:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 import typer
+from msgspec.structs import replace
 
 from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings
 from rotsolve.page.formats import FORMATS, format_of_file
@@ -44,6 +45,20 @@ def limit_checked(text: str | None) -> float | None:
         return None if text is None else read_seconds(text)
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="'--time-limit'") from None
+
+
+def refuse_clashes(show: str | None, format: str | None, profile: bool, several: bool) -> None:
+    """A usage error where two options can't be meant together."""
+    if show and format not in (None, "text"):
+        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    if profile and several:
+        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
+
+
+def format_chosen(format: str | None, output: str | None, show: str | None) -> str:
+    """The format that is asked for, by the name of the file where it is not said."""
+    by_name = format_of_file(output) if output and not show else None
+    return format or (by_name.name if by_name else "text")
 
 
 Files = Annotated[
@@ -112,28 +127,10 @@ def solve_command(
     """
     from rotsolve.run import SolveRequest, solve_files
 
-    if show and format not in (None, "text"):
-        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
-    if profile and (jobs > 1 or time_limit):
-        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
-    by_name = format_of_file(output) if output and not show else None
-    chosen = format or (by_name.name if by_name else "text")
-    if width is None:
-        width = page_width(output)
-    request = SolveRequest(
-        tuple(files),
-        law=law,
-        format=chosen,
-        output=output,
-        digits=digits,
-        settings=read_settings(settings or []),
-        show=show,
-        width=width,
-        at=moment_checked(at),
-        jobs=jobs,
-        time_limit=limit_checked(time_limit),
-        profile=profile,
-    )
+    refuse_clashes(show, format, profile, jobs > 1 or bool(time_limit))
+    page = (format_chosen(format, output, show), output, digits)
+    request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
+    request = replace(request, at=moment_checked(at), jobs=jobs, time_limit=limit_checked(time_limit), profile=profile)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

@@ -22,6 +22,7 @@ from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import read_scalar
 
 KeyReader = Callable[[Scope, Key, Node, str, str], Any]
+PlaceReader = Callable[[Scope, Node, str, str], Any]
 FLAGS = {"true": True, "yes": True, "false": False, "no": False}
 
 
@@ -91,18 +92,6 @@ def list_items(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ..
     example = f"write `{label}: {key.example}`" if key.example else ""
     scope.fault(node, f"`{label}` wants a list of {wanted}, but this has {len(items)}", example, "count")
     return None
-
-
-def place_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return read_place(scope, node, label, owner)
-
-
-def spot_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return read_spot(scope, node, label, owner)
-
-
-def places_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return each_item(scope, key, node, label, lambda _, item: read_place(scope, item, label, owner))
 
 
 def read_radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -177,14 +166,6 @@ def read_names(scope: Scope, key: Key, node: Node, label: str, owner: str) -> An
     return tuple(item for item in found if item is not None)
 
 
-def point_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return read_point(scope, node, label, owner)
-
-
-def points_of_key(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-    return each_item(scope, key, node, label, lambda _, item: read_point(scope, item, label, owner))
-
-
 def read_directions(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     result = []
     for word, (body, written) in scope.entries(node, f"`{label}`").items():
@@ -243,12 +224,26 @@ def smaller(one: float | None, other: float | None) -> bool:
     return one is not None and other is not None and one < other
 
 
+def without_key(read: PlaceReader) -> KeyReader:
+    """A reader of places that are the same under all keys."""
+    return lambda scope, key, node, label, owner: read(scope, node, label, owner)
+
+
+def of_each(read: PlaceReader) -> KeyReader:
+    """A reader of lists of places."""
+
+    def read_all(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
+        return each_item(scope, key, node, label, lambda _, item: read(scope, item, label, owner))
+
+    return read_all
+
+
 READERS: dict[str, KeyReader] = {
     "quantity": read_quantity,
     "quantities": read_quantity_list,
-    "place": place_of_key,
-    "spot": spot_of_key,
-    "places": places_of_key,
+    "place": without_key(read_place),
+    "spot": without_key(read_spot),
+    "places": of_each(read_place),
     "radii": read_radii,
     "region": read_limits,
     "profile": read_limits,
@@ -256,8 +251,8 @@ READERS: dict[str, KeyReader] = {
     "flag": read_flag,
     "name": read_name,
     "names": read_names,
-    "point": point_of_key,
-    "points": points_of_key,
+    "point": without_key(read_point),
+    "points": of_each(read_point),
     "map of directions": read_directions,
     "direction": read_direction,
     "vector": read_vector,

@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, parse_quantity, parse_unit
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import NUMBER
@@ -18,7 +17,7 @@ from rotsolve.scene.literals import LITERAL, Want, dimension_in_words, unit_faul
 from rotsolve.scene.rough import remember
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import Node, Text
-from rotsolve.scene.values import as_written, comma_fault, expression
+from rotsolve.scene.values import agreed_dimension, comma_fault, expression
 
 NOWHERE = Span(0, 0)  # a setting of the command line has no place in the file
 FORMS = "write a value `2 kg`, a unit alone `kg`, `number`, `unknown`, or a formula of other givens `2*R`"
@@ -125,13 +124,7 @@ def resolve_givens(scope: Scope, made: dict[str, Formula], texts: Mapping[str, T
 
 def resolve_one(scope: Scope, name: str, formula: Formula, written: Text) -> None:
     known = {symbol: scope.dimensions.get(symbol) for symbol in formula.symbols()}
-    dimension = None
-    if None not in known.values():
-        try:
-            dimension = dimension_of(formula, known)  # type: ignore[arg-type]
-        except DimensionError as error:
-            message = as_written(scope, formula, error.message)
-            scope.fault(written, f"the dimensions in {quoted(written.value)} don't agree: {message}", kind="dimension")
+    dimension = None if None in known.values() else agreed_dimension(scope, written, formula, known)
     scope.givens[name] = replace(scope.givens[name], value=formula, dimension=dimension)
     scope.dimensions[name] = dimension
     remember(scope.numbers, name, formula)

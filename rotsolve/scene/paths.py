@@ -21,6 +21,17 @@ from rotsolve.scene.values import read_scalar
 
 DOTTED = re.compile(r"\s*(?P<owner>[^\W\d]\w*)(?:\.(?P<point>[^\W\d]\w*)\s*(?P<call>\(.*\))?)?\s*", re.DOTALL)
 KINDS = {"body": "bodies", "surface": "surfaces", "connection": "connections"}
+OWNERS = ("body", "connection", "action", "event")
+PLURALS = "bodies, connections, actions and events"
+ANY_FORCE = (
+    "force",
+    "torque",
+    "work",
+    "power",
+    "impulse",
+    "angular_impulse",
+)  # may name the force: `rod.torque.gravity`
+SEGMENT = re.compile(r"[^\W\d]\w*")
 
 
 def point_names(body: Body) -> tuple[str, ...]:
@@ -118,16 +129,7 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
         return None
     rod = body.shape is not None and body.shape.slender
     if point == "at" and match["call"]:
-        if not rod:
-            scope.fault(
-                span,
-                f"`at(…)` is a point of rods only, and `{name}` is none",
-                f"points: {', '.join(scope.points[name])}",
-                "point",
-            )
-            return None
-        start, end = match.start("call") + 1, match.end("call") - 1
-        argument = read_scalar(scope, node.cut(start, end), Want("at(…)", "length", "x", name, "nonnegative"))
+        argument = place_along(scope, span, name, node.cut(match.start("call") + 1, match.end("call") - 1))
         return None if argument is None else PointRef(name, "at", argument, None, node.span)
     if match["call"] or point not in scope.points[name]:
         names = [*scope.points[name], *(["at(x)"] if rod else [])]
@@ -136,17 +138,14 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
     return PointRef(name, point, None, None, node.span)
 
 
-OWNERS = ("body", "connection", "action", "event")
-PLURALS = "bodies, connections, actions and events"
-ANY_FORCE = (
-    "force",
-    "torque",
-    "work",
-    "power",
-    "impulse",
-    "angular_impulse",
-)  # may name the force: `rod.torque.gravity`
-SEGMENT = re.compile(r"[^\W\d]\w*")
+def place_along(scope: Scope, span: Span, name: str, written: Text) -> Formula | None:
+    """The x of `rod.at(x)`; a fault at `span` where the body is no rod."""
+    shape = scope.bodies[name].shape
+    if shape is None or not shape.slender:
+        help = f"points: {', '.join(scope.points[name])}"
+        scope.fault(span, f"`at(…)` is a point of rods only, and `{name}` is none", help, "point")
+        return None
+    return read_scalar(scope, written, Want("at(…)", "length", "x", name, "nonnegative"))
 
 
 class Segment(str):
@@ -255,13 +254,7 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     point: str | None = None
     argument: Formula | None = None
     if rest[0] == "at" and rest[0].inner:
-        if body.shape is None or not body.shape.slender:
-            help = f"points: {', '.join(scope.points[owner])}"
-            scope.fault(
-                word_place(node, rest[0]), f"`at(…)` is a point of rods only, and `{owner}` is none", help, "point"
-            )
-            return None
-        argument = point_argument(scope, node, rest[0], owner)
+        argument = place_along(scope, word_place(node, rest[0]), owner, node.cut(*rest[0].inner))
         if argument is None:
             return None
         point, rest = "at", rest[1:]
@@ -287,13 +280,6 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
         return False
     entry = QUANTITIES.get(rest[0])
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
-
-
-def point_argument(scope: Scope, node: Text, word: Segment, owner: str) -> Formula | None:
-    assert word.inner is not None
-    start, end = word.inner
-    inner = Text(node.value[start:end], node.part(start, end), True, node.exact)
-    return read_scalar(scope, inner, Want("at(…)", "length", "x", owner, "nonnegative"))
 
 
 def words_of(kind: str) -> list[str]:

@@ -10,7 +10,7 @@ from rotsolve.algebra.formula import ONE, PI, ZERO, Formula, Quotient, Symbol
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
-from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, DimensionError, dimension_of
+from rotsolve.algebra.units.dimension import DIMENSIONS, TIME, Dimension, DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, parse_quantity
 from rotsolve.core.faults import Span
 from rotsolve.core.quantity import QUANTITIES
@@ -200,17 +200,28 @@ def check_dimension(scope: Scope, node: Text, formula: Formula, want: Want) -> b
         if found is not None:
             scope.dimensions[missing[0]] = found
         return True
-    try:
-        dimension = dimension_of(formula, {name: known[name] for name in formula.symbols()})  # type: ignore[misc]
-    except DimensionError as error:
-        message = as_written(scope, formula, error.message)
-        scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", kind="dimension")
+    dimension = agreed_dimension(scope, node, formula, known)
+    if dimension is None:
         return False
     shown, given = node.value.strip(), scope.givens.get(node.value.strip())
     unit = given.unit.text if given and given.unit else ""
     if given is not None and given.value is not None:
         shown = f"{shown} = {given.text}"
     return dimension_holds(scope, node, want, dimension, shown, unit, formula == ZERO)
+
+
+def agreed_dimension(
+    scope: Scope, node: Text, formula: Formula, known: Mapping[str, Dimension | None], help: str = ""
+) -> Dimension | None:
+    """The dimension of a formula; None, with a fault, where its parts don't agree or that of a letter is not known."""
+    try:
+        return dimension_of(
+            formula, {name: found for name in formula.symbols() if (found := known.get(name)) is not None}
+        )
+    except DimensionError as error:
+        message = as_written(scope, formula, error.message)
+        scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", help, "dimension")
+        return None
 
 
 def as_written(scope: Scope, formula: Formula, message: str) -> str:

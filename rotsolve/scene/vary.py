@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
 from rotsolve.algebra.formula import Formula, Number
-from rotsolve.algebra.units.dimension import DimensionError, dimension_of
 from rotsolve.algebra.units.quantities import UnitError, UnitValue, number_in_unit, parse_quantity
 from rotsolve.algebra.units.unit_table import ONE_UNIT, Unit
 from rotsolve.language.problem import Comparison, Given, Variation, Varied
@@ -15,7 +14,7 @@ from rotsolve.language.words import quoted
 from rotsolve.scene.literals import Want, dimension_in_words, unit_fault
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
-from rotsolve.scene.values import as_written, expression
+from rotsolve.scene.values import agreed_dimension, expression
 
 WHERE = "where"
 FORM = "write a range `1 kg to 3 kg by 0.5 kg`, or a list `[30 deg, 45 deg]`"
@@ -202,10 +201,6 @@ def comparisons_of(
         if left is None or right is None:
             return
         gap = left - right
-        try:
-            dimension_of(gap, known)
-        except DimensionError as error:
-            message = f"the dimensions in {quoted(node.value)} don't agree: {as_written(scope, gap, error.message)}"
-            scope.fault(node, message, "only quantities of one kind can be compared", "dimension")
+        if agreed_dimension(scope, node, gap, known, "only quantities of one kind can be compared") is None:
             return
         yield Comparison(gap.substitute(numbers), allowed, node.value.strip())
