@@ -77,7 +77,7 @@ def file_error(message: str, help: str = "", file: str = "", span: Span | None =
 # names
 
 
-def asked_name(name: str, asked: Iterable[str]) -> str | None:
+def meant_answer(name: str, asked: Iterable[str]) -> str | None:
     """The asked name that is meant, None where it is none of them."""
     names = tuple(asked)
     if name.strip() in names:
@@ -124,7 +124,7 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
     working: dict[int, str] = {}
     for number, line in enumerate(lines):
         said = name_and_text(line)
-        name = asked_name(said[0], asked) if said else None
+        name = meant_answer(said[0], asked) if said else None
         if said and name is None and said[0].lower() in OWN[:2] and ":" in line:
             told[said[0].lower()] = said[1]
         elif said and name is not None:
@@ -155,7 +155,7 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
     told: dict[str, str] = {}
     working: tuple[str, ...] = ()
     for key, node in root.entries:
-        name = asked_name(key.value, asked) or key.value
+        name = meant_answer(key.value, asked) or key.value
         if name not in asked and name not in OWN:
             faults.append(Fault(f"{quoted(name)} is not asked", key.span, hint(name, (*asked, *OWN), "keys")))
         elif name in told:
@@ -198,7 +198,7 @@ def from_answers(texts: Sequence[str], asked: Sequence[str]) -> Paper:
     faults: list[Fault] = []
     for number, text in enumerate(texts, 1):
         said = name_and_text(text)
-        name = asked_name(said[0], asked) if said else None
+        name = meant_answer(said[0], asked) if said else None
         if name in answers:
             faults.append(Fault(f"{quoted(str(name))} is answered twice", Span(number, 1), "leave one out"))
         elif said and name is not None:

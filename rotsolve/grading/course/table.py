@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, Span
-from rotsolve.grading.course.sheet import MARK, HandedInError, asked_name
+from rotsolve.grading.course.sheet import MARK, HandedInError, meant_answer
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 
@@ -100,9 +100,9 @@ def columns_by(header: Sequence[str], separator: str, asked: Sequence[str]) -> C
 
 def answer_of(cell: str, asked: Sequence[str]) -> tuple[str | None, str]:
     """The answer that a cell names, and the unit that it tells: `a (m/s²)`."""
-    whole = asked_name(cell, asked)
+    whole = meant_answer(cell, asked)
     match = WITH_UNIT.fullmatch(cell) if whole is None else None
-    name = asked_name(match["name"], asked) if match else None
+    name = meant_answer(match["name"], asked) if match else None
     if match is None or name is None:
         return whole, ""
     unit = next(filter(None, (match["round"], match["square"], match["plain"]))).strip()

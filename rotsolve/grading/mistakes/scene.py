@@ -150,12 +150,12 @@ def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, 
         signed = (
             Call("abs", (closed,)) if answer.components else closed
         )  # the size of a vector, whatever its letters come to
-        value = value_in_unit(signed, ONE if answer.unit is None else answer.unit.factor, values)
+        value = number_before_unit(signed, ONE if answer.unit is None else answer.unit.factor, values)
     parts = tuple(reread(part, letters, values) for part in answer.components)
     return replace(answer, formula=closed, closed=closed, value=value, components=parts, remark=(), angle=None)
 
 
-def value_in_unit(closed: Formula, factor: Formula, values: Mapping[str, Formula]) -> Certified | None:
+def number_before_unit(closed: Formula, factor: Formula, values: Mapping[str, Formula]) -> Certified | None:
     """The value in a unit; None where there is none."""
     if closed.symbols() - set(values):
         return None

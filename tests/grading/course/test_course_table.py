@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from rotsolve.grading.course.sheet import asked_name, name_and_text, read_sheet
+from rotsolve.grading.course.sheet import meant_answer, name_and_text, read_sheet
 from rotsolve.grading.course.table import KEPT, SEPARATORS, Entry, Handed, read_table
 
 ASKED = ("a", "alpha", "T", "omega0", "v_end")
@@ -68,7 +68,7 @@ def test_a_header_over_several_lines() -> None:
     ],
 )
 def test_spellings(said: str, name: str | None) -> None:
-    assert asked_name(said, ASKED) == name
+    assert meant_answer(said, ASKED) == name
 
 
 @pytest.mark.parametrize(
