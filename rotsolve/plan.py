@@ -194,19 +194,22 @@ class Planner:
         several unknowns need are counted once.
         """
         ways: dict[str, tuple[int, frozenset[int]]] = {}
+        costs = {index: self._cost(index) for index in unknowns}
+        clock, changed, looked_at = 0, dict[str, int](), dict[int, int]()  # when a way was found, an equation looked at last
         for _ in range(ROUNDS):
-            changed = False
+            before = clock
             for index, names in unknowns.items():
                 missing = [name for name in names if name not in ways]
-                if len(missing) > 1:
+                if len(missing) > 1 or all(changed.get(name, 0) <= looked_at.get(index, -1) for name in names):
                     continue
                 for name in (one for one in missing or names if one not in self.summed[index]):
                     used = frozenset((index,)).union(*(ways[other][1] for other in names if other != name))
-                    cost = sum(map(self._cost, used))
+                    cost = sum(map(costs.__getitem__, used))
                     if name not in ways or cost < ways[name][0]:
-                        ways[name] = (cost, used)
-                        changed = True
-            if not changed:
+                        clock += 1
+                        ways[name], changed[name] = (cost, used), clock
+                looked_at[index] = clock
+            if clock == before:
                 break
         if asked not in ways:
             return None
