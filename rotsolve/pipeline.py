@@ -29,7 +29,7 @@ from rotsolve.solution import Solution, Trace
 
 if TYPE_CHECKING:
     from rotsolve.derivation.meanings import Meanings
-    from rotsolve.derivation.validity import Validity
+    from rotsolve.derivation.requirements import Validity
 
 MOST_DIGITS = 1000
 
@@ -132,7 +132,7 @@ def stages_before() -> Any:
 
 def validity_of(search: Search) -> Validity:
     """For which numbers the closed forms hold; worked out when someone asks."""
-    from rotsolve.derivation.validity import validity
+    from rotsolve.derivation.requirements import validity
 
     return validity(search)
 

@@ -195,7 +195,11 @@ class Planner:
         """
         ways: dict[str, tuple[int, frozenset[int]]] = {}
         costs = {index: self._cost(index) for index in unknowns}
-        clock, changed, looked_at = 0, dict[str, int](), dict[int, int]()  # when a way was found, an equation looked at last
+        clock, changed, looked_at = (
+            0,
+            dict[str, int](),
+            dict[int, int](),
+        )  # when a way was found, an equation looked at last
         for _ in range(ROUNDS):
             before = clock
             for index, names in unknowns.items():

@@ -17,7 +17,7 @@ from rotsolve.page.formats import WIDTH, format_named
 if TYPE_CHECKING:
     from rotsolve.algebra.formula import Formula
     from rotsolve.derivation.meanings import Meanings
-    from rotsolve.derivation.validity import Validity
+    from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Problem
 
 

@@ -14,7 +14,7 @@ from rotsolve.core.symbols import TIME
 
 if TYPE_CHECKING:
     from rotsolve.core.derivation import Answer
-    from rotsolve.derivation.validity import Validity
+    from rotsolve.derivation.requirements import Validity
     from rotsolve.language.problem import Given
 
 

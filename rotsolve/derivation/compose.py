@@ -16,8 +16,7 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import TIME, key_of
 from rotsolve.core.vectors.heading import heading
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.diagrams import Diagrams
-from rotsolve.derivation.drafts import Draft, drafts_of, title
+from rotsolve.derivation.drafts import Diagrams, Draft, drafts_of, title
 from rotsolve.derivation.letters import Letters
 from rotsolve.derivation.results import LONG, Results, readable
 from rotsolve.language.problem import Problem, State, TimeValue

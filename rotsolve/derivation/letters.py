@@ -9,8 +9,7 @@ from rotsolve.algebra.formula import Formula, Integral, Symbol
 from rotsolve.algebra.notation.letters import INDEXED, PRIME
 from rotsolve.core.derivation import Words
 from rotsolve.core.symbols import TIME, is_key
-from rotsolve.derivation.diagrams import Diagrams
-from rotsolve.derivation.drafts import Draft
+from rotsolve.derivation.drafts import Diagrams, Draft
 from rotsolve.language.problem import Body, Find
 from rotsolve.search.search import Search
 
@@ -31,7 +30,7 @@ class Letters:
 
     def printed(self, formula: Formula) -> Formula:
         """A formula in printed letters, the variables of integration too."""
-        return in_letters(formula, self.names)
+        return in_printed_letters(formula, self.names)
 
     @cached_property
     def symbols(self) -> dict[str, Formula]:
@@ -160,7 +159,7 @@ def own_indices(bodies: Iterable[Body]) -> dict[str, str]:
     return {name: index for name, index in found.items() if list(found.values()).count(index) == 1}
 
 
-def in_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
+def in_printed_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
     """A formula with its letters renamed, the variables of integration too."""
 
     def change(node: Formula) -> Formula:

@@ -12,7 +12,7 @@ from rotsolve.algebra.units.dimension import Dimension
 from rotsolve.core.derivation import Equality
 from rotsolve.core.symbols import TIME, is_key
 from rotsolve.derivation.compose import DerivationComposer
-from rotsolve.derivation.letters import in_letters
+from rotsolve.derivation.letters import in_printed_letters
 from rotsolve.derivation.stages import all_names
 from rotsolve.search.search import Search
 
@@ -61,7 +61,7 @@ class Meanings(Struct, frozen=True, dict=True):
             value = self.apart.settled(known)
         except (ValueError, ArithmeticError):  # no law settles it, or none in closed form
             return None
-        return None if value is None else in_letters(value, {TIME: self.time})
+        return None if value is None else in_printed_letters(value, {TIME: self.time})
 
     def number(self, name: str) -> Certified | None:
         """The certified value of a printed letter, in SI units, where it has no closed form."""
@@ -87,4 +87,7 @@ class Meanings(Struct, frozen=True, dict=True):
         asked = [item.asked for item in self.search.wholes()]
         sides: list[tuple[Formula, Formula]] = [(Symbol(one.letter), one.formula) for one in asked if not one.direct]
         sides += [(one.left, one.right) for one in self.search.scene.equations if one.relation == "="]
-        return tuple(Equality(in_letters(left, self.names), in_letters(right, self.names)) for left, right in sides)
+        return tuple(
+            Equality(in_printed_letters(left, self.names), in_printed_letters(right, self.names))
+            for left, right in sides
+        )

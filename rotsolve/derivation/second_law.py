@@ -50,10 +50,10 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
         agreed = []
         for answered in unused:
             outcome = putting.outcome(answered)
-            formula = again(other, answered) if outcome is Outcome.OPEN else answered.found.formula
-            if outcome is Outcome.NO_PLAN or formula is None or not independent(other, law):
+            formula = again(other, answered) if outcome is Confirmation.OPEN else answered.found.formula
+            if outcome is Confirmation.NO_PLAN or formula is None or not independent(other, law):
                 continue
-            if outcome is Outcome.HOLDS or same(formula, answered.found.formula, search):
+            if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search):
                 pending.remove(answered)
                 agreed.append(answered)
             elif over_a_phase(other):
@@ -69,7 +69,7 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
             yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names))
 
 
-class Outcome(Enum):
+class Confirmation(Enum):
     """What comes of putting an answer into the equations of another law."""
 
     HOLDS = auto()  # they hold, and tell it
@@ -85,39 +85,39 @@ class PuttingIn(Struct, frozen=True):
     balls: KnownBalls
     slopes: dict[tuple[int, str], Ball | None]  # by the equation's identity and the letter
 
-    def outcome(self, answered: Answered) -> Outcome:
+    def outcome(self, answered: Answered) -> Confirmation:
         """Whether the other law's equations for an answer hold at the answers; if they do, the other search knows it from now on."""
         asked, other = answered.asked, self.other
         if asked.swings or other.scene.observed or asked.letter in other.solver.solved or asked.formula == ZERO:
-            return Outcome.OPEN
+            return Confirmation.OPEN
         for part in answered.parts:
-            if part.asked.letter not in other.known and (outcome := self.outcome(part)) is not Outcome.HOLDS:
+            if part.asked.letter not in other.known and (outcome := self.outcome(part)) is not Confirmation.HOLDS:
                 return outcome
         return self._by_plans(answered)
 
-    def _by_plans(self, answered: Answered) -> Outcome:
+    def _by_plans(self, answered: Answered) -> Confirmation:
         """The outcome with the cheapest plan; where its equations depend on each other, with the next one, if they all tell enough."""
         other, banned = self.other, set[int]()
         for _ in range(FEW_TRIES):
             plan = other.planned(answered.asked, banned)
             if isinstance(plan, Shortage):
-                return Outcome.NO_PLAN
+                return Confirmation.NO_PLAN
             with Precision(BITS):
                 order = sorted(plan.equations, key=lambda index: not other.planner.pool[index].family)
                 laws = [other.planner.pool[index] for index in order]
                 if not all(map(self.holds, laws)):
-                    return Outcome.OPEN
+                    return Confirmation.OPEN
                 rows = self.rows(laws, plan.unknowns)
                 if rows is None:
-                    return Outcome.OPEN
+                    return Confirmation.OPEN
                 spare = dependent(rows)
                 if spare is not None and not banned and not self.tells(answered.asked.letter):
-                    return Outcome.NO_PLAN
+                    return Confirmation.NO_PLAN
             if spare is None:
                 other.accept(answered, plan)
-                return Outcome.HOLDS
+                return Confirmation.HOLDS
             banned.add(order[spare])
-        return Outcome.OPEN
+        return Confirmation.OPEN
 
     def holds(self, equation: Equation) -> bool:
         """Whether both sides are surely the same: as numbers, or exactly where letters have none."""
@@ -139,7 +139,7 @@ class PuttingIn(Struct, frozen=True):
         rows = self.rows(laws, (*names, letter))
         if rows is None or any(runs(law, other) for law in laws):
             return True
-        return any(surely(row[-1]) for row in reduced(rows, len(names)))
+        return any(surely(row[-1]) for row in eliminated(rows, len(names)))
 
     def rows(self, laws: Sequence[Equation], names: Sequence[str]) -> list[list[Ball]] | None:
         """The derivatives of equations' gaps by some letters, at the answers; None where one is no number."""
@@ -179,7 +179,7 @@ def dependent(rows: list[list[Ball]]) -> int | None:
     return None
 
 
-def reduced(rows: list[list[Ball]], columns: int) -> list[list[Ball]]:
+def eliminated(rows: list[list[Ball]], columns: int) -> list[list[Ball]]:
     """The rows that are left when the first columns have been eliminated."""
     for column in range(columns):
         pivot = next((row for row in rows if surely(row[column])), None)

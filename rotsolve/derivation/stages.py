@@ -9,7 +9,7 @@ from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import Equation
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.letters import Letters, in_letters, own_indices
+from rotsolve.derivation.letters import Letters, in_printed_letters, own_indices
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.search.explain import plural
 from rotsolve.search.search import Search
@@ -76,5 +76,5 @@ def all_names(search: Search, letters: Letters) -> dict[str, str]:
 
 
 def in_text(equation: Equation, names: Mapping[str, str]) -> str:
-    left, right = (to_text(in_letters(side, names)) for side in (equation.left, equation.right))
+    left, right = (to_text(in_printed_letters(side, names)) for side in (equation.left, equation.right))
     return f"{left} = {right}"

@@ -20,7 +20,7 @@ from rotsolve.algebra.units.quantities import parse_quantity
 from rotsolve.core.derivation import Answer, Derivation
 from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.core.symbols import TIME
-from rotsolve.derivation.validity import ROOT, SLIPS
+from rotsolve.derivation.requirements import ROOT, SLIPS
 from rotsolve.language.problem import Given, Problem
 from rotsolve.page.values import certified_digits
 from rotsolve.pipeline import solve_problem

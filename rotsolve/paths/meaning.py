@@ -11,12 +11,15 @@ from msgspec import Struct
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Call, Formula, Number, Power, Product, sqrt
 from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, signed, square
 from rotsolve.core.quantity import POINT, QUANTITIES
 from rotsolve.core.symbols import has_quantities
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.writing import spoken
+from rotsolve.language.problem import Path, Term
 from rotsolve.motion.rigid import tidy
 
 if TYPE_CHECKING:
@@ -181,3 +184,8 @@ def along_path(vector: Vector, velocity: Vector, component: str) -> Formula:
     speed = sqrt(velocity.along(RIGHT) ** 2 + velocity.along(UP) ** 2)
     part = velocity.dot(vector) if component == "tangential" else absolute(velocity.cross(vector))
     return part / speed
+
+
+def whole_vector(path: Path) -> bool:
+    """Whether a path that may be a vector asks for all of it: not for one component, nor a mere speed."""
+    return path.quantity != "speed" and path.component in (None, "gravity")

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from rotsolve.algebra.formula import ZERO, add
+from rotsolve.algebra.formula import ZERO, Formula, add
 from rotsolve.core.facts import Motion, signed, square
 from rotsolve.core.quantity import INSIDE, QUANTITIES
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector, unit
 from rotsolve.language.problem import Path, PointRef
+from rotsolve.motion.instant import Instant
+from rotsolve.motion.timeline import Interval
+from rotsolve.motion.travels import displacement, so_far
 from rotsolve.paths.meaning import (
     NATURAL,
     AtInstant,
@@ -150,3 +153,13 @@ def carrying_words(motion: Motion, arm: Vector, quantity: str) -> str:
 def resting(path: Path) -> str:
     """Why a point at rest has no tangential and normal components."""
     return f"{spoken_point(path)} is at rest: its path has no direction there"
+
+
+def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
+    """Displacement along a body's line or a component of it, over a phase, or up to any moment in it where none is named."""
+    axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
+    if path.component and not axis:
+        raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
+    if interval is None:
+        return so_far("displacement", name, instant, axis)
+    return displacement(name, interval, instant, axis)

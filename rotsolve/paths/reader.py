@@ -1,27 +1,230 @@
-"""Questions: what a path of the scene language stands for, as a formula in the quantities of the laws.
-
-`rod.end.acceleration` becomes L |α| where the rod is at rest, with the direction of the vector kept for the words of the answer.
-"""
+"""Paths: what a path of the scene language stands for at one moment: of a connection or action here, of bodies and points beside."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula, total
+from rotsolve.algebra.formula import ZERO, Formula, Product, Symbol, total
 from rotsolve.core.equation import KINETIC_ENERGY
-from rotsolve.core.facts import signed
+from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
+from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.directions import opposite
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
+from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, Term
 from rotsolve.laws.energy import kinetic
 from rotsolve.motion.rigid import tidy
 from rotsolve.paths.bodies import OfBodies
-from rotsolve.paths.elements import OfElements
-from rotsolve.paths.meaning import AtInstant, Meaning, Meant, NotYet, label_of, vector_size
+from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, label_of, vector_size
 from rotsolve.paths.points import OF_POINTS, OfPoints
+
+if TYPE_CHECKING:
+    from rotsolve.language.elements import Connection
+    from rotsolve.language.problem import Path
+
+
+class Acting(NamedTuple):
+    """The forces and couples of one element, each with the body on which it acts."""
+
+    forces: list[tuple[BodyFacts, Force]]
+    couples: list[tuple[BodyFacts, Couple]]
+
+
+class OfElements(AtInstant, frozen=True):
+    """Reads paths of connections and actions at one instant."""
+
+    def of_element(self, path: Path) -> Meant:
+        """A force, tension, torque or power of a connection or action, or how far it is stretched or turned."""
+        bodies = self.facts().bodies
+        forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
+        couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
+        if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
+            raise NotYet(f"`{path.owner}` does not act{self._moment()}")
+        reading = OF_ELEMENTS.get(path.quantity)
+        found = None if reading is None else reading(self, path, Acting(forces, couples))
+        if found is None:
+            raise NotYet(f"`{path.quantity}` of `{path.owner}` is not solved yet")
+        return found
+
+    def torque(self, path: Path, acting: Acting) -> Formula:
+        """The couple on the last-named body, and the torques of its forces."""
+        last = self._last_body(path.owner, [body.name for body, _ in acting.couples]) if acting.couples else ""
+        own = [(body, couple) for body, couple in acting.couples if body.name == last]
+        parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
+        parts += [signed(force.torque, body.motion.sense) for body, force in acting.forces]
+        return total([part for part in parts if part != ZERO])
+
+    def power(self, path: Path, acting: Acting) -> Formula:
+        """Σ F·v + Σ τ ω; of a motor that is told by its power, just that."""
+        if any(couple.role.powered for _, couple in acting.couples):
+            return self._given_power(path.owner)
+        parts = [couple.torque * body.motion.spin for body, couple in acting.couples]
+        parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in acting.forces]
+        return total([_plain(part) for part in parts if part != ZERO])
+
+    def elongation(self, path: Path, acting: Acting) -> Formula:
+        stored = self._stored(path.owner)
+        placed = stored is not None and stored.placed
+        return stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+
+    def length(self, path: Path, acting: Acting) -> Formula | None:
+        """How long a rope is that hangs, whose weight stores energy by that."""
+        stored = self._stored(path.owner)
+        if stored is not None and stored.elongation == self.instant.ask("length", path.owner):
+            return stored.elongation
+        return None
+
+    def turning(self, path: Path, acting: Acting) -> Meant | None:
+        """Where on a curved surface a body is; else how the two bodies of a connection, or the one that it holds, turn."""
+        if path.quantity == "angle" and (contact := self._contact(path.owner)) is not None:
+            return contact.touching_angle(self.instant)
+        if path.quantity != "angle" and (pair := self._between(path.owner)):
+            return self._relative(path.quantity, *pair)
+        name = self._turned_by(path.owner)
+        return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None) if name else None
+
+    def contact_force(self, path: Path, acting: Acting) -> Meant:
+        """The push of a surface or its friction, on the body that a contact names first."""
+        rubs = path.quantity == "friction_force"
+        first = self._first_body(path.owner)
+        forces = sorted(acting.forces, key=lambda pair: pair[0].name != first)
+        force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
+        if force is None:
+            return ZERO
+        return Meaning(force.size, QUANTITIES[path.quantity].dimension, words=(force.way if rubs else "", ""))
+
+    def _stored(self, owner: str) -> Potential | None:
+        """The energy that a spring or wire stores."""
+        return next((item for item in self.facts().potentials if item.owner == owner), None)
+
+    def _given_power(self, owner: str) -> Formula:
+        """The power of a motor that is told by its power."""
+        item = next(item for item in self.instant.configuration.actions(self.instant.state) if item.name == owner)
+        return item.now(self.instant)
+
+    def _contact(self, owner: str) -> Connection | None:
+        """The contact of a body with a curved surface that a path names."""
+        state = self.instant.state
+        item = next((item for item in self.instant.configuration.connections(state) if item.name == owner), None)
+        surface = item.surface(self.instant.configuration, state) if item is not None else None
+        return item if surface is not None and surface.curved else None
+
+    def _between(self, owner: str) -> tuple[str, ...]:
+        """The two bodies of a connection that turn against each other."""
+        items = self.instant.configuration.connections(self.instant.state)
+        return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
+
+    def _relative(self, word: str, first: str, last: str) -> Formula:
+        """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
+        instant = self.instant
+        way = instant.sense(first) * instant.sense(last)
+        return instant.rate(word, last) - signed(instant.rate(word, first), way)
+
+    def _absent(self, owner: str) -> bool:
+        """Whether an action or connection has ended or been cut by this moment."""
+        configuration, state = self.instant.configuration, self.instant.state
+        acting = {item.name for item in configuration.connections(state)} | {
+            item.name for item in configuration.actions(state)
+        }
+        return owner not in acting
+
+    def tension(self, path: Path, acting: Acting) -> Formula:
+        """The tension of a string, or of the part that leaves the body that the path names."""
+        item = next(
+            (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
+            None,
+        )
+        tension = item.tension_at(path.point, self.instant) if item is not None and path.point else None
+        if tension is not None:
+            return tension
+        sizes = {force.size: None for _, force in acting.forces if force.role.pulls}
+        if not sizes:
+            raise NotYet(f"`{path.owner}` does not pull{self._moment()}: it has no tension")
+        if len(sizes) > 1:
+            names = dict.fromkeys(ref.owner for ref in item.touches()) if item is not None else {}
+            ends = ", ".join(f"`{path.owner}.{name}.tension`" for name in names)
+            raise NotYet(f"the tension is not the same along `{path.owner}`", help=f"ask for that of one part: {ends}")
+        return next(iter(sizes))
+
+    def force(self, path: Path, acting: Acting) -> Meant:
+        """The force on the last-named body: its components, or its size."""
+        forces = acting.forces
+        if not forces:
+            couplings = [
+                couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
+            ]
+            letters = of_kinds((name for couple in couplings for name in couple.torque.symbols()), ("force",))
+            if letters:
+                return Symbol(letters[0])
+            raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
+        last = self._last_body(path.owner, [body.name for body, _ in forces])
+        vector, arm = Vector(), Vector()
+        for body, force in forces:
+            if body.name == last:
+                vector, arm = vector + force.vector, force.arm
+        if path.component in ("x", "y"):
+            return vector.along(RIGHT if path.component == "x" else UP)
+        if path.component in NATURAL:
+            part = self._along_body(last, vector, arm, path.component or "")
+            label = f"{path.component} part of the force of {spoken(path.owner)}"
+            return Meaning(part, QUANTITIES["force"].dimension, label=label)
+        return Meaning(vector_size(vector), QUANTITIES["force"].dimension, vector)
+
+    def _along_body(self, name: str, vector: Vector, arm: Vector, component: str) -> Formula:
+        """Component across the arm of the force, of a force at the pivot across the line to the centre of mass; or along it, inwards."""
+        body = self.body(name)
+        arm = arm if body.motion.kind == "axis" and arm.parts else body.cm
+        if body.motion.kind != "axis" or not arm.parts:
+            raise NotYet(
+                f"`{name}` does not swing about a pivot: a tangential or normal part has no meaning",
+                help="ask for `x` or `y`",
+            )
+        return about_centre(vector, arm, body.motion.sense, component)
+
+    def _first_body(self, owner: str) -> str:
+        """The body that a connection names first: of two that touch, the one that lies on the other."""
+        items = (item for item in self.instant.configuration.connections(self.instant.state) if item.name == owner)
+        return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
+
+    def _last_body(self, owner: str, bodies: list[str]) -> str:
+        """Of the bodies on which it acts, the one that the connection names last."""
+        instant = self.instant
+        item = next((item for item in instant.configuration.connections(instant.state) if item.name == owner), None)
+        named = (
+            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.configuration.bodies]
+            if item
+            else []
+        )
+        return next((name for name in reversed(named) if name in bodies), bodies[-1])
+
+
+OF_ELEMENTS: dict[str, Callable[[OfElements, Path, Acting], Meant | None]] = {  # what can be asked of an element
+    "tension": OfElements.tension,
+    "normal_force": OfElements.contact_force,
+    "friction_force": OfElements.contact_force,
+    "torque": OfElements.torque,
+    "force": OfElements.force,
+    "power": OfElements.power,
+    "elongation": OfElements.elongation,
+    "length": OfElements.length,
+    "angle": OfElements.turning,
+    "angular_velocity": OfElements.turning,
+    "angular_acceleration": OfElements.turning,
+}
+
+
+def _plain(part: Formula) -> Formula:
+    """A product of two factors with minus signs that cancel left out."""
+    from rotsolve.laws.groups import unsigned_product
+
+    if isinstance(part, Product) and len(part.factors) == 2:
+        return unsigned_product(*part.factors)
+    return part
+
 
 BY_INTEGRATION = ("inertia", "gyration", "inertia_tensor", "cm")
 

@@ -21,8 +21,8 @@ from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
-from rotsolve.language.problem import Find, Given, Path, Term
-from rotsolve.paths.meaning import Meaning
+from rotsolve.language.problem import Find, Given, Term
+from rotsolve.paths.meaning import Meaning, whole_vector
 from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
@@ -82,11 +82,6 @@ class Asked(Struct, frozen=True):
     def resolves(self) -> bool:
         """Whether a whole vector is asked, not one component of it."""
         return self.vector is not None and whole_vector(self.find.terms[0].path)
-
-
-def whole_vector(path: Path) -> bool:
-    """Whether a path that may be a vector asks for all of it: not for one component, nor a mere speed."""
-    return path.quantity != "speed" and path.component in (None, "gravity")
 
 
 def in_parts(question: Asked) -> Asked:

@@ -26,8 +26,9 @@ from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.timeline import Interval
-from rotsolve.motion.travels import displacement, rotation, so_far
-from rotsolve.paths.meaning import Meaning, NotYet, Unclear, path_text, vector_size
+from rotsolve.motion.travels import rotation, so_far
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, vector_size
+from rotsolve.paths.points import way
 
 FIGURES = 30  # to which a zero is known before it is told from the end of a phase
 
@@ -147,16 +148,6 @@ def run_up(path: Path, middle: Instant) -> Formula:
         turned = so_far("rotation", name, middle)
         return turned / (2 * PI) if path.quantity == "turns" else turned
     raise NotYet(f"`{path.quantity}` as a function of time is not solved yet")
-
-
-def way(path: Path, name: str, interval: Interval | None, instant: Instant) -> Formula:
-    """Displacement along a body's line or a component of it, over a phase, or up to any moment in it where none is named."""
-    axis = path.component if path.component in ("x", "y") and instant.motion(name).kind == "plane" else ""
-    if path.component and not axis:
-        raise NotYet(f"`{path_text(path)}` is not solved yet", help="ask for the displacement along its line")
-    if interval is None:
-        return so_far("displacement", name, instant, axis)
-    return displacement(name, interval, instant, axis)
 
 
 RATE = {"rotation": "angular_velocity", "displacement": "velocity"}

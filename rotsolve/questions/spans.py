@@ -20,8 +20,7 @@ from rotsolve.motion.encounters import participants
 from rotsolve.motion.rigid import tidy
 from rotsolve.motion.timeline import Interval
 from rotsolve.motion.travels import angle_turned
-from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size
-from rotsolve.questions.find import whole_vector
+from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
 
 
 def impulse(path: Path, interval: str, state: str, scene: SceneEquations) -> Formula:
@@ -244,7 +243,7 @@ def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Form
         return ZERO  # an event moves nothing
     if path.quantity != "displacement":
         return angle_turned(path.owner, interval, scene.instant(interval.start))
-    from rotsolve.questions.functions_of_time import way
+    from rotsolve.paths.points import way
 
     instant = scene.instant(interval.start)
     name = instant.host(path.owner) if path.owner in scene.configuration.bodies else path.owner

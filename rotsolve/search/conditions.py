@@ -17,8 +17,7 @@ from rotsolve.language.problem import Find
 from rotsolve.paths.meaning import NotYet, label_of
 from rotsolve.questions.find import Asked, question_for
 from rotsolve.search.answers import NoAnswer
-from rotsolve.search.conclusions import Conclusion, by_condition, forget
-from rotsolve.search.extrema import as_function_of, extreme_value, place_of_extremum
+from rotsolve.search.extrema import Conclusion, as_function_of, by_condition, extreme_value, forget, place_of_extremum
 from rotsolve.search.friction import limiting
 from rotsolve.search.search import Search
 from rotsolve.search.swings import verge_equation

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from typing import TYPE_CHECKING
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
 
 from msgspec.structs import replace
 
@@ -32,25 +32,44 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.search.answers import NoAnswer
 
 if TYPE_CHECKING:
+    from rotsolve.language.problem import Given
+    from rotsolve.plan import Planner
     from rotsolve.questions.find import Asked
-    from rotsolve.search.search import Search
+    from rotsolve.solver import Solver
+    from rotsolve.solver.steps import Found
 
 
-def settle_swings(asked: Asked, search: Search) -> list[int]:
+class Stepping(Protocol):
+    """What swings need of a search: it settles letters step by step, and remembers what it knows of which swings."""
+
+    scene: SceneEquations
+    givens: dict[str, Given]
+    values: Mapping[str, Formula]
+    signs: SignOracle
+    planner: Planner
+    solver: Solver
+    known: set[str]
+    swung: set[str]
+    displaced: dict[str, Formula]
+
+    def step(self, letter: str) -> Found: ...
+
+
+def settle_swings(asked: Asked, search: Stepping) -> list[int]:
     """All that is to be told of swings before a question; pool indices of the equations that hold for it alone."""
     for swing in search.scene.observed:
         observe(swing, search)
     return [index for swing, word in asked.swings for index in settle_swing(swing, word, search, asked.letter)]
 
 
-def forget_displacements(asked: Asked, search: Search) -> None:
+def forget_displacements(asked: Asked, search: Stepping) -> None:
     """Forget what depends on the displacement: it serves no other question."""
     for swing, _ in asked.swings:
         search.known -= {swing.coordinate.name, swing.acceleration.name}
         search.solver.solved.pop(swing.acceleration.name, None)
 
 
-def settle_swing(swing: Swing, word: str, search: Search, asked: str) -> list[int]:
+def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[int]:
     """Everything that comes before the `asked` letter: the equilibrium, the acceleration near it, ω₀, the period (`word`).
 
     Returns the pool indices of the equations that hold for this question alone.
@@ -69,7 +88,7 @@ def settle_swing(swing: Swing, word: str, search: Search, asked: str) -> list[in
     return passing
 
 
-def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -> Iterator[Equation]:
+def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> Iterator[Equation]:
     """Simple harmonic motion: of any size where the acceleration is proportional to the displacement, else of small swings."""
     words = "period"
     if not holds_at_any_size(exact, swing.coordinate):
@@ -88,14 +107,14 @@ def small_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -
         search.planner.extend(equation)
 
 
-def same_at_any_size(swing: Swing, search: Search) -> Formula | None:
+def same_at_any_size(swing: Swing, search: Stepping) -> Formula | None:
     """The period of a large swing of the same bodies, where it has been found."""
     swings = [other for other in search.scene.swings.values() if other.start and other.group == swing.group]
     found = [other.letters["swing_period"] for other in swings if other.omega == swing.omega]
     return next((letter for letter in found if letter.symbols() & set(search.solver.solved)), None)
 
 
-def large_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -> Iterator[Equation]:
+def large_motion(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> Iterator[Equation]:
     """Swings of any size: harmonic ones, and those of a pendulum under its weight."""
     sine = call("sin", swing.coordinate)
     if swing.exact and holds_at_any_size(exact, swing.coordinate):
@@ -113,7 +132,7 @@ def large_motion(swing: Swing, exact: Formula, slope: Formula, search: Search) -
         search.planner.extend(equation)
 
 
-def settle_equilibrium(swing: Swing, search: Search) -> None:
+def settle_equilibrium(swing: Swing, search: Stepping) -> None:
     """How far springs and wires are stretched; what balance does not tell stays a letter, which has to drop out."""
     for place in swing.unsettled:
         try:
@@ -122,7 +141,7 @@ def settle_equilibrium(swing: Swing, search: Search) -> None:
             search.known.add(place)
 
 
-def acceleration_of(swing: Swing, search: Search) -> Formula:
+def acceleration_of(swing: Swing, search: Stepping) -> Formula:
     """The acceleration as a function of the displacement; found once."""
     if swing.acceleration.name not in search.displaced:
         settle_equilibrium(swing, search)
@@ -134,7 +153,7 @@ def acceleration_of(swing: Swing, search: Search) -> Formula:
     return search.displaced[swing.acceleration.name]
 
 
-def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Search) -> None:
+def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Stepping) -> None:
     """Small swings need an equilibrium, and one to which the bodies are driven back."""
     name, state = spoken(swing.body), spoken(swing.rest.state) if not swing.found else "the equilibrium"
     at_rest = exact.substitute({swing.coordinate.name: ZERO})
@@ -150,7 +169,7 @@ def check_stable(swing: Swing, exact: Formula, slope: Formula, search: Search) -
         raise NotYet(f"`{name}` has no small swings about {state}: the equilibrium is unstable")
 
 
-def slope_in(unknowns: frozenset[str], swing: Swing, search: Search) -> tuple[Formula, Words]:
+def slope_in(unknowns: frozenset[str], swing: Swing, search: Stepping) -> tuple[Formula, Words]:
     """The slope of the acceleration at the equilibrium while some letters are still unknown, and how it is told."""
     search.known |= unknowns
     exact = acceleration_of(swing, search)
@@ -163,7 +182,7 @@ def slope_in(unknowns: frozenset[str], swing: Swing, search: Search) -> tuple[Fo
     return slope, (swing.acceleration, " ≈ ", first_order, ", as ", *approximations(exact, swing.coordinate))
 
 
-def observe(swing: Swing, search: Search) -> None:
+def observe(swing: Swing, search: Stepping) -> None:
     """Swings of which a state tells the period: what it says of the letters that are asked for."""
     if swing.harmonic in search.swung:
         return
@@ -176,7 +195,7 @@ def observe(swing: Swing, search: Search) -> None:
         search.planner.extend(equation)
 
 
-def verge_equation(swing: Swing, unknown: str, modifier: str, search: Search) -> Equation:
+def verge_equation(swing: Swing, unknown: str, modifier: str, search: Stepping) -> Equation:
     """Where an equilibrium is only just stable: displaced a little, nothing drives the bodies back or away."""
     slope, told = slope_in(frozenset((unknown,)), swing, search)
     search.displaced.pop(swing.acceleration.name)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Protocol, TypeVar
 from msgspec.structs import replace
 
 from rotsolve.core.faults import Unsolvable
-from rotsolve.derivation.validity import ROOT
+from rotsolve.derivation.requirements import ROOT
 from rotsolve.grading.course.report.student import Task
 from rotsolve.grading.verdict import Marked, Paper
 from rotsolve.pipeline import solve_problem

@@ -13,7 +13,7 @@ from rotsolve.algebra.units.dimension import TIME as DURATION
 from rotsolve.algebra.units.unit_table import ONE_UNIT
 from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME, key_of
-from rotsolve.derivation.letters import in_letters
+from rotsolve.derivation.letters import in_printed_letters
 from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
@@ -114,7 +114,7 @@ class SceneLetters(Struct, frozen=True, dict=True):
     def written(self, closed: Formula | None) -> Formula | None:
         """A closed form with the variables of its integrals as they are printed."""
         names = {key: name for key, name in self.meanings.names.items() if key != TIME}
-        return None if closed is None else in_letters(closed, names)
+        return None if closed is None else in_printed_letters(closed, names)
 
     def meant(self, typed: Formula) -> Formula:
         """A typed formula with the running time under its own name, and with bare letters at the state that is asked about."""
