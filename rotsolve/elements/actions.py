@@ -20,6 +20,7 @@ WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
+SQUARE = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm
 
 
 class AppliedForce(Action, frozen=True):
@@ -42,7 +43,7 @@ class AppliedForce(Action, frozen=True):
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
         own = super().pace(configuration, state)
-        along = self.direction in (None, "tangential", "clockwise", "counterclockwise")
+        along = self.direction in SQUARE
         if self.on is None or along or self.on.owner not in configuration.bodies or self.over or self.under:
             return own
         held = configuration.pivot(configuration.host(self.on.owner, state), state)
@@ -65,10 +66,8 @@ class AppliedForce(Action, frozen=True):
         """Unit vector of the force, and where it acts from the body's reference."""
         name, motion = instant.host(on.owner), instant.motion(on.owner)
         radius = rim_radius(instant.body(on.owner), on.point) if instant.is_round(on.owner) else None
-        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), motion.sense)
-        if self.direction in (None, "tangential", "clockwise", "counterclockwise") and (
-            motion.kind == "axis" or self.direction is not None
-        ):
+        turn = turn_sense(self.direction, motion.sense)
+        if self.direction in SQUARE and (motion.kind == "axis" or self.direction is not None):
             if on.point in ("rim", None) or on.point in dict(instant.body(on.owner).radii):
                 return unit(UP if turn > 0 else DOWN), vector(radius or ZERO, RIGHT)
             arm = instant.point(on)
@@ -121,7 +120,7 @@ class AppliedCouple(Action, frozen=True):
         if self.on is None:
             return
         name, size = instant.host(self.on.owner), self.now(instant)
-        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), instant.sense(name))
+        turn = turn_sense(self.direction, instant.sense(name))
         if isinstance(size, Negative):  # a drag −c ω is a torque c ω the other way
             size, turn = size.operand, -turn
         way = "clockwise" if turn < 0 else "counterclockwise"
@@ -187,6 +186,11 @@ class AppliedPower(Action, frozen=True):
             yield facts.Rule(
                 self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
             )
+
+
+def turn_sense(direction: Direction | None, natural: int) -> int:
+    """+1 for a counterclockwise turn, −1 for a clockwise one; the natural one where the direction says neither."""
+    return {"clockwise": -1, "counterclockwise": 1}.get(str(direction), natural)
 
 
 def pointing(direction: Direction) -> Vector:

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
-from rotsolve.elements.actions import DIRECTIONS, Direction, pointing
+from rotsolve.elements.actions import DIRECTIONS, SQUARE, Direction, pointing, turn_sense
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
@@ -100,10 +100,10 @@ class Impulse(Event, frozen=True):
     def blows(self, ref: PointRef, body: BodyFacts, instant: Moment) -> Iterator[Force]:
         """Its own impulse, from outside."""
         size, arm = self.impulse or ZERO, self.spot(ref, instant)
-        if self.direction not in (None, "tangential", "clockwise", "counterclockwise"):
+        if self.direction is not None and self.direction not in SQUARE:
             push = pointing(self.direction)
         else:
-            turn = {"clockwise": -1, "counterclockwise": 1}.get(str(self.direction), body.motion.sense)
+            turn = turn_sense(self.direction, body.motion.sense)
             radius = rim_radius(instant.body(body.name), ref.point)
             if arm.parts:
                 push = unit(arm.parts[0][1].turned(90 * turn))
