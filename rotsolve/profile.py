@@ -79,29 +79,23 @@ def stage(name: str, *, whole: bool = False) -> Any:
 
 def staged(name: str) -> Callable[[Function], Function]:
     """A function that is a stage of the solution."""
-
-    def decorate(function: Function) -> Function:
-        @wraps(function)
-        def timed(*given: Any, **named: Any) -> Any:
-            if _profile is None:
-                return function(*given, **named)
-            with _profile.stage(name, False):
-                return function(*given, **named)
-
-        return cast(Function, timed)
-
-    return decorate
+    return measured(lambda profile: profile.stage(name, False))
 
 
 def of_kind(name: str) -> Callable[[Function], Function]:
     """A function that does a kind of work in several stages."""
+    return measured(lambda profile: profile.kind(name))
+
+
+def measured(booked: Callable[[Profile], Any]) -> Callable[[Function], Function]:
+    """A function whose time is booked where a profile is recorded."""
 
     def decorate(function: Function) -> Function:
         @wraps(function)
         def timed(*given: Any, **named: Any) -> Any:
             if _profile is None:
                 return function(*given, **named)
-            with _profile.kind(name):
+            with booked(_profile):
                 return function(*given, **named)
 
         return cast(Function, timed)

@@ -109,8 +109,8 @@ def read_density(
     scope: Scope, node: Node, owner: str, shape: type[Shape] | None, fields: dict[str, Any]
 ) -> Formula | None:
     """A density that is the same everywhere, or a formula of the coordinates of the shape."""
-    built = fields.get("shape")
-    if shape is None or not isinstance(built, Shape) or built.spread not in DENSITIES:
+    built: Shape | None = fields.get("shape")
+    if shape is None or built is None or built.spread not in DENSITIES:
         what = f"a {shape.word}" if shape else "a body without a shape"
         scope.fault(node, f"{what} has no density", "give its `mass`", "form")
         return None

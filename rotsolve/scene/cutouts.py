@@ -51,11 +51,10 @@ class Outline(Struct, frozen=True):
 
 def check_holes(scope: Scope, name: str, node: Node, body: Body) -> None:
     """Holes lie within a body, beside each other, and take away less than all of it."""
-    if isinstance(body.shape, Shape) and all(isinstance(hole.body.shape, Shape) for hole in body.holes):
-        whole, *cut = (rough_measure(scope, shape) for shape in (body.shape, *(hole.body.shape for hole in body.holes)))
-        if whole is not None and sum(size or 0.0 for size in cut) >= whole:
-            scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
-            return
+    whole, *cut = (rough_measure(scope, part.shape) for part in (body, *(hole.body for hole in body.holes)))
+    if whole is not None and sum(size or 0.0 for size in cut) >= whole:
+        scope.fault(node, f"the holes leave nothing of `{name}`", kind="limits")
+        return
     written = scope.entries(node, f"the parts of `{name}`") if isinstance(node, Map) else {}
     edge = outline(scope, Part(body, (ZERO, ZERO)))
     holes = [(hole.body.name, outline(scope, hole)) for hole in body.holes]
@@ -78,7 +77,7 @@ def outline(scope: Scope, part: Part) -> Outline | None:
     place = [rough(x, numbers) for x in (part.at or (ZERO, ZERO))]
     angle = 0.0 if part.angle is None else rough(part.angle, numbers)
     spot = tuple(x for x in place if x is not None)
-    if not isinstance(shape, Shape) or len(spot) < len(place) or angle is None:
+    if shape is None or len(spot) < len(place) or angle is None:
         return None
     sides = [rough(side, numbers) for side in shape.box()]
     if len(sides) == 2 and sides[0] is not None and sides[1] is not None:
@@ -92,9 +91,9 @@ def outline(scope: Scope, part: Part) -> Outline | None:
     return None if radius is None or inner is None else Outline(spot, radius, inner)
 
 
-def rough_measure(scope: Scope, shape: object) -> float | None:
+def rough_measure(scope: Scope, shape: Shape | None) -> float | None:
     """The area or length of a shape as a rough number."""
     try:
-        return rough(shape.measure(), scope.numbers) if isinstance(shape, Shape) else None
+        return None if shape is None else rough(shape.measure(), scope.numbers)
     except (NotImplementedError, TypeError, IndexError):
         return None  # a size is left out
