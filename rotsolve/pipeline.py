@@ -17,12 +17,12 @@ from rotsolve.language.problem import Problem, TimeValue
 from rotsolve.motion.block import asked_block, left_out
 from rotsolve.motion.complete import configured
 from rotsolve.motion.configuration import Configuration
+from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
 from rotsolve.search.answering import answer_all
 from rotsolve.search.answers import unsolvable
-from rotsolve.search.friction import Decision, decide, said_otherwise
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solution import Solution, Trace
@@ -30,6 +30,7 @@ from rotsolve.solution import Solution, Trace
 if TYPE_CHECKING:
     from rotsolve.derivation.meanings import Meanings
     from rotsolve.derivation.requirements import Validity
+    from rotsolve.search.friction import Decision
 
 MOST_DIGITS = 1000
 
@@ -61,11 +62,9 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         configuration = asked_part(problem)
     try:
         with stage("friction", whole=True):
-            decision = decide(configuration)
-        for clash in said_otherwise(configuration, decision.modes):
-            raise clash
+            decision = decided(configuration)
         with stage("laws"):
-            scene = decision.scene or SceneEquations(configuration)
+            scene = (decision and decision.scene) or SceneEquations(configuration)
             search = Search(scene, families_for(law), spare=law is not None)
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
@@ -80,8 +79,21 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     return composed(problem, search, balls, decision, digits, at)
 
 
+def decided(configuration: Configuration) -> Decision | None:
+    """How all that rubs behaves; None where nothing does, and no state says how a contact moves."""
+    spoken_of = any(line.word for state in configuration.timeline.states for line in state.conditions)
+    if not spoken_of and not rubs(configuration):
+        return None
+    from rotsolve.search.friction import decide, said_otherwise
+
+    decision = decide(configuration)
+    for clash in said_otherwise(configuration, decision.modes):
+        raise clash
+    return decision
+
+
 def composed(
-    problem: Problem, search: Search, balls: KnownBalls, decision: Decision, digits: int, at: str | None
+    problem: Problem, search: Search, balls: KnownBalls, decision: Decision | None, digits: int, at: str | None
 ) -> Solution:
     """The answers of a search as a derivation with its checks."""
     with stage("compose", whole=True):
@@ -90,7 +102,9 @@ def composed(
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls)
     with stage("compose", whole=True):
-        derivation = with_missing_told(composer.derivation(held, before, decision.trials), composer.problem)
+        derivation = with_missing_told(
+            composer.derivation(held, before, () if decision is None else decision.trials), composer.problem
+        )
     beside = left_out(problem, composer.problem)
     skipped("bodies", beside)
     counted("equations written", derivation.equations_written)
@@ -105,9 +119,9 @@ def composed(
     return Solution(problem=problem, derivation=derivation, trace=trace, digits=digits)
 
 
-def sections_before(decision: Decision) -> tuple[tuple[Section, ...], int]:
+def sections_before(decision: Decision | None) -> tuple[tuple[Section, ...], int]:
     """The sections that show what slips, and the number of the first equation after them."""
-    if not decision.slipping:
+    if decision is None or not decision.slipping:
         return (), 1
     from rotsolve.derivation.friction import slipping_sections
 

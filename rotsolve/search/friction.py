@@ -44,9 +44,9 @@ class Decision(Struct, frozen=True):
     """How all that rubs behaves: by which trials, and which contacts are shown not to stick."""
 
     modes: dict[str, str]
+    scene: SceneEquations | None = None  # with these modes, where trials have looked at it
     trials: tuple[Trial, ...] = ()
     slipping: tuple[SlippingContact, ...] = ()
-    scene: SceneEquations | None = None  # with these modes, where trials have looked at it
 
 
 def decide(configuration: Configuration, at_rest: Collection[str] = ()) -> Decision:
@@ -83,7 +83,7 @@ class Trials:
                 )
                 self.modes.update((self.by_trial if stacked else self.by_motion)(group))
         modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
-        return Decision(modes, tuple(self.made), tuple(self.slipping), self.scene.where(modes))
+        return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
 
     def search(self, modes: Mapping[str, str], families: tuple[str, ...] = (NEWTON,)) -> Search:
         """What the laws tell where what rubs moves as it is supposed to; the same supposition is looked into once."""
