@@ -13,14 +13,14 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, total
-from rotsolve.algebra.tape import BITS, ONE
+from rotsolve.algebra.tape import BITS
 from rotsolve.core.facts import BodyFacts, Force
-from rotsolve.core.symbols import GENERIC, TIME, SymbolKey
+from rotsolve.core.symbols import GENERIC, SymbolKey
 from rotsolve.core.vectors.heading import RIGHT, UP
 from rotsolve.laws import energy
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime
-from rotsolve.simulation.series import BALLS, FLOATS, Expansion
-from rotsolve.simulation.system import System
+from rotsolve.simulation.series import BALLS, FLOATS
+from rotsolve.simulation.system import Readout, System
 from rotsolve.simulation.tape import Scalar
 
 LOOKS = 400  # moments of a regime at which the balance is drawn; where it takes integrals, its first steps
@@ -105,11 +105,8 @@ class Values:
     """Reads some places on a tape at moments of a regime, by its main run, in its own numbers."""
 
     def __init__(self, part: Regime, places: Sequence[int]) -> None:
-        system, self.part, self.places = part.system, part, places
-        arithmetic = FLOATS if part.bits == FLOAT_BITS else BALLS
-        self.letters = [system.letters[item.letter] for item in system.variables]
-        self.clock, self.one = system.letters[TIME], arithmetic.number(ONE)
-        self.expansion = Expansion(system.tape, places, arithmetic)
+        self.part = part
+        self.readout = Readout(part.system, dict(enumerate(places)), FLOATS if part.bits == FLOAT_BITS else BALLS)
 
     def fed(self, start: float, length: float, halvings: int = 6) -> float:
         """∫ rate dt over a time, halved until both halves make the whole."""
@@ -126,9 +123,7 @@ class Values:
         return half * fsum(weight * float(self.at(moment)[1]) for weight, moment in moments)
 
     def at(self, time: float) -> list[Scalar]:
-        state = dict(zip(self.letters, self.part.middle(time), strict=True))
-        self.expansion.begin({**state, self.clock: self.one * time})
-        return [self.expansion.lists[place][0] for place in self.places]
+        return list(self.readout.read(time, self.part.middle(time)).values())
 
 
 def energy_balance(system: System) -> Iterator[Balance]:

@@ -17,9 +17,8 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.ball import Precision
 from rotsolve.algebra.flints import arb
-from rotsolve.core.symbols import TIME
-from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic, Expansion
-from rotsolve.simulation.system import System
+from rotsolve.simulation.series import BALLS, COARSE_FLOATS, FLOATS, MIXED_FLOATS, Arithmetic
+from rotsolve.simulation.system import Readout, System
 from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.taylor import Stepper, Trajectory, Walker, horner, order_for
 from rotsolve.simulation.watches import Hit, Lookout, Watch
@@ -121,7 +120,7 @@ class Regime(Struct):
         marks = self.marks()
         around = list(self.around(marks, time))
         fresh = [mark for mark in around if not self.spread.get(mark, {}).keys() >= set(names)]
-        reading = Readout(self.system, names)
+        reading = Readout(self.system, {name: self.system.outputs[name] for name in names})
         for mark in fresh:
             self.spread.setdefault(mark, {}).update(self._gaps(reading, mark))
         rows = [self._gaps(reading, time), *(self.spread[mark] for mark in around)]
@@ -238,18 +237,3 @@ def measure_bounds(found: Regime, before: Sequence[float]) -> None:
 def farthest(number: Scalar, others: Sequence[Scalar]) -> float:
     """The largest difference of a number from others."""
     return max((abs(float(number - other)) for other in others), default=0.0)
-
-
-class Readout:
-    """Reads quantities from the numbers of the state at a moment, in balls."""
-
-    def __init__(self, system: System, names: Sequence[str]) -> None:
-        self.letters = [system.letters[item.letter] for item in system.variables]
-        self.clock = system.letters[TIME]
-        self.places = {name: system.outputs[name] for name in names}
-        self.expansion = Expansion(system.tape, list(self.places.values()), BALLS)
-
-    def read(self, time: float, state: Sequence[Scalar]) -> dict[str, Scalar]:
-        letters = {place: arb(number) for place, number in zip(self.letters, state, strict=True)}
-        self.expansion.begin({**letters, self.clock: arb(time)})
-        return {name: self.expansion.lists[place][0] for name, place in self.places.items()}

@@ -7,9 +7,7 @@ from collections.abc import Callable, Collection, Mapping, Sequence
 from msgspec import Struct, field
 
 from rotsolve.algebra.certified.ball import Precision
-from rotsolve.algebra.flints import arb
 from rotsolve.algebra.tape import Exact
-from rotsolve.core.symbols import TIME
 from rotsolve.language.problem import State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.rubs import rubs
@@ -18,7 +16,6 @@ from rotsolve.simulation.beginning import scene_at, scene_from
 from rotsolve.simulation.bounded import (
     FLOAT_BITS,
     SAFETY,
-    Readout,
     Regime,
     States,
     Times,
@@ -30,8 +27,7 @@ from rotsolve.simulation.bounded import (
     start_of,
 )
 from rotsolve.simulation.compiling import compiled
-from rotsolve.simulation.series import BALLS, Expansion
-from rotsolve.simulation.system import System
+from rotsolve.simulation.system import Readout, System
 from rotsolve.simulation.tape import Scalar
 from rotsolve.simulation.watches import BREAKS, REACHED, SLIPS, TURNS, Watch, is_told, place_on_tape, watches
 
@@ -171,12 +167,7 @@ class Follower(Struct, dict=True):
             places = {
                 name: place_on_tape(system, slip) for name, slip in slips.items() if slip and is_told(system, slip)
             }
-            expansion = Expansion(system.tape, list(places.values()), BALLS)
-            state = {
-                system.letters[item.letter]: ball for item, ball in zip(system.variables, part.state(time), strict=True)
-            }
-            expansion.begin({**state, system.letters[TIME]: arb(time)})
-            return {name: expansion.lists[place][0] for name, place in places.items()}
+            return Readout(system, places).read(time, part.state(time))
 
     def _reconfigured(self, state: State) -> bool:
         """Whether something else acts from a state on that is reached; an event that it starts is not followed."""
@@ -200,7 +191,7 @@ class Follower(Struct, dict=True):
 
     def _read(self, system: System, state: Sequence[Scalar], time: float) -> Mapping[str, Scalar]:
         with Precision(max(READING_BITS, 2 * self.tolerances.bits)):
-            return Readout(system, tuple(system.outputs)).read(time, state)
+            return Readout(system, system.outputs).read(time, state)
 
     def _carried(self, system: System, following: System, state: Sequence[Scalar], time: float) -> list[Scalar]:
         """The state at an event in the numbers of the system that follows."""

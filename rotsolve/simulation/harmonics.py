@@ -24,7 +24,7 @@ class TooLong(Exception):
     """The sum has too many terms to be worth it."""
 
 
-def reduced(tape: SeriesTape, places: Sequence[int]) -> list[int]:
+def fewer_products(tape: SeriesTape, places: Sequence[int]) -> list[int]:
     """The same values written as sums of single sines and cosines, where that takes fewer products."""
     try:
         shorter = [write_terms(tape, terms_of(tape, place, {})) for place in places]

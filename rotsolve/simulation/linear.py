@@ -8,7 +8,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula, Negative, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.tape import ONE, ZERO, Unwritable
-from rotsolve.simulation.harmonics import reduced
+from rotsolve.simulation.harmonics import fewer_products
 from rotsolve.simulation.tape import Block, SeriesTape, vanishes
 
 REST = ""  # stands for the part without unknowns
@@ -158,7 +158,7 @@ class Linear(Struct):
             if len(names) != len(rows):
                 continue
             zero, size = self.tape.number(ZERO), len(rows) + 1
-            entries = reduced(self.tape, [row.get(name, zero) for row in rows for name in (*names, REST)])
+            entries = fewer_products(self.tape, [row.get(name, zero) for row in rows for name in (*names, REST)])
             table = [entries[k : k + size] for k in range(0, len(entries), size)]
             right = tuple(self.tape.scaled(row[-1], -ONE) for row in table)
             if len(names) == 1:

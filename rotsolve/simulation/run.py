@@ -13,8 +13,9 @@ from rotsolve.algebra.flints import arb
 from rotsolve.language.problem import Problem
 from rotsolve.page.columns import page_text
 from rotsolve.simulation.balance import Drift, drift
-from rotsolve.simulation.bounded import Readout, Regime
+from rotsolve.simulation.bounded import Regime
 from rotsolve.simulation.following import READING_BITS, Occurrence
+from rotsolve.simulation.system import Readout
 from rotsolve.simulation.tape import Scalar
 
 WIDTH = 120  # columns of a printed run
@@ -84,7 +85,9 @@ class Run(Struct, dict=True):
         wanted = tuple(name for name in (names or part.system.outputs) if name in part.system.outputs)
         with Precision(max(READING_BITS, 2 * part.bits)):
             if (number, wanted) not in self._readings:
-                self._readings[number, wanted] = Readout(part.system, wanted)
+                self._readings[number, wanted] = Readout(
+                    part.system, {name: part.system.outputs[name] for name in wanted}
+                )
             reading = self._readings[number, wanted]
             found = reading.read(time, part.state(time))
             direct = {item.name for item in part.system.variables}

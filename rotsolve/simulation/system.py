@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from typing import Any
 
 from msgspec import Struct
 
+from rotsolve.algebra.flints import arb
 from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Facts
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import TIME, is_key, key_of
 from rotsolve.motion.instant import Instant
 from rotsolve.paths.meaning import NotYet
-from rotsolve.simulation.series import FLOATS, Expansion, nearest_float
-from rotsolve.simulation.tape import SeriesTape, vanishes
+from rotsolve.simulation.series import BALLS, FLOATS, Arithmetic, Expansion, nearest_float
+from rotsolve.simulation.tape import Scalar, SeriesTape, vanishes
 
 
 class Variable(Struct, frozen=True):
@@ -41,6 +43,21 @@ class System(Struct, frozen=True):
     letters: Mapping[str, int]
     facts: Facts
     moment: Instant
+
+
+class Readout:
+    """Reads values on the tape of a system by the numbers of its state at a moment, in balls or in floats."""
+
+    def __init__(self, system: System, places: Mapping[Any, int], arithmetic: Arithmetic = BALLS) -> None:
+        self.letters = [system.letters[item.letter] for item in system.variables]
+        self.clock, self.places = system.letters[TIME], places
+        self.number: Callable[[Scalar], Scalar] = float if arithmetic is FLOATS else arb
+        self.expansion = Expansion(system.tape, list(places.values()), arithmetic)
+
+    def read(self, time: float, state: Sequence[Scalar]) -> dict[Any, Scalar]:
+        letters = {place: self.number(number) for place, number in zip(self.letters, state, strict=True)}
+        self.expansion.begin({**letters, self.clock: self.number(time)})
+        return {name: self.expansion.lists[place][0] for name, place in self.places.items()}
 
 
 def path_name(letter: str) -> str:

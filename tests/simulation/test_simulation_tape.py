@@ -13,7 +13,7 @@ from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Number
 from rotsolve.algebra.notation.parse import parse
 from rotsolve.algebra.tape import BITS, Unwritable
-from rotsolve.simulation.harmonics import reduced
+from rotsolve.simulation.harmonics import fewer_products
 from rotsolve.simulation.linear import Contradictory, Linear
 from rotsolve.simulation.series import FLOATS, Expansion, rough_value
 from rotsolve.simulation.tape import SeriesTape
@@ -44,7 +44,7 @@ def test_a_formula_is_worth_the_same_on_the_tape(text: str) -> None:
         tape = SeriesTape()
         letters = {name: tape.letter(name) for name in ("x", "y")}
         place = tape.formula(formula, letters)
-        places = [place, *reduced(tape, [place, place])]
+        places = [place, *fewer_products(tape, [place, place])]
     exact = evaluate(formula, {"x": Number(X), "y": Number(Y)}).float
     at = {"x": fmpq(X.numerator, X.denominator), "y": fmpq(Y.numerator, Y.denominator)}
     assert all(abs(rough_value(tape, found, at) - exact) < 1e-14 * max(1, abs(exact)) for found in places)
