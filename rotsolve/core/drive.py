@@ -30,19 +30,19 @@ class Drive(Struct, frozen=True):
     sense: int = 1
 
     @property
-    def words(self) -> tuple[str, str, str]:
+    def kinds(self) -> tuple[str, str, str]:
         """The coordinate, its rate and its acceleration."""
         return TURNING if self.word in TURNING else TRAVELLING
 
     @property
     def order(self) -> int:
         """0 where the coordinate is given, 1 for its rate, 2 for its acceleration."""
-        return self.words.index(self.word)
+        return self.kinds.index(self.word)
 
     def rates(self) -> dict[str, Formula]:
         """What is given and all that differentiation makes of it: ω = dθ/dt, α = dω/dt."""
         found, current = {self.word: self.function}, self.function
-        for word in self.words[self.order + 1 :]:
+        for word in self.kinds[self.order + 1 :]:
             current = derivative(current)
             if word == "angular_velocity" and self.sense < 0:
                 current = negate(current)
@@ -52,7 +52,7 @@ class Drive(Struct, frozen=True):
     @property
     def pace(self) -> str:
         """How the acceleration varies (see core.symbols)."""
-        return pace_of(self.rates()[self.words[2]])
+        return pace_of(self.rates()[self.kinds[2]])
 
 
 def derivative(function: Formula) -> Formula:

@@ -47,7 +47,10 @@ class Law(Struct, frozen=True):
     words: str = "{words}"
     family: str = ""
     cost: int = 2
-    steady: bool = False  # of constant acceleration: of all those of one coordinate in a phase only two are independent
+    steady: str = (
+        ""  # the coordinate, of those of constant acceleration: of all of one in a phase only two are independent
+    )
+    mean: bool = False  # of these, mean velocity × time
     condenses: bool = False  # may stand in for one of Newton's laws of its bodies
     shifts: bool = False  # takes a moment of inertia to another axis, by M d² as its last term
     kinetic: bool = False  # says what a kinetic energy is
@@ -146,11 +149,15 @@ STRETCH = Law("stretch")
 GIVEN_MOTION = Law("given motion", "{quantity} {letters}, {body}", KINEMATICS, 1)
 PERIOD = Law("period", "period of {body}, T = 2π/ω", KINEMATICS, 1)
 STEADY = Law("steady rotation", "{body} turns steadily", KINEMATICS, 1)
-STEADY_TRAVEL = Law("constant acceleration", "constant acceleration, {body}", KINEMATICS, steady=True)
-STEADY_TURN = Law("constant angular acceleration", "constant angular acceleration, {body}", KINEMATICS, steady=True)
-TRAVEL_AT_ANY_TIME = Law("travel at any time", "constant acceleration, at any time, {body}", KINEMATICS, 3, steady=True)
+STEADY_TRAVEL = Law("constant acceleration", "constant acceleration, {body}", KINEMATICS, steady="way")
+STEADY_TURN = Law("constant angular acceleration", "constant angular acceleration, {body}", KINEMATICS, steady="angle")
+TRAVEL_BY_MEAN = Law("mean velocity", STEADY_TRAVEL.words, KINEMATICS, 3, steady="way", mean=True)
+TURN_BY_MEAN = Law("mean angular velocity", STEADY_TURN.words, KINEMATICS, 3, steady="angle", mean=True)
+TRAVEL_AT_ANY_TIME = Law(
+    "travel at any time", "constant acceleration, at any time, {body}", KINEMATICS, 3, steady="way at any time"
+)
 TURN_AT_ANY_TIME = Law(
-    "turn at any time", "constant angular acceleration, at any time, {body}", KINEMATICS, 3, steady=True
+    "turn at any time", "constant angular acceleration, at any time, {body}", KINEMATICS, 3, steady="angle at any time"
 )
 IN_TIME = Law("in time", "{words}, {body}", KINEMATICS)
 BY_PLACE = Law("by place", "{words}, {body}", KINEMATICS)

@@ -97,12 +97,12 @@ def of_kinds(names: Iterable[str], kinds: Iterable[str]) -> list[str]:
     return sorted(name for name in names if key_of(name).kind in wanted)
 
 
-def asked_name(name: str) -> str:
+def asked_symbol(name: str) -> str:
     """The symbol of a question by the name of its answer."""
     return f"{ASKED}{_BAR}{name}"
 
 
-def part_name(name: str, axis: str) -> str:
+def component_symbol(name: str, axis: str) -> str:
     """The symbol of a component of what is asked."""
     return f"{name}{_BAR}{axis}"
 
@@ -124,6 +124,17 @@ def phase_midst(when: str) -> str:
 def real(when: str) -> str:
     """A moment without the mark of a motion that is only thought of."""
     return when.replace(VIRTUAL, "")
+
+
+def rub_key(name: str, state: str) -> str:
+    """What rubs, in the phase that starts at a state: the key of its mode."""
+    return f"{name}@{state}"
+
+
+def rub_of(key: str) -> tuple[str, str]:
+    """Name and first state of what rubs, by its key."""
+    name, _, state = key.rpartition("@")
+    return name, state
 
 
 def at_any_time(names: Iterable[str]) -> bool:

@@ -17,7 +17,7 @@ from rotsolve.core.faults import Span
 from rotsolve.core.passage import Encounter, Passage, Travel
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
-from rotsolve.core.symbols import is_key
+from rotsolve.core.symbols import is_key, rub_of
 from rotsolve.equations.states import Fixed, Statements
 from rotsolve.language.problem import Condition, Path, State, Term
 from rotsolve.laws.table import (
@@ -69,7 +69,7 @@ class SceneEquations(Struct, dict=True):
 
         Where a state speaks of what rubs, what it fixes may depend on the modes, and is taken anew.
         """
-        rubbing = {key.partition("@")[0] for key in {*modes, *self.modes}}
+        rubbing = {rub_of(key)[0] for key in {*modes, *self.modes}}
         states = self.configuration.timeline.states
         if any(line.path is not None and line.path.owner in rubbing for state in states for line in state.conditions):
             return SceneEquations(self.configuration, modes)
@@ -88,7 +88,7 @@ class SceneEquations(Struct, dict=True):
     def modes_at(self, state: str) -> tuple[tuple[str, str], ...]:
         """How what rubs at a state moves there, as far as it does not stick."""
         start = self.configuration.phase_start(state)
-        return tuple(sorted(item for item in self.modes.items() if item[0].rpartition("@")[2] == start))
+        return tuple(sorted(item for item in self.modes.items() if rub_of(item[0])[1] == start))
 
     def instant(self, state: str, *, generic: bool = False, virtual: bool = False) -> Instant:
         key = (state, generic, virtual)

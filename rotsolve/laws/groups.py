@@ -25,12 +25,12 @@ def rate_of_angular_momentum(at: OfGroup) -> Iterator[Equation]:
         return
     turning = [body for body in bodies if body.motion.kind == "axis"]
     if len(turning) == 1:
-        yield from about_axis(turning[0], [body for body in bodies if body is not turning[0]], at.section)
+        yield from about_axle(turning[0], [body for body in bodies if body is not turning[0]], at.section)
     elif len(bodies) == 1 and bodies[0].motion.kind == "line" and bodies[0].motion.turns:
         yield from about_contact(bodies[0], at.section)
 
 
-def about_axis(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Iterator[Equation]:
+def about_axle(wheel: BodyFacts, others: list[BodyFacts], section: str) -> Iterator[Equation]:
     """I α + Σ R m a = τ: a body on a string that runs off the wheel has the rim's radius for its arm."""
     sense, rates = wheel.motion.sense, [response(wheel)]
     pushes: list[Formula] = []

@@ -35,7 +35,7 @@ HALF = Number(Fraction(1, 2))
 
 def moment(spread: Spread, entry: str) -> Told:
     """An entry of the inertia tensor about the spread's point, as a letter of its own with what defines it."""
-    told = product(spread, entry) if entry not in ONE_AXIS else one_axis(spread, entry)
+    told = product_of_inertia(spread, entry) if entry not in ONE_AXIS else one_axis(spread, entry)
     if told.formula == ZERO or isinstance(told.formula, Symbol):
         return told
     letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.spot}")
@@ -166,7 +166,7 @@ def share(spread: Spread, piece: RigidPiece, mass: Formula, entry: str) -> tuple
     return (negate(letter) if cut_out else letter), [equation]
 
 
-def product(spread: Spread, entry: str) -> Told:
+def product_of_inertia(spread: Spread, entry: str) -> Told:
     """A product of inertia: the own ones of the pieces less Σ m x y."""
     if len(spread.pieces) == 1 and (spread.integrates or not spread.pieces[0].shape.tabled):
         return Told(*by_integration(spread, spread.pieces[0], entry))

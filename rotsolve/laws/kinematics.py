@@ -18,7 +18,9 @@ from rotsolve.core.equation import (
     SUMMED_OVER_WAY,
     TIME_ELAPSED,
     TRAVEL_AT_ANY_TIME,
+    TRAVEL_BY_MEAN,
     TURN_AT_ANY_TIME,
+    TURN_BY_MEAN,
     Equation,
 )
 from rotsolve.core.facts import signed, square
@@ -49,7 +51,7 @@ def motion_over_phase(over: OverPhase) -> Iterator[Equation]:
             words = CHANGE[travel.kind] if travel.arm == ONE else "way along the circle"
             yield COORDINATE.equation(travel.change, change, section, (travel.body,), words=words)
         if travel.running is not None:
-            yield from at_any_time(travel, passage, section)
+            yield from travel_at_any_time(travel, passage, section)
     if passage.times[0] != passage.times[1]:
         yield TIME_ELAPSED.equation(passage.duration, passage.times[1] - passage.times[0], section)
 
@@ -63,11 +65,12 @@ def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equatio
         travel.change,
         passage.duration,
     )
-    law, bodies = STEADY_TRAVEL if travel.kind == "line" else STEADY_TURN, (travel.body,)
+    law, mean = (STEADY_TRAVEL, TRAVEL_BY_MEAN) if travel.kind == "line" else (STEADY_TURN, TURN_BY_MEAN)
+    bodies = (travel.body,)
     yield law.equation(after, before + rate * time, section, bodies)
     yield law.equation(change, before * time + HALF * rate * square(time), section, bodies, cost=3)
     yield law.equation(square(after), square(before) + TWO * rate * change, section, bodies, cost=3)
-    yield law.equation(change, HALF * (before + after) * time, section, bodies, ("mean velocity × time",), cost=3)
+    yield mean.equation(change, HALF * (before + after) * time, section, bodies, ("mean velocity × time",))
 
 
 def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
@@ -83,7 +86,7 @@ def varying(travel: Travel, passage: Passage, section: str) -> Iterator[Equation
     yield IN_TIME.equation(travel.change, Integral(travel.moving, TIME, start, end), section, bodies, words=words)
 
 
-def at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
+def travel_at_any_time(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
     """v(t) and the change of the coordinate up to any time, and what the coordinate is then."""
     start, now = passage.times[0], Symbol(TIME)
     change, bodies = travel.running, (travel.body,)

@@ -67,7 +67,7 @@ def of_phase(effort: Formula, name: str) -> bool:
     return all(key_of(letter).when in (name, "") for letter in effort.symbols() if is_key(letter))
 
 
-def momentum_kept(over: OverPhase) -> Iterator[Equation]:
+def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
     """p₁ = p₂ along right or up of a free body on which no force acts in that direction."""
     passage = over.passage
     for body in passage.midst.bodies:

@@ -63,14 +63,14 @@ def rates_of_given_motion(at: AtMoment) -> Iterator[Equation]:
                 continue
             left, right = given.letters[word], function.substitute({TIME: given.time})
             if left != right and not is_zero(left - right):
-                words, remark = in_letters(given, word), chain(given, word, functions)
+                words, remark = rate_in_letters(given, word), chain(given, word, functions)
                 bodies, quantity = (given.drive.body,), spoken(word)
                 yield GIVEN_MOTION.equation(left, right, at.state, bodies, remark, quantity=quantity, letters=words)
 
 
-def in_letters(given: GivenMotion, word: str) -> str:
+def rate_in_letters(given: GivenMotion, word: str) -> str:
     """ω = dθ/dt, or v_x = dx/dt."""
-    words, axis = given.drive.words, given.drive.component
+    words, axis = given.drive.kinds, given.drive.component
     names = ("θ", "ω", "α") if words == TURNING else (axis, f"v_{axis}", f"a_{axis}") if axis else ("x", "v", "a")
     k = words.index(word)
     return f"{names[k]} = d{names[k - 1]}/dt"

@@ -52,7 +52,9 @@ from rotsolve.core.equation import (
     TIME_ELAPSED,
     TORQUES,
     TRAVEL_AT_ANY_TIME,
+    TRAVEL_BY_MEAN,
     TURN_AT_ANY_TIME,
+    TURN_BY_MEAN,
     TWISTS,
     WORK,
     WORK_AND_ENERGY,
@@ -138,7 +140,14 @@ def equations_for(scope: str, at: AtMoment | OfGroup | OverPhase | ThroughEvent)
             yield from (loaded(row.function) if isinstance(row.function, str) else row.function)(at)
 
 
-STEADY_ACCELERATION = (STEADY_TRAVEL, STEADY_TURN, TRAVEL_AT_ANY_TIME, TURN_AT_ANY_TIME)
+STEADY_ACCELERATION = (
+    STEADY_TRAVEL,
+    STEADY_TURN,
+    TRAVEL_BY_MEAN,
+    TURN_BY_MEAN,
+    TRAVEL_AT_ANY_TIME,
+    TURN_AT_ANY_TIME,
+)
 
 LAWS = (
     Principle((INERTIA,), (STATE, MIDST, NEAR), "newton:moments_of_inertia"),
@@ -162,7 +171,7 @@ LAWS = (
     ),
     Principle((SEPARATED_BY_RATE, SEPARATED_BY_PLACE, SPEED_AT_PLACE), (PHASE,), "kinematics:separated"),
     Principle((TWISTS, BLOWS), (PHASE,), "momentum:impulses_over"),
-    Principle((MOMENTUM,), (PHASE,), "momentum:momentum_kept"),
+    Principle((MOMENTUM,), (PHASE,), "momentum:momentum_without_force"),
     Principle((COMMON_AXIS, ANGLES_TURNED), (PHASE,), "momentum:about_common_axes"),
     Principle((RULE_OF_WAYS,), (PHASE, RUNNING), "rules:rules_for_displacements"),
     Principle((STRETCH,), (BETWEEN,), "rules:elongations"),

@@ -81,7 +81,7 @@ def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
     """What is given of a body's motion, with the letters of this moment for all that follows from it."""
     for drive in instant.configuration.drives(name, instant.state):
         yield GivenMotion(
-            drive, {word: instant.driven(drive, word) for word in drive.words[drive.order :]}, instant.time()
+            drive, {word: instant.driven(drive, word) for word in drive.kinds[drive.order :]}, instant.time()
         )
 
 

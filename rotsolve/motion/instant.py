@@ -14,7 +14,7 @@ from rotsolve.core.facts import Bend, Motion, signed
 from rotsolve.core.quantity import PLANE, QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
-from rotsolve.core.symbols import COURSE, GENERIC, TIME, VIRTUAL, paths_in
+from rotsolve.core.symbols import COURSE, GENERIC, TIME, VIRTUAL, paths_in, rub_key
 from rotsolve.core.vectors.directions import TURNS, opposite
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
@@ -60,7 +60,7 @@ class Instant(Struct, frozen=True, dict=True):
         return VIRTUAL + self.when if self.virtual else self.when
 
     def mode(self, contact: str) -> str:
-        return self.modes.get(f"{contact}@{self.configuration.phase_start(self.state)}", "sticks")
+        return self.modes.get(rub_key(contact, self.configuration.phase_start(self.state)), "sticks")
 
     def span(self, name: str) -> str:
         """Where forces and accelerations of a body belong: to its phase while they are constant, else to this moment."""
@@ -279,7 +279,7 @@ class Instant(Struct, frozen=True, dict=True):
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
         body = self.body(name)
         own = self.frame(name)
-        if any(drive.words == TURNING for drive in self.configuration.drives(name, self.state)):
+        if any(drive.kinds == TURNING for drive in self.configuration.drives(name, self.state)):
             return True
         if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
             return body.turns is not None and rim_radius(body, None) is not None

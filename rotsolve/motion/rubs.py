@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
+from rotsolve.core.symbols import rub_key
 from rotsolve.language.elements import Connection
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class Rub(Struct, frozen=True):
 
     @property
     def key(self) -> str:
-        return f"{self.name}@{self.state}"
+        return rub_key(self.name, self.state)
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
         """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""

@@ -117,7 +117,7 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     """The way of a body along its line."""
     words = first.line(name)
     label = words[1] if words else ""
-    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.words == TRAVELLING]
+    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.kinds == TRAVELLING]
     pace, given = (drives[0].pace, drives[0].order) if drives else (pace, None)
     places = [moment.travel("position", name, label) if given == 0 else None for moment in (first, last, middle)]
     before, after = (moment.travel("velocity", name, label) for moment in (first, last))
@@ -180,7 +180,7 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
 
 def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: Instant, middle: Instant) -> Travel:
     """The turning of a body; where it is driven, the drive alone tells how its rate varies."""
-    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.words == TURNING]
+    drives = [drive for drive in first.configuration.drives(name, interval.start) if drive.kinds == TURNING]
     pace = drives[0].pace if drives else pace
     before, after, moving = (moment.rate("angular_velocity", name) for moment in (first, last, middle))
     source = middle if pace != "constant" else first

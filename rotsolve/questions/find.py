@@ -16,7 +16,7 @@ from rotsolve.algebra.units.quantities import number_in_unit
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DEFINITION, KINETIC_ENERGY, Equation, Law
 from rotsolve.core.quantity import OSCILLATING
-from rotsolve.core.symbols import asked_name, has_quantities, is_key, is_quantity, part_name
+from rotsolve.core.symbols import asked_symbol, component_symbol, has_quantities, is_key, is_quantity
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Vector
 from rotsolve.core.vectors.tensor import AXES, ENTRIES
 from rotsolve.core.writing import spoken
@@ -112,7 +112,7 @@ def component(question: Asked, vector: Vector, axis: str) -> Asked:
     own = replace(find, name=f"{find.name}_{axis}", terms=(replace(find.terms[0], path=path),))
     formula = vector.along(RIGHT if axis == "x" else UP)
     direct = is_quantity(formula)
-    letter = formula.name if isinstance(formula, Symbol) and direct else part_name(question.letter, axis)
+    letter = formula.name if isinstance(formula, Symbol) and direct else component_symbol(question.letter, axis)
     side, words = ("horizontally", ("right", "left")) if axis == "x" else ("vertically", ("up", "down"))
     return Asked(
         own,
@@ -239,7 +239,7 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
     question = Asked(
         find,
         formula,
-        asked_name(find.name),
+        asked_symbol(find.name),
         dimension,
         label=label,
         law=KINETIC_ENERGY if share else DEFINITION,

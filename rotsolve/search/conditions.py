@@ -10,7 +10,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Equality
 from rotsolve.core.equation import CONDITION
-from rotsolve.core.symbols import asked_name
+from rotsolve.core.symbols import asked_symbol
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import term_of
 from rotsolve.language.problem import Find
@@ -73,7 +73,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     if curve is None or letter not in curve.symbols():
         raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
     given = search.givens[letter]
-    own = Symbol(letter if given.asked else asked_name(find.name))
+    own = Symbol(letter if given.asked else asked_symbol(find.name))
     said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"
     equation = Equality(curve.substitute({letter: own}), value)
     order, positive = search.solver.order, search.solver.positive - {letter}

@@ -17,7 +17,7 @@ from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import FOUND
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.core.symbols import asked_name
+from rotsolve.core.symbols import asked_symbol
 from rotsolve.language.problem import Condition, Find, references
 from rotsolve.motion.positive import is_angle
 from rotsolve.paths.meaning import NotYet
@@ -271,7 +271,7 @@ def extreme_value(search: Search, find: Find) -> None:
         place = place_of_extremum(search, own, aside=True)
     at, curve = place.found.formula, quantity.found.formula
     assert at is not None and curve is not None
-    letter = Symbol(asked_name(find.name))
+    letter = Symbol(asked_symbol(find.name))
     value = search.solver.simplify(curve.substitute({letters[0]: at}))
     question = Asked(find, letter, letter.name, quantity.asked.dimension, section=quantity.asked.section)
     line = (Equality(letter, curve.substitute({letters[0]: at})), Equality(letter, value))
@@ -303,7 +303,7 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
     slope = search.solver.simplify(differentiate(curve, letter))
     said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, search)
     given = search.givens[letter]
-    own = letter if given.asked else asked_name(find.name)
+    own = letter if given.asked else asked_symbol(find.name)
     at, reason = best_place(Curve(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, search)
     flat = is_zero(
         shown.substitute({letter: at}), search.solver.positive

@@ -14,7 +14,7 @@ from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
 from rotsolve.core.facts import Force
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.symbols import RATES, has_quantities, of_kinds
+from rotsolve.core.symbols import RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.elements import Connection
@@ -94,7 +94,7 @@ class Trials:
 
     def note(self, modes: Mapping[str, str], found: Iterable[Words], holds: bool | None, why: str) -> None:
         """Remember a trial as data."""
-        supposed = tuple((key.partition("@")[0], mode.removesuffix(AT_MOST) or "turns") for key, mode in modes.items())
+        supposed = tuple((rub_of(key)[0], mode.removesuffix(AT_MOST) or "turns") for key, mode in modes.items())
         self.made.append(Trial(supposed, tuple(words for words in found if words), holds, why))
 
     def moving_together(self, open_: list[Rub]) -> list[list[Rub]]:
@@ -215,7 +215,7 @@ class Trials:
             return number is not None and number > 0, words
         search = self.search({**self.modes, **trial})
         needs = search.scene.facts(rub.state).requirements
-        own = [need for need in needs if (need.owner, need.otherwise) == (rub.contact.name, "slips")]
+        own = [need for need in needs if need.owner == rub.contact.name and need.kind.grips]
         room = [search.settled(need.left - need.right) for need in own]
         numbers = [search.number(value) if value is not None else None for value in room]
         left = [value for value in room if value is not None]
@@ -336,7 +336,7 @@ def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> It
             contact = contacts.get(line.path.owner) if line.path is not None else None
             if contact is None or not contact.rubs() or not is_numbered(contact.static(), numbered):
                 continue
-            slips = modes.get(f"{contact.name}@{state.name}", "sticks").startswith("slips")
+            slips = modes.get(rub_key(contact.name, state.name), "sticks").startswith("slips")
             if line.word in ("sticks", "rolls") and slips:
                 yield unsolvable(
                     problem, f"`{contact.name}` slips at `{state.name}`: friction is too weak to hold it", line.span

@@ -114,7 +114,7 @@ class LawChoice(Struct, frozen=True, dict=True):
         for index in indices:
             equation = self.planner.pool[index]
             if equation.law.steady:
-                coordinate = (equation.law.name, equation.bodies)
+                coordinate = (equation.law.steady, equation.bodies)
                 phases.setdefault(equation.section, {}).setdefault(coordinate, []).append(index)
         return phases
 

@@ -73,7 +73,7 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
     """
 
     def timed(equation: Equation) -> bool:
-        return equation.law.steady
+        return equation.law.steady != ""
 
     twice = without_halves(timed, lambda term: True)
 
@@ -81,7 +81,7 @@ def in_time(mean: bool) -> Callable[[Equation], Equation]:
         if not timed(equation):
             return equation
         whole = twice(equation)
-        if whole != equation and bool(equation.remark) == mean:
+        if whole != equation and equation.law.mean == mean:
             return replace(whole, cost=1)
         return replace(equation, cost=SECOND_CHOICE + equation.cost)
 
