@@ -62,7 +62,7 @@ def evaluate_many(
     if strange:
         raise NotForMany(f"no given `{strange[0]}`; there are {', '.join(given.name for given in givens)}")
     forms = {answer.name: in_its_unit(answer) for answer in answers}
-    bounds = [*valid.bounds, *valid.sides]
+    bounds = [*valid.bounds, *valid.sides, *(limit for limit in valid.limits if limit.symbols() <= values.keys())]
     work = program([*forms.values(), *bounds], values, known)
     for name in sorted(values.keys() & valid.positive):
         if not all_positive(values[name]):

@@ -8,9 +8,9 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.certified.sign import ACUTE, SignOracle
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
@@ -140,13 +140,17 @@ SLIPS, ROOT = "what slips and which way", "which root of an equation is meant"
 
 
 class Validity(Struct, frozen=True):
-    """The closed forms hold for `positive` letters that are so, where none of the `bounds` is negative, none of the `sides` on which the
-    scene's own numbers lie, and while what else was `decided` by numbers would be decided alike."""
+    """For which numbers the closed forms hold: where `positive` letters are so and none of the others is negative.
+
+    `bounds` are what strings, contacts and friction have to obey, `sides` the signs that the scene's own numbers decided, and `limits` what
+    the scene's keys ask of a letter. Numbers that would decide differently what else was `decided` are another case.
+    """
 
     positive: frozenset[str]
     bounds: tuple[Formula, ...]
     decided: tuple[str, ...]
     sides: tuple[Formula, ...] = ()
+    limits: tuple[Formula, ...] = ()
 
 
 def validity(search: Search) -> Validity:
@@ -175,4 +179,6 @@ def validity(search: Search) -> Validity:
             sides[simplify(value * sign, positive=positive)] = None
         else:
             decided[f"that {to_text(value)} vanishes"] = None
-    return Validity(positive, tuple(bounds), tuple(decided), tuple(sides))
+    acute = [Symbol(name) for name, limits in search.signs.limits().items() if limits == ACUTE]
+    limits = [limit for angle in acute for limit in (angle, PI / 2 - angle)]
+    return Validity(positive, tuple(bounds), tuple(decided), tuple(sides), tuple(limits))

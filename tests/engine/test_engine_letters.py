@@ -202,6 +202,21 @@ def test_a_letter_with_a_value_is_that_value_in_all_scenes(part: int) -> None:
             assert alike(*found), f"{file.stem}:\n{lettered}{literal}"
 
 
+def test_many_values_are_those_of_solving_again_or_marked() -> None:
+    """Each given angle of every fourth scene in the next quadrant: what evaluating says is what solving says, or nothing."""
+    for file in FILES[::4]:
+        text = "".join(part for _, part in sections(file.read_text(encoding="utf-8")))
+        for name, number in re.findall(r"(\w+): *(\d+(?:\.\d+)?) deg(?=\s*[,}\n#])", text.partition("bodies:")[0]):
+            other = 180 - Decimal(number)
+            try:
+                many = solve(text).evaluate_many({name: math.radians(other)})
+            except NotForMany:
+                continue
+            told = {key: float(value) for key, value in many.items() if not math.isnan(value)}
+            again = numbers_of(solve(text, settings={name: f"{other} deg"})) if told else {}
+            assert all(near(value, again[key][0]) for key, value in told.items()), (file.stem, told, again)
+
+
 @pytest.mark.parametrize(("template", "side", "angles"), OWN)
 def test_a_letter_is_its_value_in_all_quadrants(template: str, side: str, angles: tuple[int, ...]) -> None:
     lettered = {
