@@ -241,20 +241,16 @@ def map_schema(keys: dict[str, Key]) -> dict[str, Any]:
 
 def body_schema(more: dict[str, Key]) -> dict[str, Any]:
     """A body: the keys of all bodies and of all shapes."""
-    keys: dict[str, Key] = {}
-    for shape in SHAPES:
-        keys |= dict(keys_of(shape))
-    properties = {word: described(value_schema(key, word), key) for word, key in {**keys, **BODY, **more}.items()}
-    for word in ("sides", "corners"):  # their number depends on the shape
-        properties[word] = {
-            "type": "array",
-            "minItems": 2,
-            "description": BODY[word].help if word in BODY else keys[word].help,
-        }
+    declared = [entry for shape in SHAPES for entry in keys_of(shape)]
+    keys = {**dict(declared), **BODY, **more}
+    properties = {word: described(value_schema(key), key) for word, key in keys.items()}
+    counts = {word: {key.count for other, key in declared if other == word} for word, _ in declared}
+    for word in (word for word, found in counts.items() if len(found) > 1):  # their number depends on the shape
+        properties[word] = {"type": "array", "minItems": 2, "description": keys[word].help}
     return {"type": "object", "properties": properties, "additionalProperties": False}
 
 
-def value_schema(key: Key, word: str = "") -> dict[str, Any]:
+def value_schema(key: Key) -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
         "text": SCALAR,
