@@ -22,7 +22,8 @@ from costs.tables import share, table
 from report import machine, write_section
 from rotsolve import solve
 from rotsolve.algebra.formula import Formula, Number, Power, Product, Quotient, Sum, Symbol
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.core.symbols import TIME
 from rotsolve.grading.marking.judge import Judge
 from rotsolve.grading.marking.target import Target

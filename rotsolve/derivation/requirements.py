@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -14,14 +15,16 @@ from rotsolve.algebra.formula import PI, ZERO, Formula, Symbol
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.core.derivation import Check, Words
 from rotsolve.core.equation import NEWTON
-from rotsolve.core.facts import Requirement
 from rotsolve.core.symbols import has_quantities, is_key
 from rotsolve.core.writing import spoken
-from rotsolve.derivation.letters import Letters
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.rubs import rubs
 from rotsolve.search.planning import families_for
-from rotsolve.search.search import Search
+
+if TYPE_CHECKING:
+    from rotsolve.core.facts import Requirement
+    from rotsolve.derivation.letters import Letters
+    from rotsolve.search.search import Search
 
 Settling = Callable[[Formula], Formula | None]  # puts in what is known for the letters of the laws
 

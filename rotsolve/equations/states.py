@@ -14,7 +14,7 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import is_quantity, paths_in
 from rotsolve.core.writing import spoken
-from rotsolve.language.problem import Condition, Path, State
+from rotsolve.language.problem import EXTREMES, Condition, Path, State
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
@@ -160,7 +160,6 @@ RATE_OF = {  # what is zero where a quantity is largest or smallest
     "height": "velocity",
     "velocity": "acceleration",
 }
-EXTREMES = ("largest", "smallest")
 
 
 class Statements(Struct):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Iterator, Mapping
+from typing import TYPE_CHECKING
 
 from msgspec import Struct
 
@@ -12,11 +13,13 @@ from rotsolve.algebra.notation.letters import greek
 from rotsolve.algebra.notation.letters import parts as letter_parts
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.writing import spoken
-from rotsolve.keys.working import Worked
-from rotsolve.language.problem import Find, Given
 from rotsolve.page.blocks import Math, Phrase, Styled
 from rotsolve.page.values import given_equation, given_value
 from rotsolve.scene.statement import prose_and_slots, slots
+
+if TYPE_CHECKING:
+    from rotsolve.keys.working import Worked
+    from rotsolve.language.problem import Find, Given
 
 PATH = re.compile(r"[^\W\d]\w*(?:\.at\([^)]*\)|\.\w+)+")  # rod.end.speed
 WORD = re.compile(r"(?<![\w./^])(?<!\d )[A-Za-z]\w*(?![\w/^])")  # no unit behind its number

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, ClassVar
 
-from rotsolve.algebra.notation.text import to_latex
+from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.page.printer import Printer
 
 if TYPE_CHECKING:

@@ -1,101 +1,24 @@
-"""Comparisons in questions: conditions after `where`, and choices, `which of` several quantities or conditions.
+"""Choices in questions: `which of` several quantities or conditions.
 
-`base sticks`, `upright is stable`, `Q is largest`, `pin.impulse.x = 0 during hit`;
 `{which of: {a: PHRASE, b: PHRASE}, is: largest | smallest | above X | below X}`, `{which of: {label: X < Y < Z, other: X = Y}}`.
 """
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from typing import Any
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import ZERO
-from rotsolve.algebra.units.dimension import word_of
 from rotsolve.core.quantity import QUANTITIES
-from rotsolve.language.grammar import CLAUSES, IS, WHICH
-from rotsolve.language.problem import Condition, Find, Option, Path, WhichOf
+from rotsolve.language.grammar import IS, WHICH
+from rotsolve.language.problem import Find, Option, WhichOf
 from rotsolve.language.words import hint, quoted
-from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes
+from rotsolve.scene.literals import dimension_in_words
 from rotsolve.scene.phrases import read_phrase
 from rotsolve.scene.scope import NAME, Scope
-from rotsolve.scene.states import EXTREMES
 from rotsolve.scene.tree import Map, Node, Text
-from rotsolve.scene.values import read_scalar
-
-FORMS = "write `contact sticks`, `state is stable`, `path is smallest` or `path = value`"
-Quantity = Callable[[list[Lexeme]], "tuple[Find, Any] | None"]  # reads a phrase: it, and its dimension
-
-
-def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | None:
-    """The condition that `part` writes; None after a fault."""
-    words = [piece for piece in lexemes(part.value, scope.givens) if piece.kind != "space"]
-    texts = [piece.text for piece in words]
-    if len(words) in (2, 3) and scope.kinds.get(texts[0]) == "connection" and (len(words) == 2 or texts[1] == "is"):
-        return contact_word(scope, part, texts)
-    if texts[1:] == ["is", "stable"] and scope.kinds.get(texts[0]) == "state":
-        return Condition(Path("", "swing_period"), word="stable", owner=texts[0], span=part.span)
-    if "=" in texts:
-        return equality(scope, part, words, texts.index("="), quantity)
-    place = next((k for k, text in enumerate(texts[:-1]) if text == "is" and texts[k + 1] in EXTREMES), 0)
-    if place:
-        found = quantity([*words[:place], *words[place + 2 :]])
-        return None if found is None else Condition(None, word=texts[place + 1], span=part.span, phrase=found[0])
-    scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
-    return None
-
-
-def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None:
-    """`base sticks`, `rope is slack`."""
-    owner, word = texts[0], texts[-1]
-    allowed: tuple[str, ...] = getattr(scope.elements.get(owner), "words", ())
-    if word in allowed:
-        return Condition(Path(owner, "", span=part.span), word=word, owner=owner, span=part.span)
-    able = [name for name, item in scope.elements.items() if getattr(item, "words", ())]
-    help = hint(word, allowed, "it can be") if allowed else f"of what sticks, slips or goes slack: {', '.join(able)}"
-    if not able:
-        help = "only contacts, clutches and strings can: `contact: [block, floor]`"
-    scope.fault(part, f"`{owner}` can't be {quoted(word)}", help, "choice")
-    return None
-
-
-def equality(scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity: Quantity) -> Condition | None:
-    """`path = value [clauses]` or `path = path [clauses]`; the clauses belong to the paths."""
-    end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
-    if sign == 0 or end == sign + 1:
-        scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
-        return None
-    read = quantity([*words[:sign], *words[end:]])
-    if read is None:
-        return None
-    find, dimension = read
-    if any(piece.kind == "path" for piece in words[sign + 1 : end]):
-        other = quantity([*words[sign + 1 : end], *words[end:]])
-        if other is None or not same_kind(scope, part, dimension, other[1]):
-            return None
-        both = replace(find, formula=find.formula - other[0].formula, terms=other[0].terms)
-        return Condition(None, ZERO, span=part.span, phrase=both)
-    start, stop = words[sign + 1].start, words[end - 1].end
-    right = part.cut(start, stop)
-    word = word_of(dimension)
-    owner = find.terms[0].path.owner if find.terms else ""
-    found = read_scalar(scope, right, Want(part.value[: words[sign - 1].end], word, "x", owner))
-    return None if found is None else Condition(None, found, span=part.span, phrase=find)
-
-
-def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
-    """Whether both sides of an equality may be equal, as far as their dimensions are known."""
-    if left is None or right is None or left.matches(right):
-        return True
-    scope.fault(
-        part,
-        f"the sides of {quoted(part.value)} don't agree: {dimension_in_words(left)} and {dimension_in_words(right)}",
-        kind="dimension",
-    )
-    return False
-
 
 TESTS = ("largest", "smallest", "above", "below")
 FORM = "write `{which of: {a: PHRASE, b: PHRASE}, is: largest}` or `{which of: {a: X < Y, b: X = Y}}`"

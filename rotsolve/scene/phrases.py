@@ -151,7 +151,7 @@ class PhraseReader:
             dimension = dimension_found(self.scope, part, formula, phrase, self.answers)
             return Find("", formula, tuple(phrase.terms), text=text, span=part.span), dimension
 
-        from rotsolve.scene.comparisons import read_condition
+        from rotsolve.scene.conditions import read_condition
 
         return read_condition(self.scope, part, quantity)
 

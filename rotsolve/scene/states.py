@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import PHASE
-from rotsolve.language.problem import Condition, Path, Phase, State
+from rotsolve.language.problem import EXTREMES, Condition, Path, Phase, State
 from rotsolve.language.words import hint, quoted
 from rotsolve.scene.elements import read_value
 from rotsolve.scene.literals import Want
@@ -14,7 +14,6 @@ from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Node, Text
 from rotsolve.scene.values import read_scalar
 
-EXTREMES = ("largest", "smallest")
 FORM = "write `{rod.angle: 30 deg}`, `at rest`, or `{}`"
 
 

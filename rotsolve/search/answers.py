@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from msgspec import Struct
 
 from rotsolve.core.faults import Span, Unsolvable
-from rotsolve.language.problem import Find, Problem
-from rotsolve.plan import Shortage
-from rotsolve.questions.find import Asked
-from rotsolve.solver.steps import Found
+
+if TYPE_CHECKING:
+    from rotsolve.language.problem import Find, Problem
+    from rotsolve.plan import Shortage
+    from rotsolve.questions.find import Asked
+    from rotsolve.solver.steps import Found
 
 
 class Answered(Struct, frozen=True):

@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
 
 from rotsolve.algebra.exact.normal import degree
 from rotsolve.algebra.formula import Formula, Symbol
-from rotsolve.core.equation import Equation
-from rotsolve.language.problem import Given
 from rotsolve.plan import Plan, Planner
-from rotsolve.questions.find import Asked
-from rotsolve.search.answers import Answered
-from rotsolve.solver.steps import Step
+
+if TYPE_CHECKING:
+    from rotsolve.core.equation import Equation
+    from rotsolve.language.problem import Given
+    from rotsolve.questions.find import Asked
+    from rotsolve.search.answers import Answered
+    from rotsolve.solver.steps import Step
 
 
 class Definitions(Struct):

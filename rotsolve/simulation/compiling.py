@@ -13,7 +13,8 @@ from functools import partial
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Precision, with_values
+from rotsolve.algebra.certified.ball import Precision
+from rotsolve.algebra.certified.balls import with_values
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import PI, Formula, Number, Symbol, add
 from rotsolve.algebra.formula import ZERO as NOTHING

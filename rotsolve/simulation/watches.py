@@ -16,8 +16,8 @@ from rotsolve.algebra.tape import ONE, Exact, Unwritable
 from rotsolve.core.facts import Couple, Facts, Force
 from rotsolve.core.symbols import COURSE
 from rotsolve.core.writing import spoken
-from rotsolve.equations.states import EXTREMES, RATE_OF
-from rotsolve.language.problem import Condition, Path, State
+from rotsolve.equations.states import RATE_OF
+from rotsolve.language.problem import EXTREMES, Condition, Path, State
 from rotsolve.motion.freebody import free_bodies
 from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, TURNS_BACK, Rub, rubs_at

@@ -27,8 +27,9 @@ from rotsolve.algebra.formula import (
 from rotsolve.algebra.notation.letters import name_to_latex, name_to_text
 from rotsolve.algebra.notation.limits import rational
 from rotsolve.algebra.notation.parse import parse
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
 from rotsolve.algebra.notation.tokens import FormulaError
+from rotsolve.algebra.notation.typeset import to_latex
 
 NAMES = (
     "m M g a b I E N S e d f L R x y m1 m2 x_12 theta theta0 omega_2 omega alpha beta lambda Delta Omega phi_max a_end "

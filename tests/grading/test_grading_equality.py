@@ -15,7 +15,8 @@ import pytest
 import rotsolve
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.records import Names

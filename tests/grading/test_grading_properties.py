@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.formula import Integral, Number
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer

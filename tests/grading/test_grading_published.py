@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.notation.text import to_latex, to_text
+from rotsolve.algebra.notation.text import to_text
+from rotsolve.algebra.notation.typeset import to_latex
 from rotsolve.core.derivation import Answer
 from rotsolve.core.symbols import TIME
 from rotsolve.grading.comparing.equality import SampledRegion, same_everywhere

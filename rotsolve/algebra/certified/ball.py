@@ -13,7 +13,7 @@ from typing import Any
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, context
 from rotsolve.algebra.formula import Formula, Integral, Number, formula
@@ -60,9 +60,8 @@ def decided_by_size() -> None:
         witness.by_size = True
 
 
-__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate", "with_values"]
+__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate"]
 
-Values = Mapping[str, Formula | Fraction | int]
 BITS_PER_DIGIT = 3.3219280948873626
 INTEGRAL_LIMIT = 400  # bits: beyond this an integral costs more than it is worth
 ROUNDS = 8  # times that the precision is doubled for the digits of one number
@@ -226,17 +225,6 @@ def decimal_notation(mantissa: int, exponent: int, digits: int, exact: bool) -> 
     if len(figures) <= exponent + 1:
         return sign + figures + "0" * (exponent + 1 - len(figures))
     return f"{sign}{figures[: exponent + 1]}.{figures[exponent + 1 :]}"
-
-
-def with_values(f: Formula, values: Values) -> Formula:
-    """The formula with all values put in, also values that are formulas of other values."""
-    known = {name: formula(value) for name, value in values.items()}
-    for _ in range(len(known) + 1):
-        names = f.symbols() & known.keys()
-        if not names:
-            return f
-        f = f.substitute({name: known[name] for name in names})
-    raise Undefined("a value refers to itself")
 
 
 def evaluate(

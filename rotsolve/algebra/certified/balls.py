@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from fractions import Fraction
 from typing import Any
 
+from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import acb, arb, fmpz
 from rotsolve.algebra.formula import (
     Call,
@@ -18,13 +20,26 @@ from rotsolve.algebra.formula import (
     Quotient,
     Sum,
     Symbol,
+    formula,
 )
 
 Ball = Any  # flint's arb or acb
+Values = Mapping[str, Formula | Fraction | int]
 
 
 class Undefined(ValueError):
     """The formula has no real value there; says why in words."""
+
+
+def with_values(f: Formula, values: Values) -> Formula:
+    """The formula with all values put in, also values that are formulas of other values."""
+    known = {name: formula(value) for name, value in values.items()}
+    for _ in range(len(known) + 1):
+        names = f.symbols() & known.keys()
+        if not names:
+            return f
+        f = f.substitute({name: known[name] for name in names})
+    raise Undefined("a value refers to itself")
 
 
 def rational_ball(node: Number) -> Ball:
@@ -172,6 +187,18 @@ class RealBalls:
 
         found = acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit())
         return found.real
+
+    def vanishes(self, value: Formula) -> bool:
+        """Whether a value is exactly zero."""
+        try:
+            ball = self(value)
+            return bool(ball.is_finite() and ball.contains(0)) and is_zero(with_values(value, self.values))
+        except (Undefined, ZeroDivisionError):
+            return False
+
+    def over(self, letter: str, place: Ball, node: Formula) -> Ball:
+        """The complex ball of a formula where a letter has one."""
+        return ComplexBalls(self, {letter: place}, False)(node)
 
 
 _REAL: dict[type[Formula], Callable[[RealBalls, Any], Ball]] = {

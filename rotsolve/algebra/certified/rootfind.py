@@ -11,12 +11,10 @@ from rotsolve.algebra.certified.ball import (
     BITS_PER_DIGIT,
     Certified,
     Precision,
-    Values,
     decided_by_size,
     ends,
-    with_values,
 )
-from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
 from rotsolve.algebra.formula import Formula, Number, formula

@@ -10,8 +10,8 @@ from collections.abc import Callable, Collection, Mapping
 
 from msgspec import Struct, field
 
-from rotsolve.algebra.certified.ball import Certified, evaluate, with_values
-from rotsolve.algebra.certified.balls import Undefined
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import Undefined, with_values
 from rotsolve.algebra.exact.normal import Fractions, simplify
 from rotsolve.algebra.formula import ZERO, Formula
 

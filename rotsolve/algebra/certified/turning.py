@@ -7,17 +7,23 @@ q = r/(x − e) is enclosed by the derivative of r between x and e (mean value t
 from __future__ import annotations
 
 from fractions import Fraction
-from typing import TYPE_CHECKING
+from typing import Any, Protocol
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.exact.normal import is_zero, simplify
+from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.flints import acb, arb, context
 from rotsolve.algebra.formula import Call, Formula, Integral, Number, Symbol
 
-if TYPE_CHECKING:
-    from rotsolve.algebra.certified.balls import Ball, RealBalls
-
 HALF = Number(Fraction(1, 2))
+Ball = Any  # flint's arb or acb
+
+
+class BallOf(Protocol):
+    """What tells the ball of a formula, whether one vanishes exactly, and the ball over a complex one of one letter."""
+
+    def __call__(self, node: Formula) -> Ball: ...
+    def vanishes(self, value: Formula) -> bool: ...
+    def over(self, letter: str, place: Ball, node: Formula) -> Ball: ...
 
 
 def radicand(node: Integral) -> Formula | None:
@@ -41,13 +47,13 @@ def in_half_angles(inside: Formula, variable: str) -> Formula:
     return known.substitute({half.name: Call("sin", (HALF * Symbol(variable),))})
 
 
-def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
+def integral_to_rest(node: Integral, balls: BallOf) -> Ball | None:
     """The integral where its radicand vanishes exactly at one end or both; None where it does at neither."""
     inside = radicand(node)
     if inside is None:
         return None
     ends = (node.lower, node.upper)
-    rest = [_vanishes_there(inside.substitute({node.variable: end}), balls) for end in ends]
+    rest = [balls.vanishes(inside.substitute({node.variable: end})) for end in ends]
     if not any(rest):
         return None
     middle = HALF * (node.lower + node.upper)
@@ -65,30 +71,17 @@ def integral_to_rest(node: Integral, balls: RealBalls) -> Ball | None:
     return -sign * _from_end(node, inside, ends[1], ends[0], balls)
 
 
-def _vanishes_there(value: Formula, balls: RealBalls) -> bool:
-    from rotsolve.algebra.certified.ball import with_values
-    from rotsolve.algebra.certified.balls import Undefined
-
-    try:
-        ball = balls(value)
-        return bool(ball.is_finite() and ball.contains(0)) and is_zero(with_values(value, balls.values))
-    except (Undefined, ZeroDivisionError):
-        return False
-
-
-def _from_end(node: Integral, inside: Formula, end: Formula, other: Formula, balls: RealBalls) -> Ball:
+def _from_end(node: Integral, inside: Formula, end: Formula, other: Formula, balls: BallOf) -> Ball:
     """∫ dx/√r from the end where r vanishes to another place."""
-    from rotsolve.algebra.certified.balls import ComplexBalls
-
     slope = differentiate(inside, node.variable)
     start, way = acb(balls(end)), acb(balls(other) - balls(end))
 
     def integrand(u: Ball, analytic: bool) -> Ball:
         x = start + way * u * u
         between = acb(x.real.union(start.real), x.imag.union(start.imag))
-        quotient = ComplexBalls(balls, {node.variable: between}, False)(slope)
+        quotient = balls.over(node.variable, between, slope)
         if not (x - start).contains(0):
-            divided = ComplexBalls(balls, {node.variable: x}, False)(inside) / (x - start)
+            divided = balls.over(node.variable, x, inside) / (x - start)
             if divided.rad() < quotient.rad():
                 quotient = divided
         return 2 * way / (way * quotient).sqrt(analytic=analytic)

@@ -24,9 +24,9 @@ from rotsolve.algebra.formula import (
     Sum,
     Symbol,
 )
-from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_latex, name_to_text, superscripted
+from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_text, superscripted
 
-__all__ = ["name_to_latex", "name_to_text", "number_to_text", "to_latex", "to_text"]
+__all__ = ["name_to_text", "number_to_text", "to_text"]
 
 # How tightly a text binds. A call without brackets (`sin θ`, `√x`) may be a factor, but is no base of a power.
 SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
@@ -278,10 +278,3 @@ def _unicode_power(base: Formula, exponent: Formula) -> Piece:
     if isinstance(exponent, Number):
         return f"{text}^({'−' * (exponent.value < 0)}{number_to_text(abs(exponent.value))})", POWER
     return f"{text}^{_wrap(_unicode(exponent), ATOM)}", POWER
-
-
-def to_latex(formula: Formula) -> str:
-    """The formula in LaTeX, without dollar signs."""
-    from rotsolve.algebra.notation.typeset import latex  # few runs print LaTeX
-
-    return latex(formula)

@@ -154,6 +154,6 @@ LATEX = Marks(
 )
 
 
-def latex(formula: Formula) -> str:
+def to_latex(formula: Formula) -> str:
     """The formula in LaTeX, without dollar signs."""
     return typeset(formula, LATEX)

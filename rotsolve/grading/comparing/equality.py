@@ -17,8 +17,8 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Precision, evaluate
-from rotsolve.algebra.certified.ball import with_values as in_givens
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined
+from rotsolve.algebra.certified.balls import with_values as in_givens
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Integral, Symbol
