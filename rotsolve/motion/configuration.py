@@ -20,7 +20,7 @@ from rotsolve.core.vectors.directions import WORDS
 from rotsolve.core.vectors.heading import UP, Heading
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
-from rotsolve.language.elements import Action, Connection
+from rotsolve.language.elements import Action, Connection, Event
 from rotsolve.language.problem import Problem
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
@@ -176,9 +176,13 @@ class Configuration(Struct, frozen=True, dict=True):
         """Connections that act at a state, those too by which events hold bodies."""
         after = self.timeline.after(state)
         gone = self._absent[state] | frozenset(after.without if after and after.event is None else ())
-        events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
-        added = [item for event in events if event is not None for item in event.adds()]
+        added = [item for event in self.events(state) for item in event.adds()]
         return (*[item for item in self.problem.connections if item.name not in gone], *added)
+
+    def events(self, state: str) -> list[Event]:
+        """What has happened up to a state."""
+        passed = self.timeline.intervals[: self.timeline.order[state]]
+        return [interval.event for interval in passed if interval.event is not None]
 
     def actions(self, state: str) -> tuple[Action, ...]:
         """Actions that act at a state; one that lasts from one state to another acts from the first until before the last."""
@@ -206,9 +210,12 @@ class Configuration(Struct, frozen=True, dict=True):
     @remembered
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
-        events = [interval.event for interval in self.timeline.intervals[: self.timeline.order[state]]]
         riders = [rider(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        pairs = [item.joined() for item in (*self.connections(state), *events) if item is not None and item.joined()]
+        joined = (
+            *(item.joined() for item in self.connections(state)),
+            *(event.joined() for event in self.events(state)),
+        )
+        pairs = [pair for pair in joined if pair]
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points()) if pairs else ()
         return (*riders, *(welded(first, second, held, self.bodies) for first, second in pairs))
 

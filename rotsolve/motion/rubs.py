@@ -26,19 +26,23 @@ class Rub(Struct, frozen=True):
     owner: str  # the element that rubs
     body: str
     state: str
-    contact: Connection | None = None
-    pair: Connection | None = None  # two bodies that slip on each other
+    item: Connection | None = None  # what slips: a contact, or two bodies that rub on each other
+
+    @property
+    def contact(self) -> Connection | None:
+        """The contact, if it is one: its friction is limited by the push."""
+        return self.item if self.item is not None and self.item.lying() else None
 
     def mode(self, sense: int) -> str:
         """The mode for motion along the positive sense, against it, or none."""
-        if self.contact is None and self.pair is None:
+        if self.item is None:
             return {1: "", -1: TURNS_BACK, 0: HOLDS}[sense]
         return {1: FORWARD, -1: BACK, 0: STICKS}[sense]
 
     @property
     def name(self) -> str:
         """What it is, whatever the state from which it is looked at."""
-        return self.owner if self.contact is not None or self.pair is not None else f"{self.owner}.{self.body}"
+        return self.owner if self.item is not None else f"{self.owner}.{self.body}"
 
     @property
     def key(self) -> str:
@@ -46,10 +50,13 @@ class Rub(Struct, frozen=True):
 
     def rate(self, instant: Instant, *, acceleration: bool = False) -> Formula | None:
         """Speed or acceleration along the positive sense: of the touching point, of one body on another, or of the wheel's turn."""
-        item = self.contact or self.pair
-        if item is None:
+        if self.item is None:
             return instant.rate("angular_acceleration" if acceleration else "angular_velocity", self.body)
-        return item.slip(instant, acceleration=acceleration)
+        return self.item.slip(instant, acceleration=acceleration)
+
+    def drift(self, instant: Instant) -> Formula | None:
+        """Speed of the body along its line (a wheel's contact slides with it), of one body on another, or of the wheel's turn."""
+        return self.rate(instant) if self.item is None else self.item.drift(instant)
 
 
 def rubs(configuration: Configuration) -> tuple[Rub, ...]:
@@ -67,8 +74,7 @@ def rubs(configuration: Configuration) -> tuple[Rub, ...]:
 def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
     for item in configuration.acting(state):
         if isinstance(item, Connection) and item.rubs():
-            name, contact = configuration.host(item.slider().owner, state), item if item.lying() else None
-            yield Rub(item.name, name, state, contact, None if contact else item)
+            yield Rub(item.name, configuration.host(item.slider().owner, state), state, item)
         for ref in item.brakes():
             name = configuration.host(ref.owner, state)
             yield Rub(item.name, name, state)

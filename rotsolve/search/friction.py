@@ -21,7 +21,6 @@ from rotsolve.language.elements import Connection
 from rotsolve.language.problem import Find
 from rotsolve.laws.groups import one_motion
 from rotsolve.motion.configuration import Configuration
-from rotsolve.motion.instant import Instant
 from rotsolve.motion.rubs import AT_MOST, BACK, FORWARD, STICKS, Rub, rubs
 from rotsolve.questions.find import Asked
 from rotsolve.search.answers import Answered, NoAnswer, unsolvable
@@ -227,7 +226,7 @@ class Trials:
         scene = self.scene.where({**self.modes, **{rub.key: rub.mode(1) for rub in group}})
         rules = list(scene.facts(group[0].state, virtual=True).rules)
         instant = scene.instant(group[0].state, virtual=True)
-        speeds = {rub.key: moving_rate(rub, instant) for rub in group}
+        speeds = {rub.key: rub.drift(instant) for rub in group}
         sides = [side for rule in rules for side in rule.velocity]
         sides += [speed for speed in speeds.values() if speed is not None]
         rates = of_kinds({name for side in sides for name in side.symbols()}, RATES)
@@ -287,12 +286,6 @@ def smooth(rub: Rub, signs: SignOracle) -> bool:
     """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
     static = rub.contact.static() if rub.contact is not None else None
     return static is not None and signs.by_numbers(static) == 0
-
-
-def moving_rate(rub: Rub, instant: Instant) -> Formula | None:
-    """Speed of the body along its line (a wheel's contact slides with it), of one body on another, or of the wheel's turn."""
-    item = rub.contact or rub.pair
-    return instant.rate("angular_velocity", rub.body) if item is None else item.drift(instant)
 
 
 def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equation, Formula]]:

@@ -79,7 +79,7 @@ def place_on_tape(system: System, value: Formula) -> int:
 def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch]:
     """When what rubs comes to rest, or begins to slip."""
     mode, name = modes.get(rub.key, ""), rub.owner
-    brake = rub.contact is None and rub.pair is None
+    brake = rub.item is None
     if mode in (FORWARD, BACK, TURNS_BACK) or (brake and not mode):
         speed = rub.rate(system.moment)
         if speed is not None and is_told(system, speed):
@@ -100,7 +100,7 @@ def of_rub(rub: Rub, system: System, modes: Mapping[str, str]) -> Iterator[Watch
 
 def slipping(moment: Instant, rub: Rub, sense: int) -> Facts:
     """The facts of a moment if it were just about to slip one way."""
-    mode = rub.mode(sense) + (AT_MOST if rub.contact is not None or rub.pair is not None else "")
+    mode = rub.mode(sense) + (AT_MOST if rub.item is not None else "")
     modes = {**moment.modes, rub.key: mode}
     return free_bodies(Instant(moment.configuration, moment.registry, moment.state, True, modes, mark=COURSE))
 

@@ -65,7 +65,7 @@ def load(path: Path) -> Problem:
 def read_all_ways(path: Path) -> tuple[SceneEquations, ...]:
     """A scene for every way in which the rough contacts of a scene may stick or slip."""
     configuration = Configuration(load(path))
-    rough = [rub.key for rub in rubs(configuration) if rub.contact is not None or rub.pair is not None]
+    rough = [rub.key for rub in rubs(configuration) if rub.item is not None]
     ways = itertools.product(MODES, repeat=len(rough))
     return tuple(SceneEquations(configuration, dict(zip(rough, way, strict=True))) for way in ways)
 
