@@ -1,12 +1,13 @@
-"""Passage and Encounter: what laws read about a phase of motion, and about an event that takes no time."""
+"""Passage and Encounter: what laws read about a phase of motion, and about an event that takes no time; and what may be altered in them."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ONE, Formula
+from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.vectors.heading import Vector
 
@@ -96,3 +97,17 @@ class Encounter(Struct, frozen=True):
     groups: tuple[frozenset[str], ...]
     pivot: Mapping[str, str]  # body of a group -> name of the support about which it turns
     restitution: tuple[Formula, Formula, Formula] | None = None  # e, approach speed, separation speed
+
+
+class Alteration(Struct, frozen=True):
+    """Other facts at every moment, other laws through an event, and another equation for each one (None leaves it out)."""
+
+    facts: Callable[[Facts], Facts] | None = None
+    event: Callable[[Encounter, str], Iterable[Equation]] | None = None
+    equation: Callable[[Equation], Equation | None] | None = None
+
+    def rewritten(self, equations: Iterable[Equation]) -> list[Equation]:
+        """The equations as they are changed, without those that are left out."""
+        if self.equation is None:
+            return list(equations)
+        return [changed for one in equations if (changed := self.equation(one)) is not None]

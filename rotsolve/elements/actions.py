@@ -8,8 +8,7 @@ from fractions import Fraction
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
 from rotsolve.core import facts
 from rotsolve.core.symbols import POSITION, RATE, combined, pace_of
-from rotsolve.core.vectors.directions import along_text
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, heading, unit, vector
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, along_text, heading, unit, vector
 from rotsolve.elements.connections.touch import check_wheel
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef

@@ -15,8 +15,7 @@ from rotsolve.core.equation import Equation
 from rotsolve.core.facts import Facts
 from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
-from rotsolve.core.vectors.directions import opposite
-from rotsolve.core.vectors.heading import RIGHT, UP, heading
+from rotsolve.core.vectors.heading import RIGHT, UP, heading, opposite
 from rotsolve.core.writing import spoken
 from rotsolve.laws.rules import rule_equation
 from rotsolve.laws.table import NEAR, REST, SWINGING, AtMoment, OfGroup, equations_for

@@ -16,8 +16,7 @@ from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.letters import letter_order
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import UNKNOWN, combined, is_key
-from rotsolve.core.vectors.directions import WORDS
-from rotsolve.core.vectors.heading import UP, Heading
+from rotsolve.core.vectors.heading import UP, WORDS, Heading
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.elements import Action, Connection, Event
@@ -28,7 +27,7 @@ from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, polar, 
 from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, timeline
 
 if TYPE_CHECKING:
-    from rotsolve.core.alteration import Alteration
+    from rotsolve.core.passage import Alteration
 
 
 class Member(Struct, frozen=True):

@@ -15,8 +15,7 @@ from rotsolve.core.quantity import PLANE, QUANTITIES
 from rotsolve.core.registry import Registry, SceneQuantity
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import COURSE, GENERIC, TIME, VIRTUAL, paths_in, rub_key
-from rotsolve.core.vectors.directions import TURNS, opposite
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading, Vector, cartesian, heading, vector
+from rotsolve.core.vectors.heading import NOWHERE, RIGHT, TURNS, Heading, Vector, cartesian, heading, opposite, vector
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.keys import varying_values
 from rotsolve.language.shape import WHEEL

@@ -12,8 +12,7 @@ from rotsolve.core.equation import KINETIC_ENERGY
 from rotsolve.core.facts import BodyFacts, Couple, Force, Potential, signed
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.core.symbols import of_kinds
-from rotsolve.core.vectors.directions import opposite
-from rotsolve.core.vectors.heading import RIGHT, UP, Vector
+from rotsolve.core.vectors.heading import RIGHT, UP, Vector, opposite
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Path, Term
 from rotsolve.laws.energy import kinetic

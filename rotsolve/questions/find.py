@@ -26,7 +26,7 @@ from rotsolve.paths.meaning import Meaning, whole_vector
 from rotsolve.questions.terms import DIFFERENCE, magnitude, meaning_of
 
 if TYPE_CHECKING:
-    from rotsolve.core.alteration import Alteration
+    from rotsolve.core.passage import Alteration
     from rotsolve.equations.swing import Swing
     from rotsolve.questions.functions_of_time import Beside
 

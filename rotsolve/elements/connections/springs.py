@@ -11,8 +11,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.directions import TURNS, along_text
-from rotsolve.core.vectors.heading import DOWN, UP, Vector, unit
+from rotsolve.core.vectors.heading import DOWN, TURNS, UP, Vector, along_text, unit
 from rotsolve.elements.connections.places import between, distance, gap_between
 from rotsolve.language.bodies import Body, PointRef
 from rotsolve.language.elements import Connection, Fact, LetterMaker, Moment, Surroundings

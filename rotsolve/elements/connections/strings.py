@@ -16,8 +16,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.facts import TAUT, TENSION, Force, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.directions import along_text, opposite
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, unit
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, opposite, unit
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting

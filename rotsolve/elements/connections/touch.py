@@ -11,8 +11,19 @@ from msgspec.structs import replace
 from rotsolve.algebra.formula import ZERO, Formula, add, call, negate
 from rotsolve.core.facts import FRICTION, GRIPS, NORMAL, TOUCHES, Force, Requirement, Rule, square
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.directions import TURNS, along_text, opposite
-from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, heading, unit, vector
+from rotsolve.core.vectors.heading import (
+    NOWHERE,
+    RIGHT,
+    TURNS,
+    UP,
+    Heading,
+    Vector,
+    along_text,
+    heading,
+    opposite,
+    unit,
+    vector,
+)
 from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Curved, Level

@@ -10,10 +10,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, negate, total
-from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, SECOND_CHOICE, Equation, Law
 from rotsolve.core.facts import Force
-from rotsolve.core.passage import Encounter, Meeting
+from rotsolve.core.passage import Alteration, Encounter, Meeting
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import flat, moved, spoken
 from rotsolve.grading.mistakes.mistake import Change, Made

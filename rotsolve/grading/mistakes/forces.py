@@ -10,9 +10,9 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation
 from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Facts, Force, Inertia, Role
+from rotsolve.core.passage import Alteration
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.core.writing import spoken

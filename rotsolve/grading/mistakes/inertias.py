@@ -10,9 +10,9 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
 from rotsolve.algebra.formula import ZERO, Formula, Number, Sum, total
-from rotsolve.core.alteration import Alteration
 from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Facts, Inertia
+from rotsolve.core.passage import Alteration
 from rotsolve.core.vectors.heading import Vector
 from rotsolve.elements.shapes import shape_of
 from rotsolve.grading.mistakes.mistake import Change, Made, bodies_and_parts, each_and_all, of_bodies

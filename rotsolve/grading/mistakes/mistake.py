@@ -8,8 +8,8 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.core.alteration import Alteration
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
+from rotsolve.core.passage import Alteration
 from rotsolve.core.writing import spoken
 from rotsolve.language.problem import Body, Problem
 
