@@ -164,11 +164,11 @@ class KnownBalls(Struct, frozen=True):
 
     def size(self, value: Formula, **more: Ball) -> Ball | None:
         """A ball that holds the number; None where a letter has none, or it is not real."""
+        return self._size(value, RealBalls(self.values, bound={**self.found, **more} if more else self.found))
+
+    def _size(self, value: Formula, balls: RealBalls) -> Ball | None:
         try:
-            if value.holds(Integral):
-                ball = evaluate(value, self.values, digits=10).ball
-            else:
-                ball = RealBalls(self.values, bound={**self.found, **more})(value)
+            ball = evaluate(value, self.values, digits=10).ball if value.holds(Integral) else balls(value)
         except (Undefined, ZeroDivisionError):
             return None
         return ball if ball.is_finite() else None
@@ -180,12 +180,14 @@ class KnownBalls(Struct, frozen=True):
 
     def gap(self, equation: Equation, **more: Ball) -> tuple[Ball, Ball] | None:
         """By how much both sides differ, and how large their terms are; None where one is no number."""
-        left, right = (self.size(side, **more) for side in (equation.left, equation.right))
-        if left is None or right is None:
-            return None
-        terms = (self.size(term, **more) for side in (equation.left, equation.right) for term in addends(side))
-        scale = max((abs(term).upper() for term in (left, right, *terms) if term is not None), default=arb(0))
-        return abs(left - right), scale
+        balls, sides, scale = RealBalls(self.values, bound={**self.found, **more}), [], arb(0)
+        for side in (equation.left, equation.right):
+            terms: list[Ball] = [size for term in addends(side) if (size := self._size(term, balls)) is not None]
+            if len(terms) < len(addends(side)):
+                return None
+            sides.append(sum(terms[1:], terms[0]))
+            scale = max(scale, *(abs(size).upper() for size in (sides[-1], *terms)))
+        return abs(sides[0] - sides[1]), scale
 
     def settle(self, equation: Equation, name: str) -> bool:
         """Find the one unknown of an equation that is linear in it; whether it drops out and leaves two numbers that differ: 2 = 0 t."""
