@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import Dimension, rank_of
+from rotsolve.algebra.units.dimension import Dimension, product_rank
 from rotsolve.core.faults import Span
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def letter_order(letters: Iterable[tuple[str, Dimension | None]]) -> tuple[str, ...]:
     """Names in the order of a printed product; equal ranks keep the order in which they come."""
-    ranked = [(rank_of(dimension), index, name) for index, (name, dimension) in enumerate(letters)]
+    ranked = [(product_rank(dimension), index, name) for index, (name, dimension) in enumerate(letters)]
     return tuple(name for _, _, name in sorted(ranked))
 
 

@@ -35,7 +35,7 @@ from rotsolve.algebra.units.dimension import (
     describe,
     dimension_of,
     is_positive,
-    rank_of,
+    product_rank,
     word_of,
 )
 from rotsolve.core.quantity import QUANTITIES
@@ -177,7 +177,9 @@ def test_kinds_stand_in_one_table() -> None:
 
 
 def test_a_kind_tells_its_rank_sign_and_word() -> None:
-    assert [rank_of(DIMENSIONS[word]) for word in ("number", "mass", "moment of inertia", "density", "length")] == [
+    assert [
+        product_rank(DIMENSIONS[word]) for word in ("number", "mass", "moment of inertia", "density", "length")
+    ] == [
         0,
         1,
         2,
@@ -189,4 +191,4 @@ def test_a_kind_tells_its_rank_sign_and_word() -> None:
         "torsional stiffness",
         "energy",
     ]
-    assert rank_of(None) == rank_of(DIMENSIONS["density"]) and word_of(DIMENSIONS["length"] ** 7) is None
+    assert product_rank(None) == product_rank(DIMENSIONS["density"]) and word_of(DIMENSIONS["length"] ** 7) is None

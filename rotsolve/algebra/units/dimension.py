@@ -161,7 +161,7 @@ _RANKS = {kind.dimension: kind.rank for kind in reversed(KINDS)}
 _POSITIVE = {kind.dimension for kind in KINDS if kind.positive}
 
 
-def rank_of(dimension: Dimension | None) -> int:
+def product_rank(dimension: Dimension | None) -> int:
     """Where letters of this dimension stand in a printed product."""
     return OTHER_RANK if dimension is None else _RANKS.get(dimension, OTHER_RANK)
 
