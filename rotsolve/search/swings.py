@@ -202,7 +202,11 @@ def verge_equation(swing: Swing, unknown: str, modifier: str, search: Stepping) 
     if unknown not in slope.symbols():
         raise NotYet(f"whether {spoken(swing.rest.state)} is stable does not depend on `{unknown}`")
     growing = search.signs.of_sizes(differentiate(slope, unknown))
-    if growing is not None and growing != (1 if modifier == "largest" else -1):
+    if not growing:
+        raise NotYet(
+            f"{spoken(swing.rest.state)} may be stable below a value of `{unknown}` or beyond it: give numbers to the letters"
+        )
+    if growing != (1 if modifier == "largest" else -1):
         side = "smallest" if modifier == "largest" else "largest"
         raise NotYet(f"{spoken(swing.rest.state)} is stable beyond a value: ask for the `{side}` one")
     return STABILITY.equation(slope, ZERO, swing.harmonic, (), told)

@@ -14,6 +14,9 @@ from pathlib import Path
 import pytest
 
 from rotsolve import Solution, Unsolvable, solve
+from rotsolve.algebra.certified.sign import SignOracle
+from rotsolve.algebra.formula import Symbol, call
+from rotsolve.algebra.notation.parse import parse
 from rotsolve.arrays import NotForMany
 from rotsolve.core.derivation import Answer
 from rotsolve.keys.working import VariantSolver
@@ -283,3 +286,29 @@ def test_the_way_in_which_a_body_slips_is_never_guessed() -> None:
     assert solve(BOWLED.format(turn="-w")).answers["a"].exact == "−μ g"
     with pytest.raises(Unsolvable, match="give a number to `R` and `v` and `w`"):
         solve(BOWLED.format(turn="w"))
+
+
+def test_letters_without_a_value_are_positive_beside_numbers_of_any_sign() -> None:
+    """−2 ω cos 2θ has the sign of its coefficient, whatever size ω has; ω − cos 2θ has none."""
+    omega, theta = Symbol("omega"), Symbol("theta")
+    oracle = SignOracle({"theta": parse("-47*pi/9000")})
+    assert oracle.of_sizes(-2 * omega * call("cos", 2 * theta)) == -1
+    assert oracle.of_sizes(omega**2 / call("sin", theta)) == -1
+    assert oracle.of_sizes(omega - call("cos", 2 * theta)) is None
+
+
+OUT = """
+title: A rod that stands out from a turning shaft
+given: {{M: 2 kg, L: 6 m, omega: unknown}}
+bodies: {{rod: {{shape: rod, mass: M, length: L}}}}
+connections: {{pin: {{shaft: rod.start, turning: omega}}}}
+states: {{out: {{rod.angle: {angle} deg, steady: true}}}}
+find: {{omega: largest omega where out is stable}}
+"""
+
+
+@pytest.mark.parametrize("angle", [-0.94, -30, -44])
+def test_the_side_of_a_limit_of_stability_hangs_on_the_numbers(angle: float) -> None:
+    """A little out, dα/dθ = −ω² cos 2θ + …: below 45° a faster shaft holds it the better, so that there is no largest ω."""
+    with pytest.raises(Unsolvable, match="ask for the `smallest` one"):
+        solve(OUT.format(angle=angle))

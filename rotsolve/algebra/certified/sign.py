@@ -10,10 +10,11 @@ from collections.abc import Callable, Collection, Mapping
 
 from msgspec import Struct, field
 
+from rotsolve.algebra.calculus.derivative import differentiate
 from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined, with_values
 from rotsolve.algebra.exact.normal import Fractions, simplify
-from rotsolve.algebra.formula import ZERO, Formula
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Symbol
 
 ACUTE = "acute"
 
@@ -80,7 +81,16 @@ class SignOracle(Struct, frozen=True):
             return sign
         value = simplify(with_values(value, self.values), positive=self.positive)
         acute = {name for name, limits in self.limits().items() if limits == ACUTE}
-        return 0 if value == ZERO else sign_within(value, value.symbols(), acute)
+        sign = 0 if value == ZERO else sign_within(value, value.symbols(), acute)
+        return self.of_powers(value) if sign is None else sign
+
+    def of_powers(self, value: Formula) -> int | None:
+        """The sign of c xⁿ yᵐ … for positive letters, that of c; xᵢ ∂v/∂xᵢ = nᵢ v tells such a formula from others."""
+        names = self.lacking(value)
+        degrees = [simplify(Symbol(name) * differentiate(value, name) / value) for name in names]
+        if not all(isinstance(degree, Number) for degree in degrees):
+            return None
+        return self.by_numbers(value.substitute(dict.fromkeys(names, ONE)))
 
 
 def sign_within(value: Formula, positive: Collection[str], acute: Collection[str] = ()) -> int | None:
