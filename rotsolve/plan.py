@@ -48,7 +48,7 @@ class Planner:
         self.symbols: list[frozenset[str]] = []
         self.summed: list[frozenset[str]] = []
         self.alone: list[frozenset[str]] = []  # letters that are a whole side
-        self.plain: set[int] = set()
+        self.plain: set[int] = set()  # one term equals another: a = R α
         self.dear: set[int] = set()  # definitions of what has been answered: the last way to what they are made of
         self.found: dict[object, Plan | None] = {}  # by all that a plan depends on: many searches come to the same
         for equation in pool:
@@ -69,7 +69,7 @@ class Planner:
         sides = (equation.left, equation.right)
         self.alone.append(frozenset(side.name for side in sides if isinstance(side, Symbol)))
         index = len(self.pool) - 1
-        if is_plain(equation):
+        if not any(side.holds(Sum) for side in sides):
             self.plain.add(index)
         return index
 
@@ -103,11 +103,7 @@ class Planner:
         return min(plans, key=lambda plan: plan.cost)
 
     def _relevant(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
-        """The equations that bear on the asked unknown, the best ones first."""
-        return self._usable(self._connected(asked, unknowns))
-
-    def _connected(self, asked: str, unknowns: Mapping[int, tuple[str, ...]]) -> dict[int, tuple[str, ...]]:
-        """Only the equations that share unknowns with the asked one, directly or through others."""
+        """The usable equations that share unknowns with the asked one, directly or through others; the best ones first."""
         holders: dict[str, list[int]] = {}
         for index, names in unknowns.items():
             for name in names:
@@ -121,7 +117,7 @@ class Planner:
                     fresh = [name for name in unknowns[index] if name not in seen]
                     seen.update(fresh)
                     pending.extend(fresh)
-        return dict(sorted(found.items(), key=lambda item: self._rank(*item)))
+        return self._usable(dict(sorted(found.items(), key=lambda item: self._rank(*item))))
 
     def _rank(self, index: int, names: tuple[str, ...]) -> tuple[int, ...]:
         """The cheapest first, with the fewest unknowns; of those that tell one unknown those where one term equals another; then
@@ -152,17 +148,11 @@ class Planner:
     ) -> Plan | None:
         """Match greedily, then collect what the asked unknown's equation needs; None where one of that has no equation."""
         owner = matched(told, skipped)
-        needed: list[int] = []
-        pending, seen = [asked], {asked}
-        while pending:
-            index = owner.get(pending.pop())
-            if index is None:
-                return None
-            needed.append(index)
-            fresh = [other for other in unknowns[index] if other not in seen]
-            seen.update(fresh)
-            pending.extend(fresh)
-        return Plan(asked, tuple(sorted(needed)), tuple(sorted(seen)), sum(map(self._cost, needed)))
+        names, open_ = needed(asked, unknowns, owner)
+        if open_:
+            return None
+        equations = sorted(owner[name] for name in names)
+        return Plan(asked, tuple(equations), tuple(sorted(names)), sum(map(self._cost, equations)))
 
     def _told(self, unknowns: Mapping[int, tuple[str, ...]]) -> Mapping[int, tuple[str, ...]]:
         """What each equation may be solved for: what it does not sum over; else a constant on which that depends."""
@@ -195,11 +185,7 @@ class Planner:
         """
         ways: dict[str, tuple[int, frozenset[int]]] = {}
         costs = {index: self._cost(index) for index in unknowns}
-        clock, changed, looked_at = (
-            0,
-            dict[str, int](),
-            dict[int, int](),
-        )  # when a way was found, an equation looked at last
+        clock, changed, looked_at = 0, dict[str, int](), dict[int, int]()  # when a way was found, an equation looked at
         for _ in range(ROUNDS):
             before = clock
             for index, names in unknowns.items():
@@ -224,7 +210,7 @@ class Planner:
         """The block with fewer equations than unknowns: all that alternating paths reach from the unknowns that got no equation."""
         owner = matched(self._told(unknowns))
         own = {index: name for name, index in owner.items()}
-        pending = self._open(asked, unknowns, owner)
+        pending = needed(asked, unknowns, owner)[1]
         names, equations = {asked, *pending}, set[int]()
         while pending:
             name = pending.pop()
@@ -235,20 +221,6 @@ class Planner:
                         names.add(own[index])
                         pending.append(own[index])
         return Shortage(asked, tuple(sorted(equations)), tuple(sorted(names)))
-
-    def _open(self, asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> list[str]:
-        """The unknowns without an equation of their own among all that the asked one needs."""
-        pending, seen = [asked], {asked}
-        open_: list[str] = []
-        while pending:
-            name = pending.pop()
-            if name not in owner:
-                open_.append(name)
-                continue
-            fresh = [other for other in unknowns[owner[name]] if other not in seen]
-            seen.update(fresh)
-            pending.extend(fresh)
-        return open_
 
     def _improved(self, best: Plan, unknowns: Mapping[int, tuple[str, ...]]) -> Plan:
         """Leave out one equation at a time while that makes the plan cheaper."""
@@ -264,9 +236,18 @@ class Planner:
         return best
 
 
-def is_plain(equation: Equation) -> bool:
-    """Whether one term equals another: a = R α."""
-    return not (equation.left.holds(Sum) or equation.right.holds(Sum))
+def needed(asked: str, unknowns: Mapping[int, tuple[str, ...]], owner: Mapping[str, int]) -> tuple[set[str], list[str]]:
+    """All unknowns that the asked one needs, by the equations that own them, and those of them that no equation owns."""
+    pending, seen, open_ = [asked], {asked}, list[str]()
+    while pending:
+        name = pending.pop()
+        if name not in owner:
+            open_.append(name)
+            continue
+        fresh = [other for other in unknowns[owner[name]] if other not in seen]
+        seen.update(fresh)
+        pending.extend(fresh)
+    return seen, open_
 
 
 def matched(told: Mapping[int, tuple[str, ...]], skipped: int = -1) -> dict[str, int]:

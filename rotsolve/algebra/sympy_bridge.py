@@ -31,9 +31,7 @@ from rotsolve.algebra.formula import (
     total,
 )
 
-INTEGRALS = (
-    500  # that SymPy has found, or not found, and that are remembered: the plans of a scene ask for the same ones
-)
+INTEGRALS = 500  # found, or not, by SymPy, that are remembered: the plans of a scene ask for the same ones
 _NAMES = {"abs": "Abs", "ellipk": "elliptic_k"}
 
 

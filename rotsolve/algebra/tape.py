@@ -13,18 +13,7 @@ from typing import Any
 from msgspec import Struct, field
 
 from rotsolve.algebra.flints import arb, fmpq, fmpz
-from rotsolve.algebra.formula import (
-    Call,
-    Constant,
-    Formula,
-    Negative,
-    Number,
-    Power,
-    Product,
-    Quotient,
-    Sum,
-    Symbol,
-)
+from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
 Exact = Any  # fmpq where the number is rational, else a narrow arb
 BITS = 640  # at which constants that are not rational are worked out

@@ -32,15 +32,7 @@ from rotsolve.paths.meaning import NotYet
 from rotsolve.simulation.beginning import Beginning, beginning
 from rotsolve.simulation.linear import Contradictory, Linear, Row
 from rotsolve.simulation.series import rough_value
-from rotsolve.simulation.system import (
-    System,
-    Variable,
-    check_rules,
-    named_in_text,
-    path_name,
-    refusal,
-    told_by_others,
-)
+from rotsolve.simulation.system import System, Variable, check_rules, named_in_text, path_name, refusal, told_by_others
 from rotsolve.simulation.tape import SeriesTape, vanishes
 
 RIGHT_ANGLE = PI / 2
@@ -81,15 +73,11 @@ class Compiler(Struct, dict=True):
 
     def compiled(self) -> System:
         """The system of the scene from its first state."""
-        try:
-            return self._compiled()
-        except Unwritable as error:
-            raise refusal(error, self.registry) from None
-
-    def _compiled(self) -> System:
         with Precision(BITS):
             bodies = [body.name for body in self.configuration.present(self.start.instant.state)]
-            self._enter_givens()
+            for name in self.values:
+                with suppress(NotYet):  # of givens without a number
+                    self.letters[name] = self.tape.number(self._exact(Symbol(name)))
             self._set_angles(bodies)
             fixed = Fixed(self.configuration, self.registry, self.modes)
             for by_motion in (False, True):
@@ -115,12 +103,6 @@ class Compiler(Struct, dict=True):
             check_rules(system)
             return system
 
-    def _enter_givens(self) -> None:
-        """The givens that have numbers."""
-        for name in self.values:
-            with suppress(NotYet):
-                self.letters[name] = self.tape.number(self._exact(Symbol(name)))
-
     def _variables(self, lines: list[tuple[str, str, Formula]]) -> Iterator[Variable]:
         """The numbers of the state; those whose rates no law tells are left out, if nothing else depends on them."""
         idle: dict[str, Formula] = {}
@@ -131,7 +113,9 @@ class Compiler(Struct, dict=True):
                 break
             idle.update(found)
         moving = [
-            Variable(name, letter, self.first[letter], self._value(rate), self.origins.get(letter, 0))
+            Variable(
+                name, letter, self.first[letter], self.tape.formula(rate, self.letters), self.origins.get(letter, 0)
+            )
             for name, letter, rate in told
         ]
         ever = self.tape.letters_under(*(item.rate for item in moving))
@@ -182,10 +166,6 @@ class Compiler(Struct, dict=True):
         except Unwritable as error:
             raise refusal(error, self.registry) from None
         return ZERO if vanishes(number) else number
-
-    def _value(self, formula: Formula) -> int:
-        """A formula of letters that are known by now, on the tape."""
-        return self.tape.formula(formula, self.letters)
 
     def _enter(self, letter: str, start: Formula) -> None:
         """A letter of the state, with its first value."""
@@ -331,7 +311,9 @@ class Compiler(Struct, dict=True):
         for law in equations_for(FOLLOWED, AtMoment(facts, "", "")):
             formula = (law.left - law.right).substitute(inertias)
             open_ = formula.symbols() - set(self.letters)
-            self._check_places(open_)
+            for name in sorted(open_):  # a place that the laws speak of is one that is followed
+                if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
+                    raise refusal(Unwritable("", name), self.registry)
             missing = sorted(name for name in open_ if not is_key(name))
             self.unnumbered = self.unnumbered or next(iter(missing), "")
             if not missing and open_:
@@ -347,12 +329,6 @@ class Compiler(Struct, dict=True):
             self.letters.update(self.linear.solve(rows, late))
         except Contradictory as error:
             raise NotYet(f"the data contradict each other: “{laws[error.equation][0].label}” can not hold") from None
-
-    def _check_places(self, letters: Collection[str]) -> None:
-        """A place that the laws speak of is one that is followed."""
-        for name in sorted(letters):
-            if name in self.registry.quantities and self.registry.quantities[name].kind in PLACES:
-                raise refusal(Unwritable("", name), self.registry)
 
     def _outputs(self, lines: list[tuple[str, str, Formula]], variables: tuple[Variable, ...]) -> dict[str, int]:
         """All that can be told: coordinates with their origins, speeds, accelerations, forces."""
@@ -378,4 +354,8 @@ def refuse_changing(facts: Facts) -> None:
 
 def compiled(configuration: Configuration, modes: Mapping[str, str], before: System | None = None) -> System:
     """The equations of motion of a configuration, from its first state, or as they go on from a system before."""
-    return Compiler(configuration, modes, before).compiled()
+    compiler = Compiler(configuration, modes, before)
+    try:
+        return compiler.compiled()
+    except Unwritable as error:
+        raise refusal(error, compiler.registry) from None

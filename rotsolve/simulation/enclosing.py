@@ -104,17 +104,6 @@ def enclosed(
             time, before = piece.start + piece.length, piece.length
             if any(float(number.rad()) > WIDE * max(1.0, abs(float(number.mid()))) for number in state):
                 raise Unbounded(time)
+    twice = ((0.0, 0.0), (motion, motion), (time, time), (state, state))  # as if of two runs
     zeros = [[0.0] * len(state) for _ in motion.pieces]
-    return (
-        Regime(
-            system,
-            Tolerances(0.0, bits),
-            (0.0, 0.0),
-            (motion, motion),
-            (time, time),
-            (state, state),
-            bounds=zeros,
-            proved=True,
-        ),
-        why,
-    )
+    return Regime(system, Tolerances(0.0, bits), *twice, bounds=zeros, proved=True), why

@@ -70,9 +70,8 @@ class Follower(Struct, dict=True):
         self.found = Followed()
         self.modes = self.decided(self.scene)
         self.ahead = list(self.configuration.timeline.states[1:])
-        self.systems: dict[
-            object, System
-        ] = {}  # of this scene, as it goes on from others: it sticks and slips again and again
+        # of this scene, as it goes on from others: it sticks and slips again and again
+        self.systems: dict[object, System] = {}
 
     def followed(self) -> Followed:
         """The motion up to the end asked for, or to where it can not go on."""
@@ -176,10 +175,8 @@ class Follower(Struct, dict=True):
             self.found.ended = f"`{after.name}` happens at `{state.name}`: what comes after that is not followed"
             return False
         scene = scene_from(self.configuration, state.name)
-        changed = (scene.problem.connections, scene.problem.actions) != (
-            self.scene.problem.connections,
-            self.scene.problem.actions,
-        )
+        old, new = self.scene.problem, scene.problem
+        changed = (old.connections, old.actions) != (new.connections, new.actions)
         if changed:
             self.scene = scene
             self.systems.clear()
@@ -198,11 +195,8 @@ class Follower(Struct, dict=True):
         own = {item.letter: number for item, number in zip(system.variables, state, strict=True)}
         read = self._read(system, state, time)
         floats = self.tolerances.bits == FLOAT_BITS
-        found = []
         for item in following.variables:
-            number = own.get(item.letter)
-            if number is None:
-                ball = read[item.name]
-                number = float(ball.mid()) if floats else ball.mid()
-            found.append(number)
-        return found
+            if item.letter not in own:
+                middle = read[item.name].mid()
+                own[item.letter] = float(middle) if floats else middle
+        return [own[item.letter] for item in following.variables]

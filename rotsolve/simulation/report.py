@@ -13,15 +13,7 @@ from rotsolve.page.columns import TextLine, paragraph_lines
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.tape import Scalar
 
-SHOWN = (
-    "angle",
-    "position",
-    "elongation",
-    "length",
-    "rotation",
-    "angular_velocity",
-    "velocity",
-)  # quantities of the table
+SHOWN = ("angle", "position", "elongation", "length", "rotation", "angular_velocity", "velocity")  # in the table
 ROWS = 10  # rows of the table, where no step is asked for
 DIGITS = 6
 FLOAT_DIGITS, MOST_DIGITS = 17, 80  # of a number in CSV

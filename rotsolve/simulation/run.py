@@ -79,15 +79,15 @@ class Run(Struct, dict=True):
 
     def balls(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, Scalar]:
         """Quantities at a time as balls that hold the true values."""
-        self._check(time)
+        if not 0 <= time <= self.end:
+            raise ValueError(f"the motion was followed from 0 to {self.end:g} s, not to {time:g} s")
         number = max(0, bisect_right([item.times[0] for item in self.regimes], time) - 1)
         part = self.regimes[number]
         wanted = tuple(name for name in (names or part.system.outputs) if name in part.system.outputs)
         with Precision(max(READING_BITS, 2 * part.bits)):
             if (number, wanted) not in self._readings:
-                self._readings[number, wanted] = Readout(
-                    part.system, {name: part.system.outputs[name] for name in wanted}
-                )
+                places = {name: part.system.outputs[name] for name in wanted}
+                self._readings[number, wanted] = Readout(part.system, places)
             reading = self._readings[number, wanted]
             found = reading.read(time, part.state(time))
             direct = {item.name for item in part.system.variables}
@@ -99,10 +99,6 @@ class Run(Struct, dict=True):
                     apart = arb(near.mid(), near.rad() + bound + part.rounding * abs(float(near)))
                     found[name] = min(found[name], apart, key=lambda ball: float(ball.rad()))
         return found
-
-    def _check(self, time: float) -> None:
-        if not 0 <= time <= self.end:
-            raise ValueError(f"the motion was followed from 0 to {self.end:g} s, not to {time:g} s")
 
     def at(self, time: float, names: tuple[str, ...] | None = None) -> dict[str, tuple[float, float]]:
         """Values at a time, each with its bound, in SI units and radians."""

@@ -18,9 +18,8 @@ from rotsolve.simulation.tape import Scalar, SeriesTape
 
 Series = list[Scalar]
 Lists = Mapping[int, Series]  # by the places of their values on the tape
-Made = tuple[
-    Callable[[], None], Callable[[int], None] | None
-]  # what begins a series, and appends to it; None for a constant's
+# what begins a series, and appends to it; None for a constant's
+Made = tuple[Callable[[], None], Callable[[int], None] | None]
 Functions = Mapping[str, Callable[[Scalar], Scalar]]
 OF_FLOAT: Functions = {
     "sin": math.sin,
@@ -171,28 +170,22 @@ def quotient_series(operation: Operation, place: int, lists: Lists, arithmetic: 
     """z = x/y: zₖ = (xₖ − Σ yⱼ zₖ₋ⱼ, j from 1)/y₀."""
     own, above, below = lists[place], lists[operation.values[0]], lists[operation.values[1]]
 
-    def start() -> None:
-        own.append(above[0] / below[0])
-
     def step(order: int) -> None:
         top = above[order] if order < len(above) else 0  # nothing of a constant
         own.append((top - sum(map(mul, own, below[order:0:-1]))) / below[0])
 
-    return start, step
+    return (lambda: own.append(above[0] / below[0])), step
 
 
 def power_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:
     """z = x^c: k x₀ zₖ = Σ (c (k − j) − j) xₖ₋ⱼ zⱼ, j below k."""
     own, base, exponent = lists[place], lists[operation.values[0]], arithmetic.number(operation.numbers[0])
 
-    def start() -> None:
-        own.append(base[0] ** exponent)
-
     def step(order: int) -> None:
         terms = [(exponent * (order - j) - j) * base[order - j] * own[j] for j in range(order)]
         own.append(sum(terms) / (order * base[0]))
 
-    return start, step
+    return (lambda: own.append(base[0] ** exponent)), step
 
 
 def sine_series(operation: Operation, place: int, lists: Lists, arithmetic: Arithmetic) -> Made:

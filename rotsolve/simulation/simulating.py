@@ -18,7 +18,7 @@ from rotsolve.scene.values import read_seconds
 from rotsolve.simulation.bounded import FLOAT_BITS, Regime, Tolerances, Unsettled
 from rotsolve.simulation.compiling import compiled
 from rotsolve.simulation.enclosing import enclosed
-from rotsolve.simulation.following import Followed, Follower, Occurrence
+from rotsolve.simulation.following import Follower
 from rotsolve.simulation.run import Run
 from rotsolve.simulation.taylor import Unbounded
 from rotsolve.simulation.watches import watches
@@ -92,8 +92,8 @@ def follow(configuration: Configuration, until: float, accuracy: float, tell: Ca
                 raise Unsettled(getattr(error, "time", 0.0)) from None
             settled = settled_until(best.regimes, accuracy)
             why = f"beyond that its numbers are not settled to {accuracy:g} within {PATIENCE:g} s of calculation"
-            settled_to = events_until(best, settled), why, settled, best.sought
-            return Run(configuration.problem, until, accuracy, best.regimes, *settled_to)
+            events = tuple(event for event in best.events if event.time <= settled)
+            return Run(configuration.problem, until, accuracy, best.regimes, events, why, settled, best.sought)
         before, excess = excess, worst(found.regimes) / accuracy
         idle += excess > before / 2
         if excess <= 1 or idle == IDLE:
@@ -144,10 +144,6 @@ def first_tolerances(accuracy: float) -> Tolerances:
 def in_balls(tolerance: float) -> Tolerances:
     """A tolerance, with as many bits as it takes."""
     return Tolerances(tolerance, max(96, 40 + math.ceil(-math.log2(tolerance))))
-
-
-def events_until(found: Followed, time: float) -> tuple[Occurrence, ...]:
-    return tuple(event for event in found.events if event.time <= time)
 
 
 def sizes_of(regimes: Sequence[Regime]) -> dict[str, float]:

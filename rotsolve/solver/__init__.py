@@ -215,11 +215,7 @@ class Solver(Isolation, kw_only=True):
                 refs: list[Ref] = [item.ref, *item.sources]
                 if (item.left, item.right) != (square, value):
                     chain = [Equality(item.left, item.right)] if item.sources else []
-                    chain += [
-                        *self.bounds_put_in(item, name),
-                        *self.like_terms(item, name),
-                        Equality(square, value),
-                    ]
+                    chain += [*self.bounds_put_in(item, name), *self.like_terms(item, name), Equality(square, value)]
                     refs = [("step", self._keep(item, chain, "", ()).number)]
                     self.derived.append((FOUND.equation(square, value, item.section), refs[0]))
                 for other in items:

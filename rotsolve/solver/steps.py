@@ -93,9 +93,6 @@ class Found(Struct, frozen=True):
     others: tuple[Formula, ...] = ()
 
 
-TWO = formula(2)
-
-
 class Item(Struct):
     """An equation on its way: what it has become, and what has been put in since it was written."""
 
@@ -165,7 +162,7 @@ def put_square(value: Formula, name: str, into: Formula) -> Formula:
     """A formula with the square of a letter replaced: in (v/r)² with v² = g r that is g r/r²."""
 
     def change(node: Formula) -> Formula:
-        if not isinstance(node, Power) or node.exponent != TWO:
+        if not isinstance(node, Power) or node.exponent != formula(2):
             return node
         factor = cofactor(node.base, name)
         if factor is None:

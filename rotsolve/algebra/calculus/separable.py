@@ -180,34 +180,20 @@ class Stretch(Struct, frozen=True):
         return sign == -1 if sign is not None else isinstance(f, Negative)
 
 
-def needs_care(f: Formula, name: str) -> bool:
-    """Whether an integrand is divided by something with the variable in it, or has a root of it."""
-    below = (node.denominator for node in f.walk(Quotient) if isinstance(node, Quotient))
-    return has_root(f, name) or any(name in node.symbols() for node in below)
-
-
 def has_root(f: Formula, name: str) -> bool:
     """Whether the variable stands under a root."""
     return any(isinstance(node, Call) and node.function == "sqrt" and name in node.symbols() for node in f.walk("sqrt"))
 
 
-Sign = Callable[[Formula], int | None]
-
-
-def in_closed_form(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
+def in_closed_form(node: Integral, sign: SignOf, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
     """An integral in closed form; None where it has none that a page would hold."""
-    done = separated_integral(node, sign, order, positive)
-    if done is not None:
-        return done
-    summed = integrate_by_hand if has_root(node.integrand, node.variable) else integrate
-    return summed(node.integrand, node.variable, node.lower, node.upper, positive=positive)
-
-
-def separated_integral(node: Integral, sign: Sign, order: tuple[str, ...], positive: frozenset[str]) -> Formula | None:
-    """An integral with its variable below the line or under a root; the signs of its coefficients tell which real form it has."""
-    if not needs_care(node.integrand, node.variable):
-        return None
-    try:
-        return Stretch(node.variable, node.lower, node.upper, sign, order, positive).integral(node.integrand)
-    except Unending as error:
-        raise Undefined(str(error)) from None
+    f, name = node.integrand, node.variable
+    rooted = has_root(f, name)
+    if rooted or any(isinstance(part, Quotient) and name in part.denominator.symbols() for part in f.walk(Quotient)):
+        try:
+            done = Stretch(name, node.lower, node.upper, sign, order, positive).integral(f)
+        except Unending as error:
+            raise Undefined(str(error)) from None
+        if done is not None:
+            return done
+    return (integrate_by_hand if rooted else integrate)(f, name, node.lower, node.upper, positive=positive)

@@ -185,8 +185,7 @@ class RealBalls:
         def integrand(z: Ball, analytic: bool) -> Ball:
             return ComplexBalls(outer, {node.variable: z}, analytic)(node.integrand)
 
-        found = acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit())
-        return found.real
+        return acb.integral(integrand, acb(lower), acb(upper), eval_limit=work_limit()).real
 
     def vanishes(self, value: Formula) -> bool:
         """Whether a value is exactly zero."""

@@ -7,13 +7,7 @@ from fractions import Fraction
 from msgspec import Struct
 
 from rotsolve.algebra.calculus.derivative import differentiate
-from rotsolve.algebra.certified.ball import (
-    BITS_PER_DIGIT,
-    Certified,
-    Precision,
-    decided_by_size,
-    ends,
-)
+from rotsolve.algebra.certified.ball import BITS_PER_DIGIT, Certified, Precision, decided_by_size, ends
 from rotsolve.algebra.certified.balls import Ball, RealBalls, Undefined, Values, with_values
 from rotsolve.algebra.exact.normal import is_zero
 from rotsolve.algebra.flints import arb, fmpq
@@ -21,9 +15,7 @@ from rotsolve.algebra.formula import Formula, Number, formula
 
 BUDGET = 3000  # intervals looked at
 SPLIT = Fraction(489, 1000)  # not the middle, where roots of tidy problems are
-PLACES = tuple(
-    Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891)
-)  # where an identity shows
+PLACES = [Fraction(place, 1009) for place in (-983, -744, -493, -239, 17, 251, 602, 891)]  # where an identity shows
 NARROW = 60  # bits of relative width below which an undecided interval is given up
 
 

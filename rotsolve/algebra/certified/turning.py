@@ -63,9 +63,8 @@ def integral_to_rest(node: Integral, balls: BallOf) -> Ball | None:
     sign = 1 if between > 0 else -1
     inside = in_half_angles(inside, node.variable)
     if all(rest):
-        return sign * (
-            _from_end(node, inside, ends[0], middle, balls) - _from_end(node, inside, ends[1], middle, balls)
-        )
+        first, last = (_from_end(node, inside, end, middle, balls) for end in ends)
+        return sign * (first - last)
     if rest[0]:
         return sign * _from_end(node, inside, *ends, balls)
     return -sign * _from_end(node, inside, ends[1], ends[0], balls)

@@ -34,8 +34,7 @@ def with_fewest_exponentials(node: Formula, tidy: Tidy) -> Formula:
     terms = [times(term, outer, tidy) for term in inner.terms]
     if not any(gone for _, gone in terms):
         return node
-    written = [term for term, _ in terms]
-    written.sort(key=lambda term: isinstance(term, Negative))
+    written = sorted([term for term, _ in terms], key=lambda term: isinstance(term, Negative))
     result: Formula = ONE
     for part in node.factors:
         if part is inner:
@@ -62,7 +61,7 @@ def times(term: Formula, outer: Call, tidy: Tidy) -> tuple[Formula, bool]:
     return multiply(result, last), gone and exponent == ZERO
 
 
-def one_logarithm(node: Formula, tidy: Callable[[Formula], Formula]) -> Formula:
+def one_logarithm(node: Formula, tidy: Tidy) -> Formula:
     """A sum with its logarithms, each of something positive, put together; as it is where that makes it no shorter."""
     if not isinstance(node, Sum):
         return node
@@ -77,5 +76,5 @@ def one_logarithm(node: Formula, tidy: Callable[[Formula], Formula]) -> Formula:
         inside, found = put_in(inside, bare.arguments[0]), found + 1
     if found < 2:
         return node
-    whole = add(Call("log", (tidy(inside),)), total(others)) if others else Call("log", (tidy(inside),))
+    whole = add(Call("log", (tidy(inside),)), total(others))
     return whole if length(whole) < length(node) else node

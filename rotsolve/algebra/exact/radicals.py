@@ -44,21 +44,17 @@ class Radicals:
         num, den = ring.convert(argument)
         num, den = ring.reduce(num), ring.reduce(den)
         num, den = ring.cancel(ring.rationalised((num, den)) or (num, den))
+        signs = PolynomialSigns(ring, self.positive)
         if not len(num):
-            return ring, Fraction(0), [], PolynomialSigns(ring, self.positive)
+            return ring, Fraction(0), [], signs
         parts = Factorization(ring).of_ratio((num, den))
         factors = [(ring.gens[i], e) for i, e in parts.gens.items()]
         factors += [(ring.poly(terms), e) for terms, e in parts.sums]
         if parts.root != 1 or any(e.denominator != 1 for _, e in factors):  # roots under a root: keep them as they are
             top, above = ring.factor(num)
             bottom, below = ring.factor(den)
-            return (
-                ring,
-                Fraction(top, bottom),
-                above + [(p, -e) for p, e in below],
-                PolynomialSigns(ring, self.positive),
-            )
-        return ring, parts.number, [(p, int(e)) for p, e in factors if e], PolynomialSigns(ring, self.positive)
+            return ring, Fraction(top, bottom), above + [(p, -e) for p, e in below], signs
+        return ring, parts.number, [(p, int(e)) for p, e in factors if e], signs
 
     def _settled(
         self, ring: Field, signs: PolynomialSigns, number: Fraction, factors: list[Factor]
@@ -98,7 +94,8 @@ class Radicals:
         for poly, e in unknown:
             if e % 2:
                 rest = rest * poly
-            result = multiply(result, power(self._abs(shaper.poly(poly)) if e // 2 % 2 else shaper.poly(poly), e // 2))
+            shown = shaper.poly(poly)
+            result = multiply(result, power(call("abs", shown) if e // 2 % 2 else shown, e // 2))
         return result if rest.is_one() else multiply(result, call("sqrt", shaper.poly(rest)))
 
     def abs(self, argument: Formula) -> Formula:
@@ -111,7 +108,7 @@ class Radicals:
             result = multiply(result, power(shaper.poly(poly), e))
         for poly, e in unknown:
             shown = shaper.poly(poly)
-            result = multiply(result, power(self._abs(shown) if e % 2 else shown, e))
+            result = multiply(result, power(call("abs", shown) if e % 2 else shown, e))
         return result
 
     def log(self, argument: Formula) -> Formula:
@@ -131,10 +128,6 @@ class Radicals:
             for p, e in prime_powers(n):
                 result = add(result, multiply(Number(Fraction(sign * e)), call("log", Number(Fraction(p)))))
         return result
-
-    @staticmethod
-    def _abs(shown: Formula) -> Formula:
-        return call("abs", shown)
 
 
 def prime_powers(n: int) -> list[tuple[int, int]]:
@@ -159,18 +152,10 @@ def _numeric_root(value: Fraction) -> Formula:
     return result
 
 
-_ASIN = {
-    Fraction(0): Fraction(0),
-    Fraction(1, 4): Fraction(1, 6),
-    Fraction(1, 2): Fraction(1, 4),
-    Fraction(3, 4): Fraction(1, 3),
-    Fraction(1): Fraction(1, 2),
-}
+# the square of the sine or tangent -> the angle, in units of π
+_ASIN = {Fraction(n, 4): Fraction(turns) for n, turns in enumerate(("0", "1/6", "1/4", "1/3", "1/2"))}
 _ATAN = {
-    Fraction(0): Fraction(0),
-    Fraction(1, 3): Fraction(1, 6),
-    Fraction(1): Fraction(1, 4),
-    Fraction(3): Fraction(1, 3),
+    Fraction(square): Fraction(turns) for square, turns in (("0", "0"), ("1/3", "1/6"), ("1", "1/4"), ("3", "1/3"))
 }
 
 

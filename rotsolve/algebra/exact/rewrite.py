@@ -73,7 +73,7 @@ class Rewriter:
         vectors: list[tuple[Vector, Fraction]] = []  # with the multiple of π that goes with each
         turns: set[Fraction] = set()
         for node in calls:
-            if node.function in TRIG and not _holds(node.arguments[0], TRIG):
+            if node.function in TRIG and not node.arguments[0].holds(*TRIG):
                 vector, rest, _ = angles.split_pi(self._linear(node.arguments[0]))
                 if vector:
                     sign, vector = _signed(vector, self.order)
@@ -81,7 +81,7 @@ class Rewriter:
                         vectors.append((vector, sign * rest))
                 elif angles.exact_angle(rest) is None:
                     turns.add(abs(rest))
-            elif node.function == "exp" and not _holds(node.arguments[0], TRIG):
+            elif node.function == "exp" and not node.arguments[0].holds(*TRIG):
                 for term, value in self._linear(node.arguments[0]).items():
                     self.exp_shares[term] = lcm(self.exp_shares.get(term, 1), value.denominator)
         for group in _groups([vector for vector, _ in vectors]):
@@ -94,7 +94,7 @@ class Rewriter:
             self.shares[PI] = share
 
     def _linear(self, argument: Formula) -> Vector:
-        return angles.linear(self(argument) if _holds(argument, ("sqrt", "abs", *INVERSE)) else argument, self.order)
+        return angles.linear(self(argument) if argument.holds("sqrt", "abs", *INVERSE) else argument, self.order)
 
     # rewriting
 
@@ -107,11 +107,9 @@ class Rewriter:
     def _rewrite(self, node: Formula) -> Formula:
         if not node.children():
             return node
-        found = self.memo.get(node)
-        if found is None:
-            found = self._rewrite_inner(node)
-            self.memo[node] = found
-        return found
+        if node not in self.memo:
+            self.memo[node] = self._rewrite_inner(node)
+        return self.memo[node]
 
     def _rewrite_inner(self, node: Formula) -> Formula:
         if isinstance(node, Integral):
@@ -168,7 +166,7 @@ class Rewriter:
         if not vector:
             return angles.turn(self._constant(turns), quarters)
         whole = len(vector) == 1 and all(abs(value) == 1 for value in vector.values())  # sin(arcsin(k sin x)) = k sin x
-        if any(term in self.shares or _is_inverse(term) for term in vector) and (whole or not _holds(argument, TRIG)):
+        if any(term in self.shares or _is_inverse(term) for term in vector) and (whole or not argument.holds(*TRIG)):
             shares = {term: lcm(self.shares.get(term, 1), value.denominator) for term, value in vector.items()}
             if all(abs(value * shares[term]) <= MULTIPLE_LIMIT for term, value in vector.items()):
                 pair: SinCos = self._constant(turns)
@@ -265,10 +263,6 @@ class Rewriter:
         node = self._rewrite(node)
         ring = Field([node])
         return not len(ring.reduce(ring.convert(node)[0]))
-
-
-def _holds(node: Formula, functions: tuple[str, ...]) -> bool:
-    return node.holds(*functions)
 
 
 def _is_inverse(term: Formula) -> bool:

@@ -76,20 +76,16 @@ def _quadratic_roots(
         return [root, negate(root)]
     if not len(c):
         return [ZERO, problem.shortest((-b, a))]
-    plain = problem.shaper
     inside = ring.reduce(b * b - 4 * a * c)
     if not len(inside):
         return [problem.shortest((-b, 2 * a))]
     exact = _square_root(problem, inside)
     if exact is not None:
         return [problem.shortest((-b + exact, 2 * a)), problem.shortest((-b - exact, 2 * a))]
-    root = sqrt(plain.ratio((inside, ring.one)))
-    top, bottom = plain.poly(-b), plain.poly(2 * a)
-    found = []
-    for sign in (1, -1):
-        value = divide(add(top, root if sign > 0 else negate(root)), bottom)
-        found.append(simplify(value, order=order, positive=positive))
-    return found
+    root = sqrt(problem.shaper.ratio((inside, ring.one)))
+    top, bottom = problem.shaper.poly(-b), problem.shaper.poly(2 * a)
+    values = [divide(add(top, side), bottom) for side in (root, negate(root))]
+    return [simplify(value, order=order, positive=positive) for value in values]
 
 
 def _square_root(problem: Fractions, poly: Poly) -> Poly | None:

@@ -46,9 +46,7 @@ SEGMENT = rf"(?:[{_GREEK_CLASS}][0-9]*|[A-Za-z][A-Za-z0-9]*)[{_SUB_CLASS}]*(?:_[
 
 INDEXED = re.compile(r"([A-Za-z]+)_?([0-9]+)")  # m1, omega_2
 _WORDED = re.compile(r"([A-Za-z]+)([0-9]*)_([A-Za-z0-9_]+)")  # a_end, theta0_end
-_CHANGE = (
-    rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)"  # delta_theta, delta_K1; rare, hence compiled late
-)
+_CHANGE = rf"[dD]elta_([A-Za-z]|{'|'.join(GREEK_LETTERS)})_?([0-9]*)"  # delta_theta, delta_K1; compiled late: rare
 _RUNNING = re.compile(r"([A-Za-z0-9_]+)\(([A-Za-z0-9_]+)\)")  # omega(t)
 PRIME = "'"  # marks a variable of integration beside its end: omega'
 _TRAILING_INDEX = re.compile(r"(?<=[A-Za-z])_?([0-9]+)$")
@@ -98,10 +96,6 @@ def greek(head: str) -> str:
     return GREEK_LETTERS.get(head, head)
 
 
-def _change(name: str) -> re.Match[str] | None:
-    return re.fullmatch(_CHANGE, name) if name[1:6] == "elta_" else None
-
-
 class Letter(Struct, frozen=True):
     """A name in its parts: Δ in front, the letter, what stands below it (digits, a word), a prime, and the letter it is a function of."""
 
@@ -115,7 +109,7 @@ class Letter(Struct, frozen=True):
 
 def parts(name: str) -> Letter | None:
     """The parts of an ASCII name; None for one that no letter is made of, such as a path."""
-    if match := _change(name):
+    if name[1:6] == "elta_" and (match := re.fullmatch(_CHANGE, name)):
         return Letter(match[1], match[2], change=True)
     if match := _RUNNING.fullmatch(name):
         inner = parts(match[1])

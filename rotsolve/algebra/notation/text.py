@@ -226,10 +226,7 @@ def trails(formula: Formula) -> bool:
         return _square_like(formula) and is_function(formula.base) and trails(formula.base)
     if not isinstance(formula, Call) or formula.function not in (*BARE, "sqrt"):
         return False
-    argument = formula.arguments[0]
-    if isinstance(argument, Number):
-        return False
-    return may_be_bare(argument)
+    return may_be_bare(formula.arguments[0])
 
 
 def may_be_bare(argument: Formula) -> bool:
@@ -249,10 +246,8 @@ def _unicode_closed(formula: Formula) -> str:
 
 def _unicode_call(function: str, arguments: tuple[Formula, ...]) -> Piece:
     inner = ", ".join(_unicode(argument)[0] for argument in arguments)
-    if function == "abs":
-        # Bars within bars could not be told apart.
-        nested = arguments[0].holds("abs")
-        return (f"abs({inner})", ATOM) if nested else (f"|{inner}|", ATOM)
+    if function == "abs":  # bars within bars could not be told apart
+        return f"abs({inner})" if arguments[0].holds("abs") else f"|{inner}|", ATOM
     bare = len(arguments) == 1 and may_be_bare(arguments[0])
     if function == "sqrt":
         number = isinstance(arguments[0], Number) and arguments[0].value.denominator == 1 and arguments[0].value >= 0

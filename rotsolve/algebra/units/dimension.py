@@ -6,7 +6,7 @@ dimensions match when all else agrees, since textbooks write v = ω R.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from fractions import Fraction
 from functools import cache
 
@@ -186,7 +186,12 @@ def kind_of(dimension: Dimension, name: str | None = None) -> Kind | None:
 
 def base_unit_text(dimension: Dimension) -> str:
     """The dimension in base units: `kg m³/s`."""
-    parts = (("kg", dimension.mass), ("m", dimension.length), ("rad", dimension.angle), ("s", dimension.time))
+    units = {"kg": dimension.mass, "m": dimension.length, "rad": dimension.angle, "s": dimension.time}
+    return product_of_units(units.items())
+
+
+def product_of_units(parts: Collection[tuple[str, Exponent]]) -> str:
+    """Units with their exponents: `kg m²/s`, with a bracket around several below the slash."""
     above = " ".join(unit_power(unit, exponent) for unit, exponent in parts if exponent > 0)
     below = [unit_power(unit, -exponent) for unit, exponent in parts if exponent < 0]
     if not below:

@@ -19,7 +19,7 @@ from msgspec import Struct
 from rotsolve.algebra.formula import PI, Formula, Negative, Number, Power, Product, Quotient, multiply
 from rotsolve.algebra.notation.letters import FRACTIONS, from_superscript
 from rotsolve.algebra.notation.tokens import NUMBER, FormulaError, read_number, suggest
-from rotsolve.algebra.units.dimension import NONE, Dimension, Exponent, base_unit_text, kind_of, unit_power
+from rotsolve.algebra.units.dimension import NONE, Dimension, Exponent, base_unit_text, kind_of, product_of_units
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, power_of_pi
 
 __all__ = ["Unit", "UnitError", "UnitValue", "number_in_unit", "parse_quantity", "parse_unit", "unit_for"]
@@ -167,15 +167,8 @@ class UnitFactors:
                 scale *= unit.scale**exponent
                 pi_power += unit.pi_power * exponent
             dimension = dimension * unit.dimension**exponent
-        return Unit(self.text(), scale, pi_power, dimension)
-
-    def text(self) -> str:
-        """`kg m²/s`, with a bracket around several below the slash."""
-        above = " ".join(unit_power(unit.text, exponent) for unit, exponent in self.exponents.items() if exponent > 0)
-        below = [unit_power(unit.text, -exponent) for unit, exponent in self.exponents.items() if exponent < 0]
-        if not below:
-            return above
-        return f"{above or '1'}/{below[0]}" if len(below) == 1 else f"{above or '1'}/({' '.join(below)})"
+        text = product_of_units([(unit.text, exponent) for unit, exponent in self.exponents.items()])
+        return Unit(text, scale, pi_power, dimension)
 
 
 def _read_unit(text: str, start: int, *, over_one: bool) -> Unit:

@@ -94,12 +94,8 @@ UNITS: dict[str, Unit] = {
     for dimension, names in rows
     for name, scale in names.items()
 }
-UNITS |= {
-    "°": UNITS["deg"],
-    "μm": UNITS["µm"],
-    "μs": UNITS["µs"],
-    "μN": UNITS["µN"],
-}  # the Greek letter beside the micro sign
+# the Greek letter beside the micro sign
+UNITS |= {"°": UNITS["deg"], "μm": UNITS["µm"], "μs": UNITS["µs"], "μN": UNITS["µN"]}
 
 AMBIGUOUS = {  # what is refused, and what to write
     "hp": "write hp_textbook (746 W), hp_mechanical (745.69987158227022 W) or hp_metric (735.5 W)",
