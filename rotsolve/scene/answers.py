@@ -45,8 +45,7 @@ def read_published(scope: Scope, name: str, key: Text, node: Node, asked: dict[s
                 found |= {"value": published.value, "unit": published.unit, "values": published.values}
                 texts.append(published.text)
     if not texts:
-        scope.fault(key, f"the answer `{name}` is empty", FORM, "form")
-        return None
+        return scope.fault(key, f"the answer `{name}` is empty", FORM, "form")
     return Published(name, " = ".join(texts), span=key.span, **found)
 
 
@@ -55,8 +54,7 @@ def read_single(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
     if isinstance(node, List):
         return read_several(scope, name, key, node, asked)
     if not isinstance(node, Text):
-        scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
-        return None
+        return scope.fault(node, f"the answer `{name}` can't be a map here", FORM, "form")
     text = node.value.strip()
     if name in scope.choices:
         return Published(name, text, span=key.span)
@@ -87,11 +85,9 @@ def read_several(scope: Scope, name: str, key: Text, node: List, asked: dict[str
     items = flattened(node)
     for item in items:
         if not isinstance(item, Text):
-            scope.fault(item, f"an item of the answer `{name}` is a map", "write `[1.2 N, 3.4 N]`", "form")
-            return None
+            return scope.fault(item, f"an item of the answer `{name}` is a map", "write `[1.2 N, 3.4 N]`", "form")
     if not items:
-        scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
-        return None
+        return scope.fault(node, f"the answer `{name}` is empty", FORM, "form")
     quantities = [parsed_quantity(item.value.strip()) for item in items if isinstance(item, Text)]
     numbers = [quantity for quantity in quantities if quantity is not None]
     if len(numbers) < len(quantities):
@@ -121,8 +117,7 @@ def time_of(scope: Scope, node: Node) -> TimeValue | None:
     try:
         return read_time(node.value if isinstance(node, Text) else "")
     except ValueError:
-        scope.fault(node, "`at` wants a time, such as `2 s`", kind="form")
-        return None
+        return scope.fault(node, "`at` wants a time, such as `2 s`", kind="form")
 
 
 def tolerance_of(scope: Scope, node: Node) -> Formula | None:

@@ -47,13 +47,12 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     """`ball: particle`: a shape alone."""
     shape = shape_words().get(node.value.strip())
     if shape is None:
-        scope.fault(
+        return scope.fault(
             node,
             f"body `{name}` wants a map, but this is {quoted(node.value)}",
             "write `{shape: disc, mass: M}`",
             "form",
         )
-        return None
     if shape.later:
         scope.later(node, shape.word)
     return Body(name, shape(), span=key.span)
@@ -65,8 +64,7 @@ def named_shape(scope: Scope, node: Node) -> type[Shape] | None:
     if written is None or (isinstance(written, Text) and written.empty):
         return None
     if not isinstance(written, Text):
-        scope.fault(written, "`shape` wants one word", hint("", shape_words(), "shapes"), "form")
-        return None
+        return scope.fault(written, "`shape` wants one word", hint("", shape_words(), "shapes"), "form")
     word = " ".join(written.value.split())
     shape = shape_words().get(word)
     if shape is None:
@@ -201,15 +199,13 @@ def read_inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
     """A number, `{value: I, about: POINT}`, or a tensor (later)."""
     want = Want("inertia", "moment of inertia", "I", owner, "nonnegative")
     if isinstance(node, List):
-        scope.later(node, "inertia tensor")
-        return None
+        return scope.later(node, "inertia tensor")
     if not isinstance(node, Map):
         found = read_scalar(scope, node, want)
         return None if found is None else {"inertia": found}
     entries = scope.entries(node, "`inertia`", ("value", "about"))
     if "value" not in entries:
-        scope.fault(node, "`inertia` needs `value`", "write `inertia: {value: I, about: start}`", "missing")
-        return None
+        return scope.fault(node, "`inertia` needs `value`", "write `inertia: {value: I, about: start}`", "missing")
     result: dict[str, Any] = {"inertia": read_scalar(scope, entries["value"][1], want)}
     if "about" in entries:
         about = entries["about"][1]
@@ -261,8 +257,7 @@ def read_count(scope: Scope, node: Node, owner: str) -> int | None:
     text = node.value.strip() if isinstance(node, Text) else ""
     if text.isascii() and text.isdigit() and 0 < int(text[:6]) <= 1000:
         return int(text)
-    scope.fault(node, "`count` wants a whole number from 1 to 1000", kind="form")
-    return None
+    return scope.fault(node, "`count` wants a whole number from 1 to 1000", kind="form")
 
 
 def check_axis(scope: Scope, node: Node, owner: str) -> None:

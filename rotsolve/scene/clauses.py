@@ -112,8 +112,7 @@ class Clauses:
         word = part.value.strip()
         if word in METHODS:
             return word
-        self.scope.fault(part, f"{quoted(word)} is no way to an answer", hint(word, METHODS, "ways"), "choice")
-        return None
+        return self.scope.fault(part, f"{quoted(word)} is no way to an answer", hint(word, METHODS, "ways"), "choice")
 
     def read_where(self, part: Text) -> Condition | None:
         self.where = self.condition(part)

@@ -108,8 +108,7 @@ class OptionReader:
             return None
         if test is None and not marks:
             help = f"write `X < Y`, or say `{IS}:` one of {', '.join(TESTS)}"
-            self.scope.fault(node, f"the option {quoted(label)} compares nothing", help, "choice")
-            return None
+            return self.scope.fault(node, f"the option {quoted(label)} compares nothing", help, "choice")
         starts = [0, *(match.end() for match in marks)]
         ends = [*(match.start() for match in marks), len(node.value)]
         sides = [self.side(node, start, end, label) for start, end in zip(starts, ends, strict=True)]
@@ -123,8 +122,7 @@ class OptionReader:
         """One phrase: a part of a text."""
         text = node.value[start:end]
         if not text.strip():
-            self.scope.fault(node, f"a quantity is missing in {quoted(node.value.strip())}", FORM, "find")
-            return None
+            return self.scope.fault(node, f"a quantity is missing in {quoted(node.value.strip())}", FORM, "find")
         part = node.cut(start, end)
         found = read_phrase(self.scope, self.name, part, part, self.answers)
         if found is None:

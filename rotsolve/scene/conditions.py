@@ -35,8 +35,7 @@ def read_condition(scope: Scope, part: Text, quantity: Quantity) -> Condition | 
     if place:
         found = quantity([*words[:place], *words[place + 2 :]])
         return None if found is None else Condition(None, word=texts[place + 1], span=part.span, phrase=found[0])
-    scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
-    return None
+    return scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
 
 
 def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None:
@@ -49,16 +48,14 @@ def contact_word(scope: Scope, part: Text, texts: list[str]) -> Condition | None
     help = hint(word, allowed, "it can be") if allowed else f"of what sticks, slips or goes slack: {', '.join(able)}"
     if not able:
         help = "only contacts, clutches and strings can: `contact: [block, floor]`"
-    scope.fault(part, f"`{owner}` can't be {quoted(word)}", help, "choice")
-    return None
+    return scope.fault(part, f"`{owner}` can't be {quoted(word)}", help, "choice")
 
 
 def equality(scope: Scope, part: Text, words: list[Lexeme], sign: int, quantity: Quantity) -> Condition | None:
     """`path = value [clauses]` or `path = path [clauses]`; the clauses belong to the paths."""
     end = next((k for k in range(sign, len(words)) if words[k].kind == "name" and words[k].text in CLAUSES), len(words))
     if sign == 0 or end == sign + 1:
-        scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
-        return None
+        return scope.fault(part, f"{quoted(part.value)} is no condition", FORMS, "find")
     read = quantity([*words[:sign], *words[end:]])
     if read is None:
         return None

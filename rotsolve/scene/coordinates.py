@@ -29,8 +29,7 @@ def of_coordinates(scope: Scope, node: Node, names: Collection[str], want: Want)
     taken = [name for name in names if name in scope.givens and mentions(node, name)]
     if taken:
         message = f"`{taken[0]}` is a given, and a coordinate of `{want.owner}`"
-        scope.fault(node, message, f"give the given another name, such as `{taken[0]}0`", "name")
-        return None
+        return scope.fault(node, message, f"give the given another name, such as `{taken[0]}0`", "name")
     extra: Mapping[str, Dimension] = {name: DIMENSIONS[MEASURES[name]] for name in names if name not in scope.givens}
     found = read_scalar(
         scope, node, Want(want.label, want.dimension, want.letter, want.owner, want.limits, extra=extra)
@@ -46,29 +45,25 @@ def mentions(node: Node, name: str) -> bool:
 def read_range(scope: Scope, node: Node, name: str, others: Collection[str], label: str, owner: str) -> Range | None:
     """`x: [0, a]`, where the limits may be formulas of the other coordinate."""
     if not isinstance(node, List) or len(node.items) != 2:
-        scope.fault(node, f"`{name}` wants its limits `[from, to]`", FORM, "form")
-        return None
+        return scope.fault(node, f"`{name}` wants its limits `[from, to]`", FORM, "form")
     want = Want(label, MEASURES[name], {"phi": "beta"}.get(name, name), owner)
     ends = [of_coordinates(scope, item, others, want) for item in node.items]
     if ends[0] is None or ends[1] is None:
         return None
     low, high = rough(ends[0], scope.numbers), rough(ends[1], scope.numbers)
     if low is not None and high is not None and low >= high:
-        scope.fault(node, f"the limits of `{name}` enclose nothing", "write the smaller first", "limits")
-        return None
+        return scope.fault(node, f"the limits of `{name}` enclose nothing", "write the smaller first", "limits")
     return Range(coordinate(name), ends[0], ends[1])
 
 
 def read_region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range, ...] | None:
     """The limits of x and y, or of r and phi."""
     if not isinstance(node, Map):
-        scope.fault(node, f"`{label}` wants the limits of two coordinates", FORM, "form")
-        return None
+        return scope.fault(node, f"`{label}` wants the limits of two coordinates", FORM, "form")
     entries = scope.entries(node, f"`{label}`", (*CARTESIAN, *POLAR))
     pair = next((names for names in (CARTESIAN, POLAR) if set(entries) == set(names)), None)
     if pair is None:
-        scope.fault(node, f"`{label}` wants x and y, or r and phi", FORM, "missing")
-        return None
+        return scope.fault(node, f"`{label}` wants x and y, or r and phi", FORM, "missing")
     found = [
         read_range(scope, written, name, set(pair) - {name}, label, owner) for name, (_, written) in entries.items()
     ]
@@ -76,10 +71,9 @@ def read_region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range
         return None
     one, other = found[0], found[1]
     if leans(one, other) and leans(other, one):
-        scope.fault(
+        return scope.fault(
             node, f"the limits of `{label}` lean on each other", "those of one coordinate must be fixed", "form"
         )
-        return None
     return one, other
 
 
@@ -92,8 +86,7 @@ def read_profile(scope: Scope, node: Node, label: str, owner: str) -> tuple[Rang
     form = "write `{z: [0, h], r: R*z/h}`"
     entries = scope.entries(node, f"`{label}`", ("z", "r"))
     if set(entries) != {"z", "r"}:
-        scope.fault(node, f"`{label}` wants the limits of z, and r", form, "missing")
-        return None
+        return scope.fault(node, f"`{label}` wants the limits of z, and r", form, "missing")
     along = read_range(scope, entries["z"][1], "z", (), label, owner)
     written = entries["r"][1]
     want = Want(label, "length", "R", owner)
@@ -112,17 +105,14 @@ def read_density(
     built: Shape | None = fields.get("shape")
     if shape is None or built is None or built.spread not in DENSITIES:
         what = f"a {shape.word}" if shape else "a body without a shape"
-        scope.fault(node, f"{what} has no density", "give its `mass`", "form")
-        return None
+        return scope.fault(node, f"{what} has no density", "give its `mass`", "form")
     names = built.variables()
     strange = [name for name in MEASURES if name not in names and name not in scope.givens and mentions(node, name)]
     if strange:
         message = f"{quoted(strange[0])} is no coordinate of `{owner}`"
         known = hint("", names, "coordinates") if names else f"the density of a {shape.word} is the same everywhere"
-        scope.fault(node, message, known, "unknown")
-        return None
+        return scope.fault(node, message, known, "unknown")
     if isinstance(node, (Map, List)):
-        scope.fault(node, f"`density` wants one value or a formula of {joined(names) or 'givens'}", kind="form")
-        return None
+        return scope.fault(node, f"`density` wants one value or a formula of {joined(names) or 'givens'}", kind="form")
     want = Want("density", DENSITIES[built.spread], LETTERS[built.spread], owner, "nonnegative")
     return of_coordinates(scope, node, names, want)

@@ -90,8 +90,7 @@ def list_items(scope: Scope, key: Key, node: Node, label: str) -> tuple[Node, ..
         return items
     wanted = str(low) if low == high else f"{low} to {high}" if high < 50 else f"at least {low}"
     example = f"write `{label}: {key.example}`" if key.example else ""
-    scope.fault(node, f"`{label}` wants a list of {wanted}, but this has {len(items)}", example, "count")
-    return None
+    return scope.fault(node, f"`{label}` wants a list of {wanted}, but this has {len(items)}", example, "count")
 
 
 def read_radii(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -126,24 +125,21 @@ def read_choice(scope: Scope, key: Key, node: Node, label: str, owner: str) -> A
     if isinstance(node, Text) and node.value.strip() in key.choices:
         return node.value.strip()
     shown = node.value if isinstance(node, Text) else node.shown
-    scope.fault(node, f"`{label}` can't be {quoted(shown)}", hint(shown, key.choices, "choices"), "choice")
-    return None
+    return scope.fault(node, f"`{label}` can't be {quoted(shown)}", hint(shown, key.choices, "choices"), "choice")
 
 
 def read_flag(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     word = node.value.strip().lower() if isinstance(node, Text) else ""
     if word in FLAGS:
         return FLAGS[word]
-    scope.fault(node, f"`{label}` wants `true` or `false`", kind="choice")
-    return None
+    return scope.fault(node, f"`{label}` wants `true` or `false`", kind="choice")
 
 
 def read_name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     """The name of a thing of one of the kinds that the key refers to."""
     what = " or ".join(key.refers)
     if not isinstance(node, Text):
-        scope.fault(node, f"`{label}` wants the name of a {what}", kind="form")
-        return None
+        return scope.fault(node, f"`{label}` wants the name of a {what}", kind="form")
     word = node.value.strip()
     if scope.kinds.get(word) in key.refers:
         return word
@@ -189,8 +185,7 @@ def read_direction(scope: Scope, key: Key, node: Node, label: str, owner: str) -
 
 def read_vector(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     if not isinstance(node, List) or len(node.items) not in (2, 3):
-        scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
-        return None
+        return scope.fault(node, f"`{label}` wants `[x, y]`", kind="form")
     if len(node.items) == 3:
         scope.later(node, "a direction in space")
     found = [read_scalar(scope, item, Want(label)) for item in node.items]
@@ -275,8 +270,7 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     if isinstance(node, Text):
         return plain_word(scope, kind, table, name, node)
     if not isinstance(node, Map):
-        scope.fault(node, f"{kind} `{name}` wants `{{{table[-1].word}: …}}`, but this is a list", "", "form")
-        return None
+        return scope.fault(node, f"{kind} `{name}` wants `{{{table[-1].word}: …}}`, but this is a list", "", "form")
     cls = class_of(scope, kind, table, name, key, node)
     if cls is None:
         return None
@@ -324,21 +318,18 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
     known = [cls.word for cls in table]
     if len(found) > 1:  # an axle with a `force`: the first of them in the file decides what is meant
         both = " and ".join(f"`{cls.word}`" for cls in found[:2])
-        scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
-        return None
+        return scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
     for entry, _ in node.entries:
         if nearest_name(entry.value, known):
-            scope.fault(
+            return scope.fault(
                 entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown"
             )
-            return None
-    scope.fault(
+    return scope.fault(
         key,
         f"`{name}` doesn't say what kind of {kind} it is",
         hint("", known, PLURAL[kind]),
         "missing",
     )
-    return None
 
 
 def points_named(element: Element) -> list[PointRef]:

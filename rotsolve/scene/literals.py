@@ -31,7 +31,7 @@ from rotsolve.core.quantity import NUMBER
 from rotsolve.language.problem import Given
 from rotsolve.language.words import an, quoted
 from rotsolve.scene.rough import rough
-from rotsolve.scene.scope import Scope
+from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
 
 
@@ -175,8 +175,7 @@ class Want(Struct, frozen=True):
 def asked_letter(scope: Scope, node: Text, want: Want) -> Formula | None:
     """`force: unknown`: a letter that is asked for."""
     if not want.letter:
-        scope.fault(node, f"`{want.label}` can't be unknown here", "name it in `given`: `x: unknown`", "form")
-        return None
+        return scope.fault(node, f"`{want.label}` can't be unknown here", "name it in `given`: `x: unknown`", "form")
     name = scope.free(want.letter, want.owner, want.hint)
     dimension = DIMENSIONS[want.dimension] if want.dimension else None
     scope.givens[name] = Given(name, None, dimension, None, "unknown", asked=True, automatic=True, span=node.span)
@@ -191,11 +190,9 @@ def whole_literal(scope: Scope, node: Text, want: Want, unit: str) -> Formula | 
     except UnitError as error:
         if re.search(r"[-+*/^()]", unit) or any(word in scope.givens for word in re.findall(r"\w+", unit)):
             return EXPRESSION
-        unit_fault(scope, node, error)
-        return None
+        return unit_fault(scope, node, error)
     if scope.kinds.get(unit) == "given":
-        ambiguous(scope, node, node.value.strip(), unit)
-        return None
+        return ambiguous(scope, node, node.value.strip(), unit)
     return literal_value(scope, node, want, quantity)
 
 
@@ -207,23 +204,21 @@ def parsed_quantity(text: str) -> UnitValue | None:
         return None
 
 
-def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> None:
+def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> Nothing:
     """The complaint of the unit parser at its place."""
     shift += len(node.value) - len(node.value.lstrip())
     help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
     help = help or ("" if ":" in error.message else "write a number and a unit, such as `3 kg m^2`")
-    scope.fault(node.part(shift + error.start, shift + max(error.end, error.start + 1)), error.message, help, "unit")
+    return scope.fault(
+        node.part(shift + error.start, shift + max(error.end, error.start + 1)), error.message, help, "unit"
+    )
 
 
-def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> None:
+def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> Nothing:
     number = text[: -len(unit)].strip()
     message = f"{quoted(text)} can be read in two ways: `{unit}` is a given and a unit"
-    scope.fault(
-        place,
-        message,
-        f"write `{number}*{unit}` for the product, or put the quantity in `given` under a name",
-        "ambiguous",
-    )
+    help = f"write `{number}*{unit}` for the product, or put the quantity in `given` under a name"
+    return scope.fault(place, message, help, "ambiguous")
 
 
 def literal_value(scope: Scope, node: Text, want: Want, quantity: UnitValue) -> Formula | None:

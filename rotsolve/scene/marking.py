@@ -85,8 +85,7 @@ def read_tolerance(scope: Scope, key: Key, node: Node, label: str) -> Tolerance 
             return Tolerance(text, share=share.value)
     elif amount is not None and not text.startswith(("-", "−")):
         return Tolerance(text, amount=amount.value)
-    scope.fault(node, f"`{label}` can't be {node.shown}", "write `2 %`, `0.05 m/s^2` or `3 figures`", "form")
-    return None
+    return scope.fault(node, f"`{label}` can't be {node.shown}", "write `2 %`, `0.05 m/s^2` or `3 figures`", "form")
 
 
 def read_deductions(scope: Scope, key: Key, node: Node, label: str) -> dict[str, Deduction] | None:

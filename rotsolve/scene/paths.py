@@ -55,8 +55,7 @@ def point_names(body: Body) -> tuple[str, ...]:
 def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, Formula] | None:
     """A place `[x, y]` in the plane."""
     if not isinstance(node, List) or len(node.items) not in (2, 3):
-        scope.fault(node, f"`{label}` wants a place `[x, y]`", kind="form")
-        return None
+        return scope.fault(node, f"`{label}` wants a place `[x, y]`", kind="form")
     if len(node.items) == 3:
         scope.later(node, "a place in space")
     x, y = (
@@ -69,8 +68,7 @@ def read_place(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formul
 def read_spot(scope: Scope, node: Node, label: str, owner: str) -> tuple[Formula, ...] | None:
     """A place `[x, y]` or `[x, y, z]` of a body, z its height above the picture."""
     if not isinstance(node, List) or len(node.items) not in (2, 3):
-        scope.fault(node, f"`{label}` wants a place `[x, y]` or `[x, y, z]`", kind="form")
-        return None
+        return scope.fault(node, f"`{label}` wants a place `[x, y]` or `[x, y, z]`", kind="form")
     found = [
         read_scalar(scope, item, Want(label, "length", letter, owner))
         for item, letter in zip(node.items, "xyz", strict=False)
@@ -86,14 +84,12 @@ def read_point(
         place = read_place(scope, node, label, owner)
         return None if place is None else PointRef("", None, None, place, node.span)
     if isinstance(node, Map):
-        scope.fault(node, f"`{label}` wants a point such as `rod.end`, but this is a map", kind="form")
-        return None
+        return scope.fault(node, f"`{label}` wants a point such as `rod.end`, but this is a map", kind="form")
     match = DOTTED.fullmatch(node.value)
     if not match:
-        scope.fault(
+        return scope.fault(
             node, f"{quoted(node.value)} is no point", "write `body`, `body.point`, `rod.at(x)` or `[x, y]`", "form"
         )
-        return None
     name = match["owner"]
     place_of_name = node.part(match.start("owner"), match.end("owner"))
     if scope.kinds.get(name) not in kinds:
@@ -133,8 +129,7 @@ def point_of(scope: Scope, node: Text, match: re.Match[str], label: str) -> Poin
         return None if argument is None else PointRef(name, "at", argument, None, node.span)
     if match["call"] or point not in scope.points[name]:
         names = [*scope.points[name], *(["at(x)"] if rod else [])]
-        scope.fault(span, f"`{name}` has no point {quoted(point)}", hint(point, names, "points"), "point")
-        return None
+        return scope.fault(span, f"`{name}` has no point {quoted(point)}", hint(point, names, "points"), "point")
     return PointRef(name, point, None, None, node.span)
 
 
@@ -143,8 +138,7 @@ def place_along(scope: Scope, span: Span, name: str, written: Text) -> Formula |
     shape = scope.bodies[name].shape
     if shape is None or not shape.slender:
         help = f"points: {', '.join(scope.points[name])}"
-        scope.fault(span, f"`at(…)` is a point of rods only, and `{name}` is none", help, "point")
-        return None
+        return scope.fault(span, f"`at(…)` is a point of rods only, and `{name}` is none", help, "point")
     return read_scalar(scope, written, Want("at(…)", "length", "x", name, "nonnegative"))
 
 
@@ -186,7 +180,7 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     words = list(segments(node.value[start:end], start))
     span = node.part(start, end)
     if not words or "".join(node.value[start:end].split()) != node.value[start:end]:
-        scope.fault(
+        return scope.fault(
             span,
             f"{quoted(node.value[start:end])} is no path",
             "give the place a letter: `x: 2 m` among the givens, then `body.at(x)`"
@@ -194,7 +188,6 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
             else "write `body.quantity` or `body.point.quantity`",
             "path",
         )
-        return None
     first = words[0]
     if len(words) == 1:
         return system_path(scope, node, first, span)
@@ -263,13 +256,12 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     allowed = words_of(POINT if point else BODY)
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"
-        scope.fault(
+        return scope.fault(
             span,
             f"{quoted(node.value[words[0].start : words[0].start + span.length])} is a point, not a quantity",
             help,
             "path",
         )
-        return None
     names = allowed if point else [*allowed, *scope.points[owner]]
     return finish(scope, node, owner, point, argument, rest, span, allowed, names)
 
@@ -315,10 +307,9 @@ def finish(
     word = rest[0]
     of = f"`{owner}.{point}`" if point else f"`{owner}`"
     if word not in allowed:
-        scope.fault(
+        return scope.fault(
             word_place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity"
         )
-        return None
     entry = QUANTITIES[word]
     component = None
     if len(rest) > 1:
@@ -326,10 +317,9 @@ def finish(
         if component is None:
             return None
     if len(rest) > 2:
-        scope.fault(
+        return scope.fault(
             word_place(node, rest[2]), f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}", "", "path"
         )
-        return None
     if entry.later:
         scope.later(span, word)
     return Path(owner, str(word), point, argument, component, span)
@@ -342,8 +332,7 @@ def read_component(scope: Scope, node: Text, entry: QuantityKind, word: Segment)
     if word in allowed:
         return str(word)
     message = f"`{entry.word}` has no component {quoted(word)}"
-    scope.fault(word_place(node, word), message, hint(word, allowed, "components"), "component")
-    return None
+    return scope.fault(word_place(node, word), message, hint(word, allowed, "components"), "component")
 
 
 WORDS = (*PLACES, *RATES)
@@ -356,7 +345,6 @@ def running_path(scope: Scope, node: Text, piece: Lexeme) -> Formula | None:
         return None
     if path.owner not in scope.bodies or path.point or path.component or path.quantity not in WORDS:
         help = f"write `body.quantity` with one of: {', '.join(WORDS)}"
-        scope.fault(path.span, f"a value can't vary with {quoted(piece.text)}", help, "formula")
-        return None
+        return scope.fault(path.span, f"a value can't vary with {quoted(piece.text)}", help, "formula")
     scope.dimensions[piece.text] = QUANTITIES[path.quantity].dimension
     return Symbol(piece.text)

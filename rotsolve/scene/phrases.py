@@ -24,7 +24,7 @@ from rotsolve.language.words import hint, quoted
 from rotsolve.scene.clauses import Clauses
 from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes, stand_in
 from rotsolve.scene.paths import read_path
-from rotsolve.scene.scope import Scope
+from rotsolve.scene.scope import Nothing, Scope
 from rotsolve.scene.tree import Node, Text
 from rotsolve.scene.values import expression
 
@@ -45,11 +45,9 @@ class Phrase(Struct):
 def read_find(scope: Scope, name: str, key: Text, node: Node, answers: dict[str, Any]) -> Find | None:
     """One entry of `find`."""
     if not isinstance(node, Text):
-        scope.fault(node, f"`{name}` asks for one phrase", HELP, "form")
-        return None
+        return scope.fault(node, f"`{name}` asks for one phrase", HELP, "form")
     if len(node.value) > 1000:
-        scope.fault(node, f"the phrase of `{name}` is too long", "at most 1000 characters", "limit")
-        return None
+        return scope.fault(node, f"the phrase of `{name}` is too long", "at most 1000 characters", "limit")
     found = read_phrase(scope, name, key, node, answers)
     if found is None:
         return None
@@ -69,8 +67,7 @@ def read_phrase(scope: Scope, name: str, key: Text, node: Text, answers: dict[st
         return None
     if phrase.unit and dimension is not None and not dimension.matches(phrase.unit.dimension):
         message = f"{quoted(phrase.unit.text)} doesn't measure this: `{name}` is {dimension_in_words(dimension)}"
-        scope.fault(node, message, "", "dimension")
-        return None
+        return scope.fault(node, message, "", "dimension")
     text = node.value.strip()
     find = Find(name, formula, tuple(phrase.terms), phrase.outer, phrase.where, phrase.unit, text, key.span)
     return find, dimension
@@ -89,8 +86,7 @@ def dimension_found(scope: Scope, node: Text, formula: Formula, phrase: Phrase, 
         message = error.message
         for index, term in enumerate(phrase.terms):
             message = message.replace(f"#{index}", term.path.quantity)
-        scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", kind="dimension")
-        return None
+        return scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", kind="dimension")
 
 
 class PhraseReader:
@@ -107,8 +103,7 @@ class PhraseReader:
         found = [shifted(piece, start) for piece in lexemes(self.node.value[start:end], self.scope.givens)]
         words = [piece for piece in found if piece.kind != "space"]
         if not words:
-            self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
-            return None
+            return self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
         return self.quantity(words, outer)
 
     def quantity(self, words: list[Lexeme], outer: bool) -> Formula | None:
@@ -122,8 +117,7 @@ class PhraseReader:
         cut = next((index for index, piece in at_top(words) if piece.text in CLAUSES), len(words))
         if cut == 0:
             place = words[0] if words else given[-1]
-            self.scope.fault(self.node.part(place.start, place.end), "a quantity is missing here", HELP, "find")
-            return None
+            return self.scope.fault(self.node.part(place.start, place.end), "a quantity is missing here", HELP, "find")
         first = len(self.phrase.terms)
         clauses = Clauses(self.scope, self.node, outer, self.condition)
         if not clauses.read(words[cut:]):
@@ -163,8 +157,7 @@ class PhraseReader:
         term, rest = found
         clauses = Clauses(self.scope, self.node, outer, self.condition)
         if rest and not (outer and rest[0].text == "in" and clauses.read(rest)):
-            trailing(self.scope, self.node, rest)
-            return None
+            return trailing(self.scope, self.node, rest)
         self.phrase.unit = clauses.unit or self.phrase.unit
         self.phrase.terms.append(term)
         return Symbol(f"#{len(self.phrase.terms) - 1}")
@@ -207,10 +200,9 @@ class PhraseReader:
         if modifier == "size of":
             return call("abs", formula)
         span = self.node.part(place.start, place.end)
-        self.scope.fault(
+        return self.scope.fault(
             span, f"`{modifier}` in brackets takes one quantity", "ask for it in a line of its own", "find"
         )
-        return None
 
     def formula(self, start: int, end: int) -> Formula | None:
         """The expression text[start:end]: bracketed phrases first, then paths and givens."""
@@ -293,30 +285,27 @@ def read_swings(scope: Scope, node: Text, words: list[Lexeme], modifier: str) ->
     if not rest or rest[0].text != "swings":
         place = node.part(words[0].start, words[-1].end) if words else node.span
         asked = node.value[words[0].start : words[-1].end] if words else ""
-        scope.fault(place, f"{quoted(f'{modifier} {asked}'.strip())} is not known", FORM, "find")
-        return None
+        return scope.fault(place, f"{quoted(f'{modifier} {asked}'.strip())} is not known", FORM, "find")
     span, found, rest = node.part(words[0].start, rest[0].end), {"of": "", "about": "", "from": ""}, rest[1:]
     while rest and rest[0].text in found:
         if len(rest) < 2:
-            scope.fault(node.part(rest[0].start, rest[0].end), f"nothing follows `{rest[0].text}`", FORM, "find")
-            return None
+            return scope.fault(node.part(rest[0].start, rest[0].end), f"nothing follows `{rest[0].text}`", FORM, "find")
         name = name_after(scope, node, rest[1], "body" if rest[0].text == "of" else "state")
         if name is None:
             return None
         found[rest[0].text], rest = name, rest[2:]
     if (kind == SMALL and found["from"]) or (kind == LARGE and (found["about"] or not found["from"])):
-        scope.fault(span, "small swings are `about` a state, other ones `from` one", FORM, "find")
-        return None
+        return scope.fault(span, "small swings are `about` a state, other ones `from` one", FORM, "find")
     path = Path(found["of"], SWINGS[modifier], span=span)
     return Term(path, kind, at=found["about"] or None, start=found["from"] or None), rest
 
 
-def trailing(scope: Scope, node: Text, rest: list[Lexeme]) -> None:
+def trailing(scope: Scope, node: Text, rest: list[Lexeme]) -> Nothing:
     """A fault for words that can't follow."""
     place = node.part(rest[0].start, rest[-1].end)
     what = quoted(node.value[rest[0].start : rest[-1].end])
     help = "to reckon with it put it in brackets: `(period of small swings)/2`"
-    scope.fault(place, f"{what} can't follow here", help, "find")
+    return scope.fault(place, f"{what} can't follow here", help, "find")
 
 
 def name_after(scope: Scope, node: Text, word: Lexeme, kind: str) -> str | None:
@@ -324,13 +313,12 @@ def name_after(scope: Scope, node: Text, word: Lexeme, kind: str) -> str | None:
     if scope.kinds.get(word.text) == kind:
         return word.text
     plural = "bodies" if kind == "body" else "states"
-    scope.fault(
+    return scope.fault(
         node.part(word.start, word.end),
         f"unknown {kind} {quoted(word.text)}",
         hint(word.text, scope.names(kind), plural),
         "unknown",
     )
-    return None
 
 
 def swings_said(text: str) -> bool:
@@ -347,11 +335,9 @@ def swings_path(scope: Scope, line: Text) -> Path | None:
         return None
     term, rest = found
     if rest:
-        trailing(scope, line, rest)
-        return None
+        return trailing(scope, line, rest)
     if term.modifier == SMALL and term.at is None:
         return term.path
-    scope.fault(
+    return scope.fault(
         line, "a state tells the period of small swings about itself", f"write `{modifier} small swings: …`", "find"
     )
-    return None

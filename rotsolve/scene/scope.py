@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
+from typing import Never
 
 from rotsolve.algebra.formula import FUNCTIONS, Formula, Symbol
 from rotsolve.algebra.units.dimension import Dimension
@@ -34,6 +35,7 @@ RESERVED = {
 ALWAYS = ("ground", "ceiling")
 LATER_HELP = "the scene reads well, but the physics of this word comes in a later version"
 MOST_FAULTS = 100
+Nothing = Never | None  # noqa: RUF020  # None, which a reader may give back for what it did not find
 
 
 class Scope:
@@ -53,16 +55,18 @@ class Scope:
         self.choices: set[str] = set()  # questions whose answer is a label
         self.conflicts: set[str] = set()  # names used twice: what they name can't be told
 
-    def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> None:
+    def fault(self, place: Node | Span | None, message: str, help: str = "", kind: str = "scene") -> Nothing:
+        """Note a fault; nothing is read then, which is what the reader returns."""
         if len(self.faults) < MOST_FAULTS:
             span = place if isinstance(place, Span) or place is None else place.span
             if span is not None and span.line == 0:  # a setting of the command line
                 span, message = None, f"--set: {message}"
             self.faults.append(Fault(message, span, help, kind))
+        return None
 
-    def later(self, place: Node | Span | None, word: str) -> None:
+    def later(self, place: Node | Span | None, word: str) -> Nothing:
         """A word that is read but whose physics is not there yet."""
-        self.fault(place, f"`{word}` is not solved yet", LATER_HELP, "not yet")
+        return self.fault(place, f"`{word}` is not solved yet", LATER_HELP, "not yet")
 
     def names(self, *kinds: str) -> list[str]:
         """The names of these kinds of things, in the order of the file."""
@@ -92,9 +96,9 @@ class Scope:
 
     def unknown(
         self, place: Node | Span, word: str, what: str, names: Iterable[str], plural: str, where: str = ""
-    ) -> None:
+    ) -> Nothing:
         """An unknown name, with what was probably meant."""
-        self.fault(place, f"unknown {what} {quoted(word)}{where}", hint(word, names, plural), "unknown")
+        return self.fault(place, f"unknown {what} {quoted(word)}{where}", hint(word, names, plural), "unknown")
 
     def entries(
         self, node: Node, what: str, allowed: Iterable[str] | None = None, owner: str = ""

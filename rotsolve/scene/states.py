@@ -22,11 +22,9 @@ def read_state(scope: Scope, name: str, key: Text, node: Node) -> State | None:
     if isinstance(node, Text):
         if " ".join(node.value.split()) == "at rest":
             return State(name, (Condition(None, rest=True, owner="all", span=node.span),), span=key.span)
-        scope.fault(node, f"state `{name}` can't be {quoted(node.value)}", FORM, "form")
-        return None
+        return scope.fault(node, f"state `{name}` can't be {quoted(node.value)}", FORM, "form")
     if isinstance(node, List):
-        scope.fault(node, f"state `{name}` wants a map, but this is a list", FORM, "form")
-        return None
+        return scope.fault(node, f"state `{name}` wants a map, but this is a list", FORM, "form")
     conditions: list[Condition] = []
     flags = {"balance": False, "steady": False}
     for word, (line, written) in scope.entries(node, f"state `{name}`").items():

@@ -54,8 +54,7 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
         place = node.part(piece.start, piece.end)
         if piece.kind == "quantity" and before in ("/", "^", "**"):
             message = f"`{before} {piece.text}` can be read in two ways"
-            scope.fault(place, message, "put the quantity, or the number, in brackets", "ambiguous")
-            return None
+            return scope.fault(place, message, "put the quantity, or the number, in brackets", "ambiguous")
         before = before if piece.kind == "space" else piece.text
         replaced = replacement(scope, node, piece, place, want, names, paths)
         if replaced is None:
@@ -100,13 +99,11 @@ def replacement(
     if piece.kind == "quantity":
         unit = piece.text.lstrip("0123456789.").strip()
         if unit in scope.givens:
-            ambiguous(scope, place, piece.text, unit)
-            return None
+            return ambiguous(scope, place, piece.text, unit)
         try:
             quantity = parse_quantity(piece.text)
         except UnitError as error:
-            unit_fault(scope, node, error, piece.start)
-            return None
+            return unit_fault(scope, node, error, piece.start)
         share = share_of_pi(quantity.value)
         if share is not None:
             return multiple_of_pi(share)
@@ -160,11 +157,9 @@ def formula_fault(
 def read_scalar(scope: Scope, node: Node, want: Want, paths: PathReader | None = None) -> Formula | None:
     """The formula that a scalar writes; None after a fault."""
     if not isinstance(node, Text):
-        scope.fault(node, f"`{want.label}` wants one value, but this is {node.shown}", kind="form")
-        return None
+        return scope.fault(node, f"`{want.label}` wants one value, but this is {node.shown}", kind="form")
     if not node.value.strip():
-        scope.fault(node, f"`{want.label}` is empty", kind="form")
-        return None
+        return scope.fault(node, f"`{want.label}` is empty", kind="form")
     if node.value.strip() == "unknown":
         return asked_letter(scope, node, want)
     literal = LITERAL.fullmatch(node.value)
@@ -220,8 +215,7 @@ def agreed_dimension(
         )
     except DimensionError as error:
         message = as_written(scope, formula, error.message)
-        scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", help, "dimension")
-        return None
+        return scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", help, "dimension")
 
 
 def as_written(scope: Scope, formula: Formula, message: str) -> str:

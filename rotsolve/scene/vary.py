@@ -29,8 +29,7 @@ MOST = 10_000  # values of one letter
 def read_vary(scope: Scope, node: Node) -> Variation | None:
     """The whole section; None after a fault."""
     if not isinstance(node, Map):
-        scope.fault(node, "`vary` wants a map", "write `vary: {m: 1 kg to 3 kg by 0.5 kg}`", "form")
-        return None
+        return scope.fault(node, "`vary` wants a map", "write `vary: {m: 1 kg to 3 kg by 0.5 kg}`", "form")
     before = len(scope.faults)
     entries = scope.entries(node, "`vary`")
     where = entries.pop(WHERE, None)
@@ -57,18 +56,15 @@ def read_varied(scope: Scope, name: str, key: Text, node: Node) -> Varied | None
     """One given with its values."""
     given = scope.givens.get(name)
     if given is None or scope.kinds.get(name) != "given":
-        scope.unknown(key, name, "given", scope.names("given"), "givens", " in `vary`")
-        return None
+        return scope.unknown(key, name, "given", scope.names("given"), "givens", " in `vary`")
     if given.asked:
-        scope.fault(key, f"`{name}` is asked for: it can't vary", "let givens vary that have a value", "form")
-        return None
+        return scope.fault(key, f"`{name}` is asked for: it can't vary", "let givens vary that have a value", "form")
     if isinstance(node, List):
         values = listed_values(scope, given, node)
     elif isinstance(node, Text) and (match := RANGE.fullmatch(node.value)):
         values = stepped_values(scope, given, node, match)
     else:
-        scope.fault(node, f"`{name}` varies over nothing", FORM, "form")
-        return None
+        return scope.fault(node, f"`{name}` varies over nothing", FORM, "form")
     return Varied(name, values) if values else None
 
 
@@ -77,17 +73,14 @@ def read_given_value(scope: Scope, given: Given, node: Text) -> UnitValue | None
     try:
         found = parse_quantity(node.value.strip())
     except UnitError as error:
-        unit_fault(scope, node, error)
-        return None
+        return unit_fault(scope, node, error)
     wanted = scope.dimensions.get(given.name)
     if given.unit is not None and found.unit is None:
-        scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
-        return None
+        return scope.fault(node, f"{quoted(node.value.strip())} has no unit, but `{given.name}` has", FORM, "unit")
     if wanted is not None and not found.dimension.matches(wanted):
         shown = f"{quoted(node.value.strip())} is {dimension_in_words(found.dimension)}"
         message = f"`{given.name}` is {dimension_in_words(wanted)}, but {shown}"
-        scope.fault(node, message, kind="dimension")
-        return None
+        return scope.fault(node, message, kind="dimension")
     return found
 
 
@@ -181,13 +174,11 @@ def conditions_of(scope: Scope, node: Node, varied: set[str]) -> Iterator[Compar
 def read_side(scope: Scope, node: Text, varied: set[str]) -> Formula | None:
     """One side of a comparison, whose letters all have numbers."""
     if not node.value:
-        scope.fault(node, "a comparison lacks a side", "write `where: M > m`", "form")
-        return None
+        return scope.fault(node, "a comparison lacks a side", "write `where: M > m`", "form")
     formula = expression(scope, node, Want(WHERE), None)
     for name in sorted(formula.symbols() - varied) if formula is not None else ():
         if scope.givens[name].value is None:
-            scope.fault(node, f"`{name}` has no number", "give it one, or let it vary", "missing")
-            return None
+            return scope.fault(node, f"`{name}` has no number", "give it one, or let it vary", "missing")
     return formula
 
 
