@@ -11,8 +11,7 @@ Output = Annotated[
 ]
 Digits = Annotated[int, typer.Option(metavar="N", min=1, max=50, help="Significant digits, each one certified.")]
 Settings = Annotated[
-    list[str] | None,
-    typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated."),
+    list[str] | None, typer.Option("--set", metavar="NAME=VALUE", help="Give a letter another value; may be repeated.")
 ]
 Width = Annotated[
     int | None,

@@ -43,8 +43,7 @@ Scene = Annotated[str, typer.Argument(metavar="FILE", help="A scene; - reads one
 Until = Annotated[str, typer.Option(metavar="TIME", help="Follow the motion so long.")]
 Step = Annotated[str | None, typer.Option(metavar="TIME", help="Time between two rows. [default: about ten rows]")]
 Accuracy = Annotated[
-    float,
-    typer.Option(metavar="X", min=1e-60, max=1e-2, help="Bound of each number, as a part of its largest size."),
+    float, typer.Option(metavar="X", min=1e-60, max=1e-2, help="Bound of each number, as a part of its largest size.")
 ]
 Proved = Annotated[bool, typer.Option("--certified", help="Prove the bounds; it ends where something may happen.")]
 Csv = Annotated[bool, typer.Option("--csv", help="Print all quantities with their bounds, separated by commas.")]

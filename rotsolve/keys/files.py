@@ -8,13 +8,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from typing import Any
 
-from rotsolve.keys.sheets import (
-    Sheet,
-    SheetPage,
-    key_blocks,
-    key_data,
-    solution_pages,
-)
+from rotsolve.keys.sheets import Sheet, SheetPage, key_blocks, key_data, solution_pages
 from rotsolve.page.blocks import FixedPage, PageBlock, Paragraph, Title
 from rotsolve.page.formats import DATA, FORMATS, Format
 from rotsolve.run.delivery import harmless

@@ -7,12 +7,7 @@ from typing import TYPE_CHECKING
 
 from rotsolve.algebra.notation.text import to_text
 from rotsolve.page import text_rows
-from rotsolve.page.blocks import (
-    AnswerRow,
-    Page,
-    Phrase,
-    Title,
-)
+from rotsolve.page.blocks import AnswerRow, Page, Phrase, Title
 from rotsolve.page.columns import SEPARATOR, TextLine, boxed, hold, page_text, release
 from rotsolve.page.printer import Printer, simplified
 

@@ -324,12 +324,7 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
             return scope.fault(
                 entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown"
             )
-    return scope.fault(
-        key,
-        f"`{name}` doesn't say what kind of {kind} it is",
-        hint("", known, PLURAL[kind]),
-        "missing",
-    )
+    return scope.fault(key, f"`{name}` doesn't say what kind of {kind} it is", hint("", known, PLURAL[kind]), "missing")
 
 
 def points_named(element: Element) -> list[PointRef]:

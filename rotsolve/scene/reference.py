@@ -90,12 +90,7 @@ def key_meaning(key: Key) -> str:
     text = key.help
     if key.choices and not any(choice in key.help for choice in key.choices[:1]):
         text += f": {', '.join(key.choices)}"
-    details = [
-        key.dimension or "",
-        key.limits,
-        "required" if key.required else "",
-        "may vary" if key.varies else "",
-    ]
+    details = [key.dimension or "", key.limits, "required" if key.required else "", "may vary" if key.varies else ""]
     shown = ", ".join(detail for detail in details if detail)
     text += f" ({shown})" if shown else ""
     text += f", e.g. `{key.example}`" if key.example else ""

@@ -87,13 +87,7 @@ def divides_by_zero(scope: Scope, node: Text, formula: Formula) -> bool:
 
 
 def replacement(
-    scope: Scope,
-    node: Text,
-    piece: Lexeme,
-    place: Span,
-    want: Want,
-    names: Collection[str],
-    paths: PathReader | None,
+    scope: Scope, node: Text, piece: Lexeme, place: Span, want: Want, names: Collection[str], paths: PathReader | None
 ) -> Formula | str | None:
     """What stands for a piece in the text that is parsed: itself, or a formula for a path or quantity; None after a fault."""
     if piece.kind == "quantity":
