@@ -58,10 +58,8 @@ def read_single(scope: Scope, name: str, key: Text, node: Node, asked: dict[str,
     text = node.value.strip()
     if name in scope.choices:
         return Published(name, text, span=key.span)
-    if LITERAL.fullmatch(text):
-        quantity = parsed_quantity(text)
-        if quantity is not None:
-            return Published(name, text, None, quantity.value, quantity.unit, key.span)
+    if LITERAL.fullmatch(text) and (quantity := parsed_quantity(text)) is not None:
+        return Published(name, text, None, quantity.value, quantity.unit, key.span)
     if is_words(text, {*scope.givens, *asked}):
         return Published(name, text, span=key.span)
     formula = answer_formula(scope, node, asked)

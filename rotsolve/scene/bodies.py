@@ -47,12 +47,8 @@ def short_body(scope: Scope, name: str, key: Text, node: Text) -> Body | None:
     """`ball: particle`: a shape alone."""
     shape = shape_words().get(node.value.strip())
     if shape is None:
-        return scope.fault(
-            node,
-            f"body `{name}` wants a map, but this is {quoted(node.value)}",
-            "write `{shape: disc, mass: M}`",
-            "form",
-        )
+        message = f"body `{name}` wants a map, but this is {quoted(node.value)}"
+        return scope.fault(node, message, "write `{shape: disc, mass: M}`", "form")
     if shape.later:
         scope.later(node, shape.word)
     return Body(name, shape(), span=key.span)
@@ -88,7 +84,9 @@ def build_body(
     own = {word for word, _ in keys_of(shape)} if shape else set()
     if shape is not None:
         fields["shape"] = shape(**read_keys(scope, shape, name, entries))
-        check_sizes(scope, name, key, entries, shape)
+        for word, declared in keys_of(shape):
+            if declared.required and word not in entries:
+                scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
         check_flat(scope, name, entries, fields["shape"])
     for word, (place, node) in entries.items():
         if word in own or word not in BODY or word in skip or word == "shape":
@@ -117,16 +115,11 @@ def build_body(
         from rotsolve.scene.cutouts import check_holes
 
         check_holes(scope, name, entries["holes"][1], body)
-    check_about(scope, entries, body)
-    return body
-
-
-def check_about(scope: Scope, entries: Entries, body: Body) -> None:
-    """A fault where the moment of inertia is about a point that the body does not have."""
     about = body.inertia_about
     if about is not None and about not in point_names(body):
-        place, help = entries["inertia"][1], hint(about, point_names(body), "points")
-        scope.fault(place, f"`{body.name}` has no point {quoted(about)}", help, "point")
+        help = hint(about, point_names(body), "points")
+        scope.fault(entries["inertia"][1], f"`{name}` has no point {quoted(about)}", help, "point")
+    return body
 
 
 def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
@@ -143,13 +136,6 @@ def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Ite
         found = read_scalar(scope, item, Want(word, key.dimension, key.letter, owner, varies=key.varies))
         if found is not None:
             yield word, component, found
-
-
-def check_sizes(scope: Scope, name: str, key: Text, entries: Entries, shape: type[Shape]) -> None:
-    """Sizes without which a shape is none."""
-    for word, declared in keys_of(shape):
-        if declared.required and word not in entries:
-            scope.fault(key, f"`{name}` needs `{word}`", f"a {shape.word} has {declared.help}", "missing")
 
 
 def check_exclusive(scope: Scope, name: str, entries: Entries, fields: dict[str, Any]) -> None:
@@ -187,12 +173,8 @@ def check_triangle(scope: Scope, name: str, node: Node, sides: tuple[Formula, ..
     """The longest side of a triangle is shorter than the other two together."""
     lengths = [number for side in sides if (number := rough(side, scope.numbers)) is not None]
     if len(lengths) == 3 and 2 * max(lengths) >= sum(lengths):
-        scope.fault(
-            node,
-            f"the sides of `{name}` make no triangle",
-            "the longest must be shorter than the other two together",
-            "limits",
-        )
+        help = "the longest must be shorter than the other two together"
+        scope.fault(node, f"the sides of `{name}` make no triangle", help, "limits")
 
 
 def read_inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
@@ -218,23 +200,23 @@ def read_inertia(scope: Scope, node: Node, owner: str) -> dict[str, Any] | None:
 
 def read_parts(scope: Scope, node: Node, owner: str) -> tuple[Part, ...]:
     """Parts or holes by name."""
-    entries = scope.entries(node, f"the parts of `{owner}`")
-    found = []
-    for name, (key, written) in entries.items():
-        if not NAME.fullmatch(name):
+    return tuple(read_part(scope, *entry) for entry in named_entries(scope, node, f"the parts of `{owner}`"))
+
+
+def named_entries(scope: Scope, node: Node, what: str) -> Iterator[tuple[str, Text, Node]]:
+    """The entries of a map whose keys can be names."""
+    for name, (key, written) in scope.entries(node, what).items():
+        if NAME.fullmatch(name):
+            yield name, key, written
+        else:
             scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
-            continue
-        found.append(read_part(scope, name, key, written))
-    return tuple(found)
 
 
 def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
     shape = named_shape(scope, node)
     entries = scope.entries(node, f"part `{name}`", keys_allowed(shape, tuple(PART)))
-    fields: dict[str, Any] = {}
-    for word, declared in PART.items():
-        if word in entries:
-            fields[word] = read_value(scope, declared, entries[word][1], word, name)
+    written = [word for word in PART if word in entries]
+    fields = {word: read_value(scope, PART[word], entries[word][1], word, name) for word in written}
     body = build_body(scope, name, key, entries, shape or Particle, tuple(PART))
     if ("start" in entries) != ("end" in entries):
         scope.fault(key, f"part `{name}` needs both `start` and `end`", "or place its centre by `at`", "missing")
@@ -242,15 +224,9 @@ def read_part(scope: Scope, name: str, key: Text, node: Node) -> Part:
 
 
 def read_points_map(scope: Scope, node: Node, owner: str) -> tuple[tuple[str, tuple[Formula, ...]], ...]:
-    found = []
-    for name, (key, written) in scope.entries(node, f"the points of `{owner}`").items():
-        if not NAME.fullmatch(name):
-            scope.fault(key, f"{quoted(name)} can't be a name", "use letters, digits and `_`", "name")
-            continue
-        place = read_spot(scope, written, name, owner)
-        if place is not None:
-            found.append((name, place))
-    return tuple(found)
+    entries = named_entries(scope, node, f"the points of `{owner}`")
+    found = [(name, read_spot(scope, written, name, owner)) for name, _, written in entries]
+    return tuple((name, place) for name, place in found if place is not None)
 
 
 def read_count(scope: Scope, node: Node, owner: str) -> int | None:

@@ -54,21 +54,17 @@ class Clauses:
 
     def clause(self, word: Lexeme, rest: list[Lexeme]) -> None:
         span = self.node.part(word.start, word.end)
+        key = {"from": "start", "to": "end"}.get(word.text, word.text)
         if not rest:
             self.scope.fault(span, f"nothing follows `{word.text}`", "", "find")
-            return
-        if word.text in ("across", "relative"):
+        elif word.text in ("across", "relative"):
             self.scope.later(span, word.text)
-            return
-        if not self.outer and word.text in ("where", "in"):
+        elif not self.outer and word.text in ("where", "in"):
             self.scope.fault(span, f"`{word.text}` can't stand in brackets", "put it at the end", "find")
-            return
-        key = {"from": "start", "to": "end"}.get(word.text, word.text)
-        if key in self.words:
+        elif key in self.words:
             self.scope.fault(span, f"`{word.text}` stands twice", "", "find")
-            return
-        part = self.node.cut(rest[0].start, rest[-1].end)
-        self.words[key] = getattr(self, f"read_{key.rstrip('_')}")(part)
+        else:
+            self.words[key] = getattr(self, f"read_{key}")(self.node.cut(rest[0].start, rest[-1].end))
 
     def state(self, part: Text) -> str | None:
         return self.named(part, ("state",), "state", "states")
@@ -122,11 +118,8 @@ class Clauses:
         try:
             self.unit = parse_unit(part.value)
         except UnitError as error:
-            help = (
-                f"did you mean `{error.suggestion}`?"
-                if error.suggestion
-                else "`in` is for units; `during` for phases and events"
-            )
+            meant = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
+            help = meant or "`in` is for units; `during` for phases and events"
             self.scope.fault(part, error.message, help, "unit")
         return self.unit
 

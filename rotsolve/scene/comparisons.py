@@ -101,7 +101,8 @@ class OptionReader:
 
     def option(self, label: str, node: Text, test: str | None) -> Option | None:
         """One option: a quantity for a test, else a comparison."""
-        marks = [match for match in SIGN.finditer(node.value) if outside_brackets(node.value, match.start())]
+        before = ((match, node.value[: match.start()]) for match in SIGN.finditer(node.value))
+        marks = [match for match, text in before if text.count("(") == text.count(")")]  # outside all brackets
         if test is not None and marks:
             place = node.part(marks[0].start(), marks[0].end())
             self.scope.fault(place, f"with `{IS}: {test}` an option is one quantity", f"leave out `{IS}`", "choice")
@@ -149,9 +150,3 @@ def named_side(find: Find, label: str, number: int) -> Find:
     letter = QUANTITIES[find.terms[0].path.quantity].letter if len(find.terms) == 1 else find.name
     index = label if NAME.fullmatch(label) else str(number)
     return replace(find, name=f"{letter}_{index}")
-
-
-def outside_brackets(text: str, position: int) -> bool:
-    """Whether a place in a text is outside all brackets."""
-    before = text[:position]
-    return before.count("(") == before.count(")")

@@ -78,9 +78,6 @@ def same_kind(scope: Scope, part: Text, left: Any, right: Any) -> bool:
     """Whether both sides of an equality may be equal, as far as their dimensions are known."""
     if left is None or right is None or left.matches(right):
         return True
-    scope.fault(
-        part,
-        f"the sides of {quoted(part.value)} don't agree: {dimension_in_words(left)} and {dimension_in_words(right)}",
-        kind="dimension",
-    )
+    both = f"{dimension_in_words(left)} and {dimension_in_words(right)}"
+    scope.fault(part, f"the sides of {quoted(part.value)} don't agree: {both}", kind="dimension")
     return False

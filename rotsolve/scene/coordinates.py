@@ -6,6 +6,8 @@ import re
 from collections.abc import Collection, Mapping
 from typing import Any
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.algebra.units.dimension import DIMENSIONS, Dimension
 from rotsolve.core.slicing import Range, coordinate
@@ -31,9 +33,7 @@ def of_coordinates(scope: Scope, node: Node, names: Collection[str], want: Want)
         message = f"`{taken[0]}` is a given, and a coordinate of `{want.owner}`"
         return scope.fault(node, message, f"give the given another name, such as `{taken[0]}0`", "name")
     extra: Mapping[str, Dimension] = {name: DIMENSIONS[MEASURES[name]] for name in names if name not in scope.givens}
-    found = read_scalar(
-        scope, node, Want(want.label, want.dimension, want.letter, want.owner, want.limits, extra=extra)
-    )
+    found = read_scalar(scope, node, replace(want, extra=extra))
     return None if found is None else found.substitute({name: coordinate(name) for name in extra})
 
 
@@ -64,16 +64,13 @@ def read_region(scope: Scope, node: Node, label: str, owner: str) -> tuple[Range
     pair = next((names for names in (CARTESIAN, POLAR) if set(entries) == set(names)), None)
     if pair is None:
         return scope.fault(node, f"`{label}` wants x and y, or r and phi", FORM, "missing")
-    found = [
-        read_range(scope, written, name, set(pair) - {name}, label, owner) for name, (_, written) in entries.items()
-    ]
-    if found[0] is None or found[1] is None:
+    ranges = (read_range(scope, entry[1], name, {*pair} - {name}, label, owner) for name, entry in entries.items())
+    one, other = ranges
+    if one is None or other is None:
         return None
-    one, other = found[0], found[1]
     if leans(one, other) and leans(other, one):
-        return scope.fault(
-            node, f"the limits of `{label}` lean on each other", "those of one coordinate must be fixed", "form"
-        )
+        message = f"the limits of `{label}` lean on each other"
+        return scope.fault(node, message, "those of one coordinate must be fixed", "form")
     return one, other
 
 

@@ -226,11 +226,9 @@ def without_key(read: PlaceReader) -> KeyReader:
 
 def of_each(read: PlaceReader) -> KeyReader:
     """A reader of lists of places."""
-
-    def read_all(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
-        return each_item(scope, key, node, label, lambda _, item: read(scope, item, label, owner))
-
-    return read_all
+    return lambda scope, key, node, label, owner: each_item(
+        scope, key, node, label, lambda _, item: read(scope, item, label, owner)
+    )
 
 
 READERS: dict[str, KeyReader] = {
@@ -261,7 +259,7 @@ TABLES: dict[str, tuple[str, list[Any]]] = {  # section -> kind, table
     "actions": ("action", ACTIONS),
     "events": ("event", EVENTS),
 }
-PLURAL = {"surface": "surfaces", "connection": "connections", "action": "actions", "event": "events"}
+PLURAL = {kind: section for section, (kind, _) in TABLES.items()}
 
 
 def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -> object | None:
@@ -321,18 +319,12 @@ def class_of(scope: Scope, kind: str, table: list[Any], name: str, key: Text, no
         return scope.fault(key, f"`{name}` is both {both}", "give each a name of its own", "form")
     for entry, _ in node.entries:
         if nearest_name(entry.value, known):
-            return scope.fault(
-                entry, f"unknown {kind} {quoted(entry.value)}", hint(entry.value, known, PLURAL[kind]), "unknown"
-            )
+            return scope.unknown(entry, entry.value, kind, known, PLURAL[kind])
     return scope.fault(key, f"`{name}` doesn't say what kind of {kind} it is", hint("", known, PLURAL[kind]), "missing")
 
 
 def points_named(element: Element) -> list[PointRef]:
     """All points that an element names."""
-    found: list[PointRef] = []
-    for name in element.__struct_fields__:
-        item = getattr(element, name)
-        for point in item if isinstance(item, tuple) else (item,):
-            if isinstance(point, PointRef):
-                found.append(point)
-    return found
+    fields = (getattr(element, name) for name in element.__struct_fields__)
+    items = (item for field in fields for item in (field if isinstance(field, tuple) else (field,)))
+    return [item for item in items if isinstance(item, PointRef)]

@@ -40,9 +40,8 @@ def read_givens(scope: Scope, node: Node | None, settings: Mapping[str, str]) ->
             originals[name] = texts.get(name)
             texts[name] = Text(text, NOWHERE, exact=False)
         else:
-            scope.fault(
-                None, f"--set {quoted(name)}: no such given", hint(name, scope.names("given"), "givens"), "unknown"
-            )
+            help = hint(name, scope.names("given"), "givens")
+            scope.fault(None, f"--set {quoted(name)}: no such given", help, "unknown")
     for name in texts:
         scope.givens[name] = Given(name, None, None, span=texts[name].span)
     made: dict[str, Formula] = {}
@@ -132,16 +131,12 @@ def resolve_one(scope: Scope, name: str, formula: Formula, written: Text) -> Non
 
 def name_circle(scope: Scope, pending: Mapping[str, Formula], texts: Mapping[str, Text]) -> None:
     """Name one circle of givens."""
-    name = next(iter(pending))
-    way = [name]
-    while True:
-        name = min(pending[name].symbols() & pending.keys())
-        if name in way:
-            break
+    way = [next(iter(pending))]
+    while (name := min(pending[way[-1]].symbols() & pending.keys())) not in way:
         way.append(name)
     circle = [*way[way.index(name) :], name]
-    shown = " → ".join(circle)
-    scope.fault(texts[circle[0]], f"givens in a circle: {shown}", "give one of them a value or a unit", "circle")
+    message = f"givens in a circle: {' → '.join(circle)}"
+    scope.fault(texts[circle[0]], message, "give one of them a value or a unit", "circle")
 
 
 def check_setting(scope: Scope, name: str, original: Text | None) -> None:

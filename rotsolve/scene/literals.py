@@ -104,14 +104,20 @@ def lexemes(text: str, names: Collection[str]) -> Iterator[Lexeme]:
 
 def path_end(text: str, position: int) -> int:
     """Where a path ends, from the `(` of its `at(…)` on."""
+    position = min(closing(text, position) + 1, len(text))
+    while match := re.compile(CALL).match(text, position):
+        position = match.end()
+    return position
+
+
+def closing(text: str, position: int) -> int:
+    """The place of the bracket that closes the one at `position`."""
     depth = 0
     while position < len(text):
         depth += {"(": 1, ")": -1}.get(text[position], 0)
-        position += 1
         if depth == 0:
-            break
-    while match := re.compile(CALL).match(text, position):
-        position = match.end()
+            return position
+        position += 1
     return position
 
 
@@ -123,12 +129,8 @@ def unit_end(text: str, position: int, names: Collection[str]) -> int:
     position = match.end()
     while position < len(text) and (match := re.compile(MORE).match(text, position)):
         following = text[match.end() : match.end() + 1]
-        if (
-            match["word"] in names
-            or following in ("_", "(", ".")
-            or following.isdigit()
-            or not names_unit(match["word"])
-        ):
+        more = following in ("_", "(", ".") or following.isdigit()
+        if match["word"] in names or more or not names_unit(match["word"]):
             break
         position = match.end()
     return position
@@ -209,9 +211,8 @@ def unit_fault(scope: Scope, node: Text, error: UnitError, shift: int = 0) -> No
     shift += len(node.value) - len(node.value.lstrip())
     help = f"did you mean `{error.suggestion}`?" if error.suggestion else ""
     help = help or ("" if ":" in error.message else "write a number and a unit, such as `3 kg m^2`")
-    return scope.fault(
-        node.part(shift + error.start, shift + max(error.end, error.start + 1)), error.message, help, "unit"
-    )
+    place = node.part(shift + error.start, shift + max(error.end, error.start + 1))
+    return scope.fault(place, error.message, help, "unit")
 
 
 def ambiguous(scope: Scope, place: Node | Span, text: str, unit: str) -> Nothing:
@@ -279,11 +280,8 @@ def share_of_pi(formula: Formula) -> Fraction | None:
         case Negative(operand):
             share = share_of_pi(operand)
             return None if share is None else -share
-        case Product((Number(factor), *rest)) if len(rest) == 1:
-            share = share_of_pi(rest[0])
-            return None if share is None else factor * share
-        case Product((first, Number(factor))):
-            share = share_of_pi(first)
+        case Product((Number(factor), other) | (other, Number(factor))):
+            share = share_of_pi(other)
             return None if share is None else factor * share
         case Quotient(numerator, Number(divisor)) if divisor:
             share = share_of_pi(numerator)

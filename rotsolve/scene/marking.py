@@ -48,7 +48,7 @@ def of_answer(scope: Scope, usual: Marking, key: Text, node: Node, dimension: Di
     """The marking of one answer: points, or a map of what differs from what is usual."""
     written = replace(usual, span=key.span)
     if isinstance(node, Text):
-        points = read_marks(scope, MARKING["points"], node, "points", MOST_POINTS)
+        points = read_marks(scope, MARKING["points"], node, "points")
         return written if points is None else replace(written, points=points)
     entries = scope.entries(node, f"the marking of `{usual.name}`", MARKING)
     found = {word: READERS[MARKING[word].kind](scope, MARKING[word], item, word) for word, (_, item) in entries.items()}
@@ -105,37 +105,30 @@ def read_deduction(scope: Scope, key: Key, node: Node, label: str) -> Deduction 
         share = amount.value
         if isinstance(share, Number) and 0 <= share.value <= 1:
             return Deduction(share.value, share=True)
-        amount = None
-    marks = None if amount is None else plain_number(amount, MOST_POINTS)
-    if marks is None:
-        scope.fault(node, f"`{label}` can't be {node.shown}", "write a share, `25 %`, or marks, `1/2`", "form")
-    return None if marks is None else Deduction(marks)
+    elif (marks := plain_number(amount)) is not None:
+        return Deduction(marks)
+    return scope.fault(node, f"`{label}` can't be {node.shown}", "write a share, `25 %`, or marks, `1/2`", "form")
 
 
-def read_marks(scope: Scope, key: Key, node: Node, label: str, most: int = MOST_POINTS) -> Fraction | None:
+def read_marks(scope: Scope, key: Key, node: Node, label: str) -> Fraction | None:
     """A number of marks."""
-    amount = parsed_quantity(node.value.strip()) if isinstance(node, Text) else None
-    marks = None if amount is None else plain_number(amount, most)
+    marks = plain_number(parsed_quantity(node.value.strip()) if isinstance(node, Text) else None)
     if marks is None:
-        scope.fault(node, f"`{label}` can't be {node.shown}", f"write a number from 0 to {most}, such as 2", "form")
+        help = f"write a number from 0 to {MOST_POINTS}, such as 2"
+        scope.fault(node, f"`{label}` can't be {node.shown}", help, "form")
     return marks
 
 
-def plain_number(amount: UnitValue, most: int) -> Fraction | None:
-    """A number without a unit, from 0 to a limit."""
-    value = amount.value
-    plain = amount.unit is None and isinstance(value, Number)
-    return value.value if plain and isinstance(value, Number) and 0 <= value.value <= most else None
-
-
-def read_form(scope: Scope, key: Key, node: Node, label: str) -> str | None:
-    found: str | None = read_value(scope, key, node, label, "")
-    return found
+def plain_number(amount: UnitValue | None) -> Fraction | None:
+    """A number of points without a unit."""
+    if amount is None or amount.unit is not None or not isinstance(amount.value, Number):
+        return None
+    return amount.value.value if 0 <= amount.value.value <= MOST_POINTS else None
 
 
 READERS: dict[str, Callable[[Scope, Key, Node, str], Any]] = {
     "marks": read_marks,
     "tolerance": read_tolerance,
-    "choice": read_form,
+    "choice": lambda scope, key, node, label: read_value(scope, key, node, label, ""),
     "deductions": read_deductions,
 }

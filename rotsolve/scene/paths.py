@@ -14,7 +14,7 @@ from rotsolve.elements.shapes import WHEEL
 from rotsolve.language.grammar import SWINGS
 from rotsolve.language.problem import Body, Path, PointRef
 from rotsolve.language.words import an, hint, quoted
-from rotsolve.scene.literals import Lexeme, Want, path_end
+from rotsolve.scene.literals import Lexeme, Want, closing
 from rotsolve.scene.scope import Scope
 from rotsolve.scene.tree import List, Map, Node, Text
 from rotsolve.scene.values import read_scalar
@@ -23,14 +23,8 @@ DOTTED = re.compile(r"\s*(?P<owner>[^\W\d]\w*)(?:\.(?P<point>[^\W\d]\w*)\s*(?P<c
 KINDS = {"body": "bodies", "surface": "surfaces", "connection": "connections"}
 OWNERS = ("body", "connection", "action", "event")
 PLURALS = "bodies, connections, actions and events"
-ANY_FORCE = (
-    "force",
-    "torque",
-    "work",
-    "power",
-    "impulse",
-    "angular_impulse",
-)  # may name the force: `rod.torque.gravity`
+# may name the force: `rod.torque.gravity`
+ANY_FORCE = ("force", "torque", "work", "power", "impulse", "angular_impulse")
 SEGMENT = re.compile(r"[^\W\d]\w*")
 
 
@@ -44,11 +38,7 @@ def point_names(body: Body) -> tuple[str, ...]:
     else:
         round_ = any(item is not None for item in (body.inertia, body.gyration, body.radius)) or body.radii
         own = WHEEL if round_ else ("center",)
-    named = (
-        *(name for name, _ in body.radii),
-        *(name for name, _ in body.points),
-        *(part.body.name for part in body.parts),
-    )
+    named = (*(name for name, _ in (*body.radii, *body.points)), *(part.body.name for part in body.parts))
     return tuple(dict.fromkeys((*own, *named, "cm")))
 
 
@@ -87,9 +77,8 @@ def read_point(
         return scope.fault(node, f"`{label}` wants a point such as `rod.end`, but this is a map", kind="form")
     match = DOTTED.fullmatch(node.value)
     if not match:
-        return scope.fault(
-            node, f"{quoted(node.value)} is no point", "write `body`, `body.point`, `rod.at(x)` or `[x, y]`", "form"
-        )
+        help = "write `body`, `body.point`, `rod.at(x)` or `[x, y]`"
+        return scope.fault(node, f"{quoted(node.value)} is no point", help, "form")
     name = match["owner"]
     place_of_name = node.part(match.start("owner"), match.end("owner"))
     if scope.kinds.get(name) not in kinds:
@@ -156,23 +145,11 @@ def segments(text: str, offset: int = 0) -> Iterator[Segment]:
         segment.start, segment.inner = offset + match.start(), None
         position = match.end()
         if segment == "at" and text[position : position + 1] == "(":
-            close = path_end(text, position)
-            depth_end = matching(text, position)
-            segment.inner = (offset + position + 1, offset + depth_end)
-            position = depth_end + 1 if depth_end < close else close
+            close = closing(text, position)
+            segment.inner = (offset + position + 1, offset + close)
+            position = close + 1
         yield segment
         position += 1
-
-
-def matching(text: str, position: int) -> int:
-    """The place of the bracket that closes the one at `position`."""
-    depth = 0
-    while position < len(text):
-        depth += {"(": 1, ")": -1}.get(text[position], 0)
-        if depth == 0:
-            return position
-        position += 1
-    return position
 
 
 def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
@@ -180,14 +157,10 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
     words = list(segments(node.value[start:end], start))
     span = node.part(start, end)
     if not words or "".join(node.value[start:end].split()) != node.value[start:end]:
-        return scope.fault(
-            span,
-            f"{quoted(node.value[start:end])} is no path",
-            "give the place a letter: `x: 2 m` among the givens, then `body.at(x)`"
-            if ".at(" in node.value[start:end]
-            else "write `body.quantity` or `body.point.quantity`",
-            "path",
-        )
+        help = "write `body.quantity` or `body.point.quantity`"
+        if ".at(" in node.value[start:end]:
+            help = "give the place a letter: `x: 2 m` among the givens, then `body.at(x)`"
+        return scope.fault(span, f"{quoted(node.value[start:end])} is no path", help, "path")
     first = words[0]
     if len(words) == 1:
         return system_path(scope, node, first, span)
@@ -226,12 +199,8 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         scope.fault(span, f"`{word}` of what?", help, "path")
     elif kind in OWNERS:
         example = {"body": "angular_velocity", "connection": "force", "action": "work"}.get(str(kind), "impulse")
-        scope.fault(
-            span,
-            f"`{word}` is {an(str(kind))}, not a quantity",
-            f"write `{word}.quantity`, for example `{word}.{example}`",
-            "path",
-        )
+        help = f"write `{word}.quantity`, for example `{word}.{example}`"
+        scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", help, "path")
     else:
         known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
         scope.unknown(span, word, "name", known, "givens, answers and quantities")
@@ -256,12 +225,8 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
     allowed = words_of(POINT if point else BODY)
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"
-        return scope.fault(
-            span,
-            f"{quoted(node.value[words[0].start : words[0].start + span.length])} is a point, not a quantity",
-            help,
-            "path",
-        )
+        written = node.value[owner.start : owner.start + span.length]
+        return scope.fault(span, f"{quoted(written)} is a point, not a quantity", help, "path")
     names = allowed if point else [*allowed, *scope.points[owner]]
     return finish(scope, node, owner, point, argument, rest, span, allowed, names)
 
@@ -307,19 +272,15 @@ def finish(
     word = rest[0]
     of = f"`{owner}.{point}`" if point else f"`{owner}`"
     if word not in allowed:
-        return scope.fault(
-            word_place(node, word), f"{of} has no quantity {quoted(word)}", hint(word, names, "it has"), "quantity"
-        )
+        message = f"{of} has no quantity {quoted(word)}"
+        return scope.fault(word_place(node, word), message, hint(word, names, "it has"), "quantity")
     entry = QUANTITIES[word]
-    component = None
-    if len(rest) > 1:
-        component = read_component(scope, node, entry, rest[1])
-        if component is None:
-            return None
+    component = read_component(scope, node, entry, rest[1]) if len(rest) > 1 else None
+    if len(rest) > 1 and component is None:
+        return None
     if len(rest) > 2:
-        return scope.fault(
-            word_place(node, rest[2]), f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}", "", "path"
-        )
+        message = f"nothing can follow in {quoted(node.value)}: {quoted(rest[2])}"
+        return scope.fault(word_place(node, rest[2]), message, "", "path")
     if entry.later:
         scope.later(span, word)
     return Path(owner, str(word), point, argument, component, span)

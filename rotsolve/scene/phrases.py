@@ -9,6 +9,7 @@ A modifier and the clauses belong to the whole expression before them; a part in
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any
 
 from msgspec import Struct, field
@@ -20,7 +21,7 @@ from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.quantity import QUANTITIES
 from rotsolve.language.grammar import ALONE, CLAUSES, LATER_MODIFIERS, MODIFIERS, SWINGS, WHICH
 from rotsolve.language.problem import Condition, Find, Path, Term
-from rotsolve.language.words import hint, quoted
+from rotsolve.language.words import quoted
 from rotsolve.scene.clauses import Clauses
 from rotsolve.scene.literals import Lexeme, Want, dimension_in_words, lexemes, stand_in
 from rotsolve.scene.paths import read_path
@@ -100,8 +101,7 @@ class PhraseReader:
 
     def read(self, start: int, end: int, outer: bool) -> Formula | None:
         """The formula of text[start:end], its clauses given to the terms of its own."""
-        found = [shifted(piece, start) for piece in lexemes(self.node.value[start:end], self.scope.givens)]
-        words = [piece for piece in found if piece.kind != "space"]
+        words = [piece for piece in self.pieces(start, end) if piece.kind != "space"]
         if not words:
             return self.scope.fault(self.node.part(start, end), "nothing is asked here", HELP, "find")
         return self.quantity(words, outer)
@@ -127,9 +127,7 @@ class PhraseReader:
             return None
         self.phrase.where = clauses.where or self.phrase.where
         self.phrase.unit = clauses.unit or self.phrase.unit
-        own = range(first, len(self.phrase.terms))
-        for index in own:
-            self.phrase.terms[index] = clauses.applied(self.phrase.terms[index])
+        self.phrase.terms[first:] = map(clauses.applied, self.phrase.terms[first:])
         return self.modified(formula, modifier, first, outer, words[0])
 
     def condition(self, part: Text) -> Condition | None:
@@ -166,21 +164,18 @@ class PhraseReader:
         """The modifier in front and the rest; None after a fault."""
         first = words[0].text
         if len(words) > 1 and words[1].text == "of":
-            if first in WITH_OF:
-                modifier = f"{first} of"
-                if modifier == WHICH:
-                    place = self.node.part(words[0].start, words[1].end)
-                    self.scope.fault(place, f"`{WHICH}` stands before a map of options", WHICH_HELP, "find")
-                    return None, words
-                if modifier in LATER_MODIFIERS:
-                    self.scope.later(self.node.part(words[0].start, words[1].end), modifier)
-                    return None, words
+            modifier, place = f"{first} of", self.node.part(words[0].start, words[1].end)
+            if modifier == WHICH:
+                self.scope.fault(place, f"`{WHICH}` stands before a map of options", WHICH_HELP, "find")
+            elif modifier in LATER_MODIFIERS:
+                self.scope.later(place, modifier)
+            elif first in WITH_OF:
                 return modifier, words[2:]
-            span = self.node.part(words[0].start, words[1].end)
-            help = f"modifiers: {', '.join(MODIFIERS)}"
-            if first in QUANTITIES and len(words) > 2:
-                help = f"write `{words[2].text}.{first}`"
-            self.scope.fault(span, f"unknown modifier `{first} of`", help, "unknown")
+            else:
+                help = f"modifiers: {', '.join(MODIFIERS)}"
+                if first in QUANTITIES and len(words) > 2:
+                    help = f"write `{words[2].text}.{first}`"
+                self.scope.fault(place, f"unknown modifier `{first} of`", help, "unknown")
             return None, words
         if first in ALONE and len(words) > 1 and words[1].kind in ("name", "path", "mark", "quantity", "number"):
             return first, words[1:]
@@ -190,8 +185,7 @@ class PhraseReader:
         """The modifier goes to the only term, or to the whole."""
         if not modifier:
             return formula
-        single = formula == Symbol(f"#{first}") and len(self.phrase.terms) == first + 1
-        if single:
+        if formula == Symbol(f"#{first}") and len(self.phrase.terms) == first + 1:
             self.phrase.terms[first] = replace(self.phrase.terms[first], modifier=modifier)
             return formula
         if outer:
@@ -200,9 +194,8 @@ class PhraseReader:
         if modifier == "size of":
             return call("abs", formula)
         span = self.node.part(place.start, place.end)
-        return self.scope.fault(
-            span, f"`{modifier}` in brackets takes one quantity", "ask for it in a line of its own", "find"
-        )
+        message = f"`{modifier}` in brackets takes one quantity"
+        return self.scope.fault(span, message, "ask for it in a line of its own", "find")
 
     def formula(self, start: int, end: int) -> Formula | None:
         """The expression text[start:end]: bracketed phrases first, then paths and givens."""
@@ -226,11 +219,10 @@ class PhraseReader:
 
     def groups(self, start: int, end: int) -> list[tuple[int, int]]:
         """The outermost brackets that hold a phrase: a modifier or a clause word."""
-        found = [shifted(piece, start) for piece in lexemes(self.node.value[start:end], self.scope.givens)]
         result: list[tuple[int, int]] = []
         stack: list[int] = []
         speaks = -1
-        for piece in found:
+        for piece in self.pieces(start, end):
             if piece.text == "(":
                 stack.append(piece.start)
             elif piece.text == ")" and stack:
@@ -238,11 +230,14 @@ class PhraseReader:
                 if speaks >= 0 and opening < speaks:
                     result = [group for group in result if group[0] < opening] + [(opening, piece.start)]
                     speaks = -1 if not stack else speaks
-            elif (
-                stack and piece.kind == "name" and (piece.text in CLAUSES or piece.text in ALONE or piece.text == "of")
-            ):
+            elif stack and piece.kind == "name" and piece.text in (*CLAUSES, *ALONE, "of"):
                 speaks = piece.start
-        return innermost(result)
+        return [group for group in result if not any(other[0] < group[0] and group[1] < other[1] for other in result)]
+
+    def pieces(self, start: int, end: int) -> Iterator[Lexeme]:
+        """The pieces of text[start:end] at their places in the whole."""
+        for piece in lexemes(self.node.value[start:end], self.scope.givens):
+            yield replace(piece, start=piece.start + start, end=piece.end + start)
 
     def term(self, node: Text, piece: Lexeme) -> Formula | None:
         path = read_path(self.scope, node, piece.start, piece.end)
@@ -250,15 +245,6 @@ class PhraseReader:
             return None
         self.phrase.terms.append(Term(path))
         return Symbol(f"#{len(self.phrase.terms) - 1}")
-
-
-def innermost(groups: list[tuple[int, int]]) -> list[tuple[int, int]]:
-    """Groups without those that lie in another one."""
-    return [group for group in groups if not any(other[0] < group[0] and group[1] < other[1] for other in groups)]
-
-
-def shifted(piece: Lexeme, by: int) -> Lexeme:
-    return replace(piece, start=piece.start + by, end=piece.end + by)
 
 
 def at_top(words: list[Lexeme]) -> list[tuple[int, Lexeme]]:
@@ -313,12 +299,7 @@ def name_after(scope: Scope, node: Text, word: Lexeme, kind: str) -> str | None:
     if scope.kinds.get(word.text) == kind:
         return word.text
     plural = "bodies" if kind == "body" else "states"
-    return scope.fault(
-        node.part(word.start, word.end),
-        f"unknown {kind} {quoted(word.text)}",
-        hint(word.text, scope.names(kind), plural),
-        "unknown",
-    )
+    return scope.unknown(node.part(word.start, word.end), word.text, kind, scope.names(kind), plural)
 
 
 def swings_said(text: str) -> bool:
@@ -338,6 +319,5 @@ def swings_path(scope: Scope, line: Text) -> Path | None:
         return trailing(scope, line, rest)
     if term.modifier == SMALL and term.at is None:
         return term.path
-    return scope.fault(
-        line, "a state tells the period of small swings about itself", f"write `{modifier} small swings: …`", "find"
-    )
+    help = f"write `{modifier} small swings: …`"
+    return scope.fault(line, "a state tells the period of small swings about itself", help, "find")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterator, Mapping
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
@@ -46,45 +47,42 @@ def read_file(path: str | os.PathLike[str], settings: Mapping[str, str] | None =
     try:
         size = os.path.getsize(name)
         if size > BYTES:
-            raise file_too_large(size, name)
+            raise too_large(size, name)
         with open(name, "rb") as stream:
             content = stream.read(BYTES + 1)
     except OSError as error:
         reason = error.strerror or "it can't be read"
         raise SceneError([Fault(f"can't read {quoted(name)}: {reason}", None, "", "file")]) from None
     if len(content) > BYTES:
-        raise file_too_large(len(content), name)
+        raise too_large(len(content), name)
     if b"\0" in content:
-        raise SceneError(
-            [Fault("this is no text file: it holds a NUL byte", None, "a scene is YAML text in UTF-8", "file")],
-            (),
-            name,
-        )
+        raise unreadable("this is no text file: it holds a NUL byte", "a scene is YAML text in UTF-8", name)
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
-        message = f"line {line} is not UTF-8"
-        raise SceneError([Fault(message, None, "save the file as UTF-8", "file")], (), name) from None
+        raise unreadable(f"line {line} is not UTF-8", "save the file as UTF-8", name) from None
     return read_text(text, name, settings)
 
 
-def file_too_large(size: int, name: str) -> SceneError:
-    return SceneError(
-        [Fault(f"the file has {size} bytes, more than {BYTES}", None, "a scene is a page of text", "limit")], (), name
-    )
+def too_large(size: int, name: str) -> SceneError:
+    return unreadable(f"the file has {size} bytes, more than {BYTES}", "a scene is a page of text", name, "limit")
+
+
+def unreadable(message: str, help: str, name: str, kind: str = "file") -> SceneError:
+    return SceneError([Fault(message, None, help, kind)], (), name)
 
 
 def read_text(text: str, file: str = "<text>", settings: Mapping[str, str] | None = None) -> Problem:
     """The problem in a text. Raises SceneError with all faults."""
     if len(text) > BYTES:
-        raise file_too_large(len(text), file)
+        raise too_large(len(text), file)
     text = text.replace("\r\n", "\n").replace("\r", "\n").removeprefix("\ufeff")
     control = min((text.index(letter) for letter in set(text) if is_control(ord(letter))), default=None)
     if control is not None:
         line = text.count("\n", 0, control) + 1
         message = f"a control character, U+{ord(text[control]):04X}, in line {line}"
-        raise SceneError([Fault(message, None, "a scene is YAML text in UTF-8", "file")], (), file)
+        raise unreadable(message, "a scene is YAML text in UTF-8", file)
     return read_tree(*compose(text, file), file, settings)
 
 
@@ -152,8 +150,7 @@ class Sections:
 
     def declare(self) -> None:
         """Enter all names of the file, so that order doesn't matter; a `find` may have the name of an unknown given."""
-        unknown = self.node("unknown")
-        for item in unknown.items if isinstance(unknown, List) else (unknown,) if isinstance(unknown, Text) else ():
+        for item in self.unknown():
             if isinstance(item, Text):
                 self.scope.declare(item, "given")
         for section, kind in NAMED.items():
@@ -169,15 +166,17 @@ class Sections:
                 if not empty and not again:
                     self.scope.declare(key, kind)
 
+    def unknown(self) -> tuple[Node, ...]:
+        """What the section `unknown` lists."""
+        node = self.node("unknown")
+        return node.items if isinstance(node, List) else (node,) if isinstance(node, Text) else ()
+
     def asked(self, name: str) -> bool:
         """Whether the name is a given that is unknown."""
         given = self.node("given")
         item = given.get(name) if isinstance(given, Map) else None
-        listed = self.node("unknown")
-        names = [entry.value for entry in listed.items if isinstance(entry, Text)] if isinstance(listed, List) else []
-        if isinstance(listed, Text):
-            names = [listed.value]
-        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in names
+        listed = [entry.value for entry in self.unknown() if isinstance(entry, Text)]
+        return (isinstance(item, Text) and item.value.strip() == "unknown") or name in listed
 
     def problem(self, file: str, lines: tuple[str, ...]) -> Problem | None:
         """All sections; None when the root is no map."""
@@ -195,12 +194,12 @@ class Sections:
         fields["gravity"] = self.gravity()
         fields["plane"] = self.choice("plane") or "vertical"
         self.choice("up")
-        fields["surfaces"] = self.each("surfaces", self.element("surfaces"))
-        fields["bodies"] = self.each("bodies", lambda name, key, node: read_body(scope, name, key, node))
+        fields["surfaces"] = self.each("surfaces", partial(read_element, scope, "surfaces"))
+        fields["bodies"] = self.each("bodies", partial(read_body, scope))
         for section in ("connections", "actions", "events"):
-            fields[section] = self.each(section, self.element(section))
-        fields["states"] = self.each("states", lambda name, key, node: read_state(scope, name, key, node))
-        fields["phases"] = self.each("phases", lambda name, key, node: read_phase(scope, name, key, node))
+            fields[section] = self.each(section, partial(read_element, scope, section))
+        fields["states"] = self.each("states", partial(read_state, scope))
+        fields["phases"] = self.each("phases", partial(read_phase, scope))
         fields["assume"] = self.assume()
         asked: dict[str, Any] = {}
         fields["finds"] = self.finds(asked)
@@ -229,9 +228,6 @@ class Sections:
     def each(self, section: str, reader: Callable[[str, Text, Node], Any]) -> tuple[Any, ...]:
         found = [reader(name, key, node) for name, (key, node) in self.entries(section).items()]
         return tuple(item for item in found if item is not None)
-
-    def element(self, section: str) -> Callable[[str, Text, Node], Any]:
-        return lambda name, key, node: read_element(self.scope, section, name, key, node)
 
     def finds(self, asked: dict[str, Any]) -> tuple[Any, ...]:
         """The asked quantities in order; an earlier answer may stand in a later one."""
@@ -318,9 +314,8 @@ class Sections:
 
         variation = read_vary(self.scope, node)
         if variation is not None:
-            check_told(
-                self.scope, variation, {name: self.top[name][1] for name in ("title", "text") if name in self.top}
-            )
+            told: dict[str, Node] = {name: self.top[name][1] for name in ("title", "text") if name in self.top}
+            check_told(self.scope, variation, told)
         return variation
 
     def all_givens(self) -> tuple[Given, ...]:

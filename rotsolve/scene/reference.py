@@ -20,7 +20,7 @@ LATER = " *(not solved yet)*"
 
 def describe_all() -> str:
     """The whole reference, plain enough for a terminal."""
-    return "\n\n".join(text for _, text in reference_chapters())
+    return "\n\n".join(reference_chapters())
 
 
 def describe_word(name: str) -> str:
@@ -48,10 +48,9 @@ def word_entries() -> Iterator[tuple[str, str]]:
         for cls in table:
             yield cls.word, element_text(cls, kind)
     for entry in QUANTITIES.values():
-        yield (
-            entry.word,
-            f"`{entry.word}` (quantity): {entry.help}{later_mark(entry.later)}{owners_text(entry)}{components_text(entry)}",
-        )
+        about = f"`{entry.word}` (quantity): {entry.help}{later_mark(entry.later)}"
+        about += f"; of: {', '.join(entry.owners)}" if entry.owners else ""
+        yield entry.word, about + (f"; components: {', '.join(entry.components)}" if entry.components else "")
     for title, keys in (("body", BODY), ("part", PART), ("phase", PHASE), ("marking", MARKING), ("deduction", DEDUCT)):
         for word, key in keys.items():
             yield word, f"`{word}` (of a {title}): {key_meaning(key)}"
@@ -61,20 +60,20 @@ def word_entries() -> Iterator[tuple[str, str]]:
         yield clause, f"`{clause}`: begins a clause of `find`, after the expression"
 
 
-def reference_chapters() -> Iterator[tuple[str, str]]:
+def reference_chapters() -> Iterator[str]:
     """The reference by chapter."""
-    yield "sections", chapter_text("Top level", key_rows(SECTIONS.items()))
-    yield "bodies", chapter_text("Keys of a body", key_rows(BODY.items()))
-    yield "parts", chapter_text("Keys of a part or hole, beside those of a body", key_rows(PART.items()))
-    yield "shapes", chapter_text("Shapes", [element_text(shape, "shape") for shape in SHAPES])
+    yield chapter_text("Top level", key_rows(SECTIONS.items()))
+    yield chapter_text("Keys of a body", key_rows(BODY.items()))
+    yield chapter_text("Keys of a part or hole, beside those of a body", key_rows(PART.items()))
+    yield chapter_text("Shapes", [element_text(shape, "shape") for shape in SHAPES])
     for section, (kind, table) in TABLES.items():
-        yield section, chapter_text(section.capitalize(), [element_text(cls, kind) for cls in table])
-    yield "phases", chapter_text("Keys of a phase", key_rows(PHASE.items()))
-    yield "marking", chapter_text("Keys of an answer's marking", key_rows(MARKING.items()))
-    yield "deductions", chapter_text("Keys of `deduct`", key_rows(DEDUCT.items()))
+        yield chapter_text(section.capitalize(), [element_text(cls, kind) for cls in table])
+    yield chapter_text("Keys of a phase", key_rows(PHASE.items()))
+    yield chapter_text("Keys of an answer's marking", key_rows(MARKING.items()))
+    yield chapter_text("Keys of `deduct`", key_rows(DEDUCT.items()))
     lines = ["| word | letter | of | components | meaning |", "| --- | --- | --- | --- | --- |"]
     lines += [quantity_row(entry) for entry in QUANTITIES.values()]
-    yield "quantities", "### Quantities\n\n" + "\n".join(lines)
+    yield "### Quantities\n\n" + "\n".join(lines)
 
 
 def chapter_text(title: str, items: Iterable[str]) -> str:
@@ -114,23 +113,9 @@ def element_text(cls: Any, kind: str) -> str:
     return "\n".join(lines)
 
 
-def owners_text(entry: QuantityKind) -> str:
-    return f"; of: {', '.join(entry.owners)}" if entry.owners else ""
-
-
-def components_text(entry: QuantityKind) -> str:
-    return f"; components: {', '.join(entry.components)}" if entry.components else ""
-
-
 def quantity_row(entry: QuantityKind) -> str:
-    cells = (
-        f"`{entry.word}`",
-        entry.letter,
-        ", ".join(entry.owners),
-        ", ".join(entry.components),
-        entry.help + later_mark(entry.later),
-    )
-    return f"| {' | '.join(cells)} |"
+    lists = (", ".join(entry.owners), ", ".join(entry.components))
+    return f"| {' | '.join((f'`{entry.word}`', entry.letter, *lists, entry.help + later_mark(entry.later)))} |"
 
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
@@ -159,15 +144,10 @@ CHOICE: dict[str, Any] = {
     "required": [WHICH],
     "additionalProperties": False,
 }
-FRICTION: dict[str, Any] = {
-    "anyOf": [
-        SCALAR,
-        {"type": "object", "properties": {"static": SCALAR, "kinetic": SCALAR}, "additionalProperties": False},
-    ]
-}
-DEDUCTIONS: dict[str, Any] = {
-    "anyOf": [SCALAR, {"type": "object", "properties": dict.fromkeys(DEDUCT, SCALAR), "additionalProperties": False}]
-}
+FRICTION, DEDUCTIONS = (
+    {"anyOf": [SCALAR, {"type": "object", "properties": dict.fromkeys(words, SCALAR), "additionalProperties": False}]}
+    for words in (("static", "kinetic"), DEDUCT)
+)
 
 
 def json_schema() -> dict[str, Any]:
@@ -198,7 +178,7 @@ def named_map(schema: dict[str, Any]) -> dict[str, Any]:
 def section_schema(name: str, key: Key) -> dict[str, Any]:
     """The schema of a top-level key."""
     if name in TABLES:
-        return named_map({"anyOf": [element_schema(cls) for cls in TABLES[name][1]] + single_words(name)})
+        return named_map({"anyOf": [map_schema(dict(keys_of(cls))) for cls in TABLES[name][1]] + single_words(name)})
     special: dict[str, dict[str, Any]] = {
         "given": named_map(SCALAR),
         "bodies": named_map({"anyOf": [{"enum": [shape.word for shape in SHAPES]}, {"$ref": "#/$defs/body"}]}),
@@ -218,11 +198,6 @@ def single_words(name: str) -> list[dict[str, Any]]:
     """Elements that are one word alone: `floor: level`."""
     alone = [cls.word for cls in TABLES[name][1] if not any(key.required for _, key in keys_of(cls))]
     return [{"enum": alone}] if alone else []
-
-
-def element_schema(cls: type) -> dict[str, Any]:
-    """The schema of one element."""
-    return map_schema(dict(keys_of(cls)))
 
 
 def map_schema(keys: dict[str, Key]) -> dict[str, Any]:

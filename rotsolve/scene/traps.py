@@ -22,12 +22,12 @@ def anchor(name: str, span: Span) -> Fault:
 
 
 def tag(name: str, span: Span) -> Fault:
-    return Fault(
-        f"{quoted(name)} is a YAML tag, which scenes don't use",
-        span,
-        f"for a text that starts with `!`, {QUOTE}",
-        "yaml",
-    )
+    message = f"{quoted(name)} is a YAML tag, which scenes don't use"
+    return Fault(message, span, f"for a text that starts with `!`, {QUOTE}", "yaml")
+
+
+def no_yaml(problem: str) -> Fault:
+    return Fault(f"this is not YAML: {problem}", None, "see docs/language.md for a scene to start from", "yaml")
 
 
 def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
@@ -38,7 +38,7 @@ def yaml_fault(error: Any, lines: tuple[str, ...]) -> Fault:
         mark = error.context_mark or mark
         problem = "quoted scalar"
     if mark is None:
-        return Fault(f"this is not YAML: {problem}", None, "see docs/language.md for a scene to start from", "yaml")
+        return no_yaml(problem)
     line = lines[mark.line] if mark.line < len(lines) else ""
     span = Span(mark.line + 1, mark.column + 1)
     message, help = explained(problem, line, mark.column, lines[: mark.line + 1])
@@ -57,10 +57,8 @@ def explained(problem: str, line: str, column: int, above: tuple[str, ...]) -> t
     if "mapping values are not allowed" in problem:
         return "a `: ` inside a text", f'{QUOTE}: `title: "Ball: up and down"`; or the line above is indented less'
     if re.search(r"[\]}]\s*$", line[:column]) and here and here not in ",]}:":
-        return (
-            f"text after a closing bracket: {quoted(line[column:].strip())}",
-            "a unit belongs to each number: `[0, 3 N]`",
-        )
+        behind = quoted(line[column:].strip())
+        return f"text after a closing bracket: {behind}", "a unit belongs to each number: `[0, 3 N]`"
     if "cannot start any token" in problem:
         return f"a value can't start with {quoted(here)}", QUOTE
     if "undefined alias" in problem or "alias or anchor" in problem or "expected alphabetic or numeric" in problem:
@@ -81,12 +79,10 @@ def null_fault(name: str, span: Span, before: str) -> Fault:
     if before.count("(") > before.count(")") or re.fullmatch(r"[^(]*\)", name):
         return Fault("a comma inside brackets splits this value", span, f'{QUOTE}: `{{p: "f(x, y)"}}`', "yaml")
     if re.match(r"\d", name):
-        return Fault(
-            f"a comma splits this value: {quoted(name)} stands alone", span, "write a decimal point: `12.5 kg`", "yaml"
-        )
+        message = f"a comma splits this value: {quoted(name)} stands alone"
+        return Fault(message, span, "write a decimal point: `12.5 kg`", "yaml")
     match = re.fullmatch(r"([A-Za-z]\w*):(\S.*)", name)
     if match:
         return Fault(f"no space after the colon in {quoted(name)}", span, f"write `{match[1]}: {match[2]}`", "yaml")
-    return Fault(
-        f"{quoted(name)} has no value", span, f"write `{name if len(name) < 30 else 'name'}: …`, or remove it", "yaml"
-    )
+    help = f"write `{name if len(name) < 30 else 'name'}: …`, or remove it"
+    return Fault(f"{quoted(name)} has no value", span, help, "yaml")

@@ -70,16 +70,10 @@ class Map(Struct, frozen=True):
     shown: ClassVar[str] = "a map"
 
     def get(self, name: str) -> Node | None:
-        for key, value in self.entries:
-            if key.value == name:
-                return value
-        return None
+        return next((value for key, value in self.entries if key.value == name), None)
 
     def key(self, name: str) -> Text | None:
-        for key, _ in self.entries:
-            if key.value == name:
-                return key
-        return None
+        return next((key for key, _ in self.entries if key.value == name), None)
 
 
 Node = Text | List | Map
@@ -95,10 +89,7 @@ def compose(source: str, file: str) -> tuple[Node, tuple[str, ...]]:
     except yaml.MarkedYAMLError as error:
         raise SceneError([traps.yaml_fault(error, lines)], lines, file) from None
     except (yaml.YAMLError, ValueError, RecursionError) as error:
-        message = f"this is not YAML: {quoted(str(error))}"
-        raise SceneError(
-            [Fault(message, None, "see docs/language.md for a scene to start from", "yaml")], lines, file
-        ) from None
+        raise SceneError([traps.no_yaml(quoted(str(error)))], lines, file) from None
 
 
 class TreeBuilder:
@@ -114,11 +105,8 @@ class TreeBuilder:
         for event in self.events:
             if isinstance(event, yaml.DocumentStartEvent):
                 if result is not None:
-                    stop(
-                        "a second document starts here",
-                        self.span(event),
-                        "one file holds one scene: remove the line `---`",
-                    )
+                    help = "one file holds one scene: remove the line `---`"
+                    stop("a second document starts here", self.span(event), help)
                 result = self.node(next(self.events), 0)
         if result is None or (isinstance(result, Text) and result.empty):
             stop("the file is empty", None, "a scene needs at least `bodies` and `find`")
@@ -154,24 +142,17 @@ class TreeBuilder:
         if event.tag:
             raise SceneError([traps.tag(event.tag, start)])
         if depth > DEPTH:
-            stop(
-                f"more than {DEPTH} levels inside one another",
-                self.span(event),
-                "a scene needs no more than ten",
-                "limit",
-            )
+            help = "a scene needs no more than ten"
+            stop(f"more than {DEPTH} levels inside one another", self.span(event), help, "limit")
         if self.count > NODES:
             stop(f"more than {NODES} values in one file", self.span(event), "split the scene", "limit")
 
     def text(self, event: Any) -> Text:
         """A scalar; block texts and texts over several lines have one place only."""
-        start, end = event.start_mark, event.end_mark
-        plain = event.style is None or event.style == ""
-        line = self.lines[start.line] if start.line < len(self.lines) else ""
-        shift = 0 if plain else 1
-        exact = line[start.column + shift : start.column + shift + len(event.value)] == event.value
-        length = end.column - start.column if end.line == start.line else max(1, len(line.rstrip()) - start.column)
-        return Text(event.value, Span(start.line + 1, start.column + 1, max(1, length)), plain, exact)
+        plain = not event.style
+        line = self.lines[event.start_mark.line] if event.start_mark.line < len(self.lines) else ""
+        exact = line[event.start_mark.column + (not plain) :].startswith(event.value)
+        return Text(event.value, self.span(event), plain, exact)
 
     def span(self, event: Any, last: Any = None) -> Span:
         start, end = event.start_mark, (last or event).end_mark

@@ -141,11 +141,10 @@ def formula_fault(
     elif kind and kind != "given":
         scope.fault(span, f"`{wrong}` is {an(kind)}, not a value", hint("", letters, "givens"), "formula")
     elif names_unit(wrong):
-        scope.fault(
-            span, f"`{wrong}` is a unit without a number", f"write `2 {wrong}`, or choose a letter for it", "unit"
-        )
+        help = f"write `2 {wrong}`, or choose a letter for it"
+        scope.fault(span, f"`{wrong}` is a unit without a number", help, "unit")
     else:
-        scope.fault(span, f"unknown letter {quoted(wrong)}", hint(wrong, [*letters, *want.words], "givens"), "unknown")
+        scope.unknown(span, wrong, "letter", [*letters, *want.words], "givens")
 
 
 def read_scalar(scope: Scope, node: Node, want: Want, paths: PathReader | None = None) -> Formula | None:
