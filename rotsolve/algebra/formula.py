@@ -271,6 +271,7 @@ class Integral(Formula, frozen=True):
 
 ZERO = Number(Fraction(0))
 ONE = Number(Fraction(1))
+HALF = Number(Fraction(1, 2))
 PI = Constant("pi")
 
 

@@ -11,7 +11,7 @@ from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, Equation, Law
 from rotsolve.core.vectors.tensor import AXES, ONE_AXIS, Place
 from rotsolve.core.writing import flat, is_negative, spoken
-from rotsolve.laws.integration import centre_letter, origin
+from rotsolve.laws.integration import centre_letter, origin, place_of
 from rotsolve.motion.rigid import RigidPiece
 from rotsolve.motion.spread import DENSITY, Spread
 
@@ -33,8 +33,7 @@ def entry_of(piece: RigidPiece, entry: str) -> Formula:
 
 def arm_of(spread: Spread, piece: RigidPiece) -> Place:
     """Where a piece's centre of mass is, seen from the point."""
-    x, y, z = (simplify(at - point) for at, point in zip(piece.place(), spread.point, strict=True))
-    return (x, y, z)
+    return place_of(at - point for at, point in zip(piece.place(), spread.point, strict=True))
 
 
 def apart(spread: Spread, piece: RigidPiece, entry: str) -> list[Formula]:

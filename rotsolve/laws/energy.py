@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from fractions import Fraction
 
-from rotsolve.algebra.formula import ZERO, Formula, Number
+from rotsolve.algebra.formula import HALF, ZERO, Formula
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import CONSERVATION, WORK, WORK_AND_ENERGY, Equation
 from rotsolve.core.facts import BodyFacts, square
@@ -13,8 +12,6 @@ from rotsolve.core.passage import Passage
 from rotsolve.core.vectors.heading import UP
 from rotsolve.core.writing import flat, is_negative, moved, positive_first, spoken
 from rotsolve.laws.table import OverPhase
-
-HALF = Number(Fraction(1, 2))
 
 
 def conservation(over: OverPhase) -> Iterator[Equation]:
@@ -81,10 +78,7 @@ def reason(passage: Passage, group: frozenset[str], works: bool) -> Words:
     inner = [work for work in passage.works if work.inner and group & set(work.bodies)]
     if inner:
         return (inner[0].amount, " is the work of the inner forces: kinetic energy alone is not conserved.")
-    idle = [words for words in passage.idle if words]
-    if works or not idle:
-        return ()
-    return (idle[0],)
+    return () if works else passage.idle[:1]
 
 
 def kinetic(bodies: Iterable[BodyFacts]) -> list[Formula]:

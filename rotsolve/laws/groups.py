@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
 from rotsolve.algebra.exact.linear import NotLinear, Singular, solve_all
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, Number, Product, Quotient, Symbol, negate, total
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Negative, Product, Quotient, Symbol, negate, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import DERIVATIVE, POWER, RATE, Equation
 from rotsolve.core.facts import BodyFacts, Facts, Force, Rule, signed
@@ -75,9 +74,6 @@ def about_contact(body: BodyFacts, section: str) -> Iterator[Equation]:
     yield RATE.equation(positive_first(pushes), positive_first(rates), section, (body.name,), point=where)
 
 
-HALF = Number(Fraction(1, 2))
-
-
 def rate_of_energy(at: OfGroup) -> Iterator[Equation]:
     """The derivative of the energy where it tells the one acceleration of a linkage, else the power of all forces."""
     yield from list(differentiated(at.virtual, at.group, at.section)) or power_of_forces(at)
@@ -105,12 +101,8 @@ def differentiated(facts: Facts, group: frozenset[str], section: str) -> Iterato
     if not is_zero(total([size * power.substitute(still).substitute(unit) for size, power in gains])):
         return
     pushes = [size * simplify(power.substitute(unit)) for size, power in supplies]
-    inertia = total(
-        [
-            size * simplify((power - power.substitute(still)).substitute(moving).substitute(unit))
-            for size, power in gains
-        ]
-    )
+    driven = [(size, (power - power.substitute(still)).substitute(moving)) for size, power in gains]
+    inertia = total([size * simplify(power.substitute(unit)) for size, power in driven])
     free = next(name for name in names if name not in bound)
     pace = "angular velocity" if key_of(free).turns else "speed"
     words: Words = (
@@ -148,17 +140,13 @@ def power_of_forces(at: OfGroup) -> Iterator[Equation]:
 def drive(facts: Facts, group: frozenset[str]) -> tuple[Formula, Formula] | None:
     """Σ F·v and Σ m a·v of a group, divided by its one free rate: what drives its motion; None where it moves in several ways."""
     bodies = [body for body in facts.bodies if body.name in group]
-    gains, supplies = (
-        [term for body in bodies for term in gain(body)],
-        [term for body in bodies for term in supply(body)],
-    )
+    gains, supplies = ([term for body in bodies for term in of(body)] for of in (gain, supply))
     rates, allowed = freedom(facts, group, [*gains, *supplies])
     if allowed is None:
         return None
     gained, given = [term.substitute(allowed) for term in gains], [term.substitute(allowed) for term in supplies]
     free = next(name for name in rates if allowed.get(name) is None)
-    left, right = (total([per_rate(term, free) for term in flat(side)]) for side in (given, gained))
-    return left, right
+    return total([per_rate(term, free) for term in flat(given)]), total([per_rate(term, free) for term in flat(gained)])
 
 
 def freedom(facts: Facts, group: frozenset[str], terms: list[Formula]) -> tuple[list[str], dict[str, Formula] | None]:
@@ -245,7 +233,7 @@ def per_rate(term: Formula, rate: str) -> Formula:
     if isinstance(term, Negative):
         return negate(per_rate(term.operand, rate))
     if term == letter:
-        return Number(Fraction(1))
+        return ONE
     if isinstance(term, Product) and letter in term.factors:
         index = term.factors.index(letter)
         rest = (*term.factors[:index], *term.factors[index + 1 :])

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from fractions import Fraction
-
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero, simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, Symbol, add, multiply, negate, sqrt, total
+from rotsolve.algebra.formula import HALF, ZERO, Formula, Symbol, add, multiply, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import INERTIA, PARALLEL_AXES, Equation
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, Heading
@@ -30,8 +28,6 @@ from rotsolve.laws.integration import INDICES, NotSliced, by_integration, mass
 from rotsolve.motion.rigid import MINUS, RigidPiece
 from rotsolve.motion.spread import Spread
 
-HALF = Number(Fraction(1, 2))
-
 
 def moment(spread: Spread, entry: str) -> Told:
     """An entry of the inertia tensor about the spread's point, as a letter of its own with what defines it."""
@@ -41,9 +37,8 @@ def moment(spread: Spread, entry: str) -> Told:
     letter = spread.letter("inertia", f"{INDICES.get(entry, entry)} {spread.spot}")
     if isinstance(spread.known, Symbol) and spread.central and entry == "zz":
         letter = spread.known
-    return Told(
-        letter, "", (), (*told.definitions, spread.define(letter, told.formula, told.label, told.said, told.law))
-    )
+    step = spread.define(letter, told.formula, told.label, told.said, told.law)
+    return Told(letter, "", (), (*told.definitions, step))
 
 
 def one_axis(spread: Spread, entry: str) -> Told:
@@ -88,9 +83,8 @@ def perpendicular(spread: Spread) -> Told | None:
         return None
     across = [moment(spread, entry) for entry in ("xx", "yy")]
     defined = tuple(dict.fromkeys(step for told in across for step in told.definitions))
-    return Told(
-        add(across[0].formula, across[1].formula), "perpendicular axes of a flat body, I_z = I_x + I_y", (), defined
-    )
+    whole = add(across[0].formula, across[1].formula)
+    return Told(whole, "perpendicular axes of a flat body, I_z = I_x + I_y", (), defined)
 
 
 def is_flat(spread: Spread) -> bool:
@@ -146,13 +140,8 @@ def share(spread: Spread, piece: RigidPiece, mass: Formula, entry: str) -> tuple
     """What one piece adds, as a letter of its own: its moment about its centre of mass, moved by the parallel-axes theorem."""
     cut_out = is_negative(mass)
     size = negate(mass) if cut_out else mass
-    positive = (
-        piece.weighing(size)
-        if piece.measure is not None
-        else piece.moved(RIGHT, NOWHERE, ZERO, MINUS)
-        if cut_out
-        else piece
-    )
+    filled = piece.moved(RIGHT, NOWHERE, ZERO, MINUS) if cut_out else piece
+    positive = piece.weighing(size) if piece.measure is not None else filled
     distances, tabled = apart(spread, piece, entry), entry_of(positive, entry)
     if tabled == ZERO:
         return mass * sum_of_squares(distances) if distances else ZERO, []

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
-from rotsolve.algebra.formula import ONE, Integral, Number, Symbol, add
+from rotsolve.algebra.formula import HALF, ONE, Integral, Number, Symbol, add
 from rotsolve.core.equation import (
     BY_PLACE,
     COORDINATE,
@@ -28,7 +28,7 @@ from rotsolve.core.passage import Passage, Travel
 from rotsolve.core.symbols import TIME
 from rotsolve.laws.table import OverPhase
 
-HALF, TWO = Number(Fraction(1, 2)), Number(Fraction(2))
+TWO = Number(Fraction(2))
 LETTERS = {"turn": ("ω", "α", "θ"), "line": ("v", "a", "x")}
 CHANGE = {"turn": "angle turned", "line": "displacement"}
 
@@ -58,13 +58,8 @@ def motion_over_phase(over: OverPhase) -> Iterator[Equation]:
 
 def constant(travel: Travel, passage: Passage, section: str) -> Iterator[Equation]:
     """v₂ = v₁ + a t and its three companions."""
-    before, after, rate, change, time = (
-        travel.before,
-        travel.after,
-        travel.acceleration,
-        travel.change,
-        passage.duration,
-    )
+    before, after, rate = travel.before, travel.after, travel.acceleration
+    change, time = travel.change, passage.duration
     law, mean = (STEADY_TRAVEL, TRAVEL_BY_MEAN) if travel.kind == "line" else (STEADY_TURN, TURN_BY_MEAN)
     bodies = (travel.body,)
     yield law.equation(after, before + rate * time, section, bodies)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from rotsolve.algebra.exact.normal import is_zero
-from rotsolve.algebra.formula import ZERO, Formula, Integral, negate, total
+from rotsolve.algebra.formula import ZERO, Formula, Integral, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.equation import ANGLES_TURNED, BLOWS, COMMON_AXIS, MOMENTUM, RESTITUTION, TWISTS, Equation, Law
 from rotsolve.core.facts import BodyFacts, Facts, Force, signed
@@ -57,14 +57,10 @@ def summed(
 def over_time(first: Formula, midway: Formula, passage: Passage) -> Formula:
     """effort · t for what stays the same in a phase, ∫ effort dt for what varies: `first` at its start, `midway` in its midst."""
     letters = midway.symbols()
-    if TIME in letters or (at_any_time(letters) and not of_phase(first, passage.name)):
+    lasting = all(key_of(letter).when in (passage.name, "") for letter in first.symbols() if is_key(letter))
+    if TIME in letters or (at_any_time(letters) and not lasting):
         return Integral(midway, TIME, *passage.times)
     return (first if at_any_time(letters) else midway) * passage.duration
-
-
-def of_phase(effort: Formula, name: str) -> bool:
-    """Whether the letters of a force or torque are the same in the whole phase."""
-    return all(key_of(letter).when in (name, "") for letter in effort.symbols() if is_key(letter))
 
 
 def momentum_without_force(over: OverPhase) -> Iterator[Equation]:
@@ -93,9 +89,8 @@ def about_common_axes(over: OverPhase) -> Iterator[Equation]:
         sense, names = members[0].motion.sense, tuple(body.name for body in members)
         before, after = (angular_momenta(facts, names, sense) for facts in (passage.start, passage.end))
         words: Words = () if outside else (undisturbed(passage, names),)
-        label = "angular momentum about the axis is conserved"
-        if outside:
-            label = "angular impulse = change of angular momentum about the axis"
+        changed = "angular impulse = change of angular momentum about the axis"
+        label = changed if outside else "angular momentum about the axis is conserved"
         if flat(before) or flat(after):
             sides = positive_first([*before, *outside]), positive_first(after)
             yield COMMON_AXIS.equation(*sides, section, names, words, words=label)
@@ -128,7 +123,7 @@ def angles_turned(
 
 def angular_momenta(facts: Facts, names: tuple[str, ...], sense: int) -> list[Formula]:
     """I ω of each body, along a sense."""
-    bodies = [body for body in facts.bodies if body.name in names and body.inertia is not None]
+    bodies = [body for body in facts.bodies if body.name in names]
     return [body.inertia.letter * signed(body.motion.spin, sense) for body in bodies if body.inertia is not None]
 
 
@@ -141,9 +136,8 @@ def outside_torques(members: list[BodyFacts], passage: Passage) -> list[Formula]
         for item in body.acting:
             by_owner.setdefault(item.owner, []).append(signed(item.torque, members[0].motion.sense))
     outside = [torque for torques in by_owner.values() if not is_zero(total(torques)) for torque in flat(torques)]
-    constant = all(
-        travel.pace == "constant" for travel in passage.travels if travel.body in {body.name for body in members}
-    )
+    names = {body.name for body in members}
+    constant = all(travel.pace == "constant" for travel in passage.travels if travel.body in names)
     if not constant and any(has_quantities(torque) for torque in outside):
         return None
     return [
@@ -157,12 +151,6 @@ def groups_through_event(at: ThroughEvent) -> Iterator[Equation]:
     for group in at.encounter.groups:
         members = [meeting for meeting in at.encounter.meetings if meeting.body.name in group]
         yield from group_through_event(at.encounter, group, members, at.section)
-
-
-def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
-    """Each body with the blows on it."""
-    for meeting in at.encounter.meetings:
-        yield from body_through_event(meeting, at.section)
 
 
 def restitution(at: ThroughEvent) -> Iterator[Equation]:
@@ -193,14 +181,10 @@ def group_through_event(
         ]
         torque += [signed(twist.torque, sense) for twist in turned]
         point = f"about the {pivot}" if pivot else "about the meeting point"
-        label = (
-            f"angular momentum {point} is conserved"
-            if not flat(torque)
-            else f"angular impulse = change of angular momentum, {point}"
-        )
-        words: Words = (
-            (f"No outside torque acts {point}: {why_none(members)}.",) if pivot and not outside and not turned else ()
-        )
+        changed = f"angular impulse = change of angular momentum, {point}"
+        label = changed if flat(torque) else f"angular momentum {point} is conserved"
+        why: Words = (f"No outside torque acts {point}: {why_none(members)}.",)
+        words = why if pivot and not outside and not turned else ()
         if flat(before) or flat(after):
             yield COMMON_AXIS.equation(*moved([*before, *torque], after), section, names, words, words=label)
     if pivot is None:
@@ -249,20 +233,20 @@ def arm_from_point(item: Meeting, blow: Force) -> Vector:
     return tidy(item.place + blow.arm - item.body.cm)
 
 
-def body_through_event(item: Meeting, section: str) -> Iterator[Equation]:
-    """m Δv = ΣJ and I Δω = Σ r × J of one body."""
-    body = item.body
-    for axis in body.axes:
-        pushes = [blow.vector.along(axis) for blow in item.blows]
-        change = [body.mass * item.after.along(axis), negate(body.mass * item.before.along(axis))]
-        if flat(pushes) or flat(change):
-            left, right = moved([*pushes, body.mass * item.before.along(axis)], [change[0]])
-            yield BLOWS.equation(left, right, section, (body.name,))
-    if body.motion.turns:
-        sense = body.motion.sense
-        pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
-        pushes += [signed(twist.torque, sense) for twist in item.twists]
-        before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
-        if flat(pushes) or flat([before, after]):
-            about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"
-            yield TWISTS.equation(*moved([*pushes, before], [after]), section, (body.name,), about=about_centre)
+def bodies_through_event(at: ThroughEvent) -> Iterator[Equation]:
+    """m Δv = ΣJ and I Δω = Σ r × J of each body."""
+    for item in at.encounter.meetings:
+        body, sense = item.body, item.body.motion.sense
+        for axis in body.axes:
+            pushes = [blow.vector.along(axis) for blow in item.blows]
+            before, after = (body.mass * velocity.along(axis) for velocity in (item.before, item.after))
+            if flat([*pushes, before, after]):
+                yield BLOWS.equation(*moved([*pushes, before], [after]), at.section, (body.name,))
+        if body.motion.turns:
+            pushes = [signed(blow.arm.cross(blow.vector), sense) for blow in item.blows]
+            pushes += [signed(twist.torque, sense) for twist in item.twists]
+            before, after = (item.inertia * signed(spin, sense) for spin in (item.spin_before, item.spin_after))
+            if flat([*pushes, before, after]):
+                about_centre = "" if body.motion.kind == "axis" else " about the centre of mass"
+                sides = moved([*pushes, before], [after])
+                yield TWISTS.equation(*sides, at.section, (body.name,), about=about_centre)

@@ -68,11 +68,6 @@ def in_a_corner(body: BodyFacts) -> bool:
     return any(not is_zero(normals[0].cross(other)) for other in normals[1:])
 
 
-def net_force(body: BodyFacts, axis: Heading) -> Formula:
-    """m a along an axis."""
-    return multiply(body.mass, body.centre_acceleration.along(axis))
-
-
 def law_of_rotation(at: AtMoment) -> Iterator[Equation]:
     """Σ τ = I α about the reference point of every body that turns and keeps its moment of inertia."""
     for body in at.facts.bodies:
@@ -120,13 +115,9 @@ def by_triangle(point: Vector, force: Force) -> Words:
     lever = negate(lever) if is_negative(lever) else lever
     if any(is_negative(term) and term.symbols() & size.symbols() for term in flat([side])):
         side = simplify(negate(side))
-    if not has_any_root(lever) or has_any_root(side) or side == ZERO:
+    if not lever.holds("sqrt") or side.holds("sqrt") or side == ZERO:
         return ()
     return ("arm ", sqrt(size**2 - side**2), " = ", lever)
-
-
-def has_any_root(value: Formula) -> bool:
-    return value.holds("sqrt")
 
 
 def torque_about(point: Vector, force: Force) -> Formula:
@@ -178,9 +169,7 @@ def about(body: BodyFacts) -> str:
 def moments_of_inertia(at: AtMoment) -> Iterator[Equation]:
     """I = …, for every body whose moment of inertia is not given as such."""
     for body in at.facts.bodies:
-        inertia = body.inertia
-        if inertia is not None and inertia.letter not in (ZERO, inertia.formula):
-            yield inertia_defined(inertia, body.name, at.section)
+        yield from inertia_defined(body.inertia, body.name, at.section)
 
 
 COST = 4  # above the laws for the whole rod, so that what is found at a cut stands where its diagram is
@@ -190,12 +179,8 @@ def laws_of_pieces(at: AtMoment) -> Iterator[Equation]:
     """m and I of every piece, Σ F = m a along and across the rod, and Σ τ = I α."""
     for cut in at.facts.cuts:
         body = cut.body
-        definitions = [cut.mass] if body.inertia is None else [cut.mass, body.inertia]
-        yield from (
-            inertia_defined(item, body.name, at.section)
-            for item in definitions
-            if item.letter not in (ZERO, item.formula)
-        )
+        for item in (cut.mass, body.inertia):
+            yield from inertia_defined(item, body.name, at.section)
         for axis in body.axes:
             equation = component_equation(body, axis, at.section)
             if equation is not None:
@@ -204,9 +189,11 @@ def laws_of_pieces(at: AtMoment) -> Iterator[Equation]:
         yield from (replace(equation, cost=COST) for equation in turning)
 
 
-def inertia_defined(item: Inertia, name: str, section: str) -> Equation:
-    defines = next(iter(item.letter.symbols()), "")
-    return INERTIA.equation(item.letter, item.formula, section, (name,), item.remark, defines=defines, words=item.label)
+def inertia_defined(item: Inertia | None, name: str, section: str) -> Iterator[Equation]:
+    """I = … or m = …, where it is not given as such."""
+    if item is not None and item.letter not in (ZERO, item.formula):
+        remark, defines = item.remark, next(iter(item.letter.symbols()), "")
+        yield INERTIA.equation(item.letter, item.formula, section, (name,), remark, defines=defines, words=item.label)
 
 
 def still(cut: Cut) -> bool:
