@@ -28,28 +28,25 @@ def asked_block(problem: Problem) -> Problem:
     if len(problem.bodies) < 2 or spoken_of_as_a_whole(problem, loose):
         return problem
     named = {body.name for body in problem.bodies} | {item.name for item in acting(problem)}
-    kept = (
-        reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *loose_surfaces(problem, loose)}) & named
-    )
+    surfaces = [
+        item.name for item in problem.surfaces if not loose.isdisjoint(names_in(item))
+    ]  # what lies on one tells
+    kept = reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *surfaces}) & named
     return problem if kept == named else with_only(problem, kept, named - kept)
 
 
 def with_only(problem: Problem, kept: Collection[str], dropped: Collection[str]) -> Problem:
     """The problem without some parts, and without what the states say of them."""
+    states = []
+    for state in problem.states:
+        lines = [line for line in state.conditions if not any(name in dropped for name in names_in(line))]
+        states.append(replace(state, conditions=tuple(lines)))
     return replace(
         problem,
         bodies=tuple([body for body in problem.bodies if body.name in kept]),
         connections=tuple([item for item in problem.connections if item.name in kept]),
-        actions=tuple(item for item in problem.actions if item.name in kept),
-        states=tuple(
-            replace(
-                state,
-                conditions=tuple(
-                    line for line in state.conditions if not any(name in dropped for name in names_in(line))
-                ),
-            )
-            for state in problem.states
-        ),
+        actions=tuple([item for item in problem.actions if item.name in kept]),
+        states=tuple(states),
     )
 
 
@@ -83,7 +80,7 @@ def spoken_of_as_a_whole(problem: Problem, loose: frozenset[str]) -> bool:
     """Whether a question or a later state speaks of all bodies at once, or gravity is what is asked."""
     if any(speaks_of_all(term.path) for find in problem.finds for term in find.terms):
         return True
-    if loose and problem.gravity is not None and not loose.isdisjoint(problem.gravity.symbols()):
+    if problem.gravity is not None and not loose.isdisjoint(problem.gravity.symbols()):
         return True
     later = problem.states[1:]
     lines = [line for state in later for line in state.conditions]
@@ -96,11 +93,6 @@ def spoken_of_as_a_whole(problem: Problem, loose: frozenset[str]) -> bool:
 def speaks_of_all(path: Path) -> bool:
     """Whether a path speaks of all bodies: an energy of the whole."""
     return not path.owner and path.quantity != "time"
-
-
-def loose_surfaces(problem: Problem, loose: frozenset[str]) -> set[str]:
-    """The surfaces whose slope or size is asked for: what lies on one may tell it."""
-    return {surface.name for surface in problem.surfaces if loose and not loose.isdisjoint(names_in(surface))}
 
 
 def loose_letters(problem: Problem) -> frozenset[str]:
@@ -122,11 +114,8 @@ def roots(problem: Problem) -> Iterator[str]:
 def ties(problem: Problem, loose: frozenset[str]) -> Iterator[Sequence[str]]:
     """What depends on each other, name by name."""
     for item in acting(problem):
-        names = [item.name]
-        names += [ref.owner for ref in item.touches()]
-        for value in varying_values(item):
-            names += [owner for _, owner, _ in paths_in(value)]
-        yield names
+        varied = [owner for value in varying_values(item) for _, owner, _ in paths_in(value)]
+        yield [item.name, *(ref.owner for ref in item.touches()), *varied]
     for event in problem.events:
         yield (CLOCK, *names_in(event))
     for phase in problem.phases:

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
 from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ZERO, Formula, Symbol, sqrt, total
 from rotsolve.algebra.units.dimension import DIMENSIONS
@@ -79,17 +77,14 @@ def completed(problem: Problem) -> Problem:
     letters, held = _Letters(problem), {ref.owner for item in problem.connections for ref in item.fixed_points()}
     wheels = {name for item in problem.connections for name in item.turned()}
     riders = {ride.rider.owner for item in problem.connections if (ride := item.ride()) is not None}
-    bodies = tuple(
-        [
-            _rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels)
-            for body in problem.bodies
-        ]
-    )
+    bodies = []
+    for body in problem.bodies:
+        bodies.append(_rider(body, letters) if body.name in riders else _body(body, letters, body.name in wheels))
     if problem.states:
         versions(bodies, problem.states)  # refuses what can't differ between states
     guides = [guide(body) for body in bodies if body.moved]
     connections = (*[item.completed(letters, held) for item in problem.connections], *guides)
-    return replace(problem, bodies=bodies, connections=connections, givens=(*problem.givens, *letters.made))
+    return replace(problem, bodies=tuple(bodies), connections=connections, givens=(*problem.givens, *letters.made))
 
 
 def _body(body: Body, letters: _Letters, wheel: bool) -> Body:
@@ -151,8 +146,7 @@ def _hole(hole: Part, shape: Shape | None) -> Part:
     cut, length = hole.body.shape, getattr(shape, "length", None)
     if cut is None or length is None or "length" not in cut.declared or getattr(cut, "length", None):
         return hole
-    size: dict[str, Any] = {"length": length}
-    return replace(hole, body=replace(hole.body, shape=replace(cut, **size)))
+    return replace(hole, body=replace(hole.body, shape=replace(cut, **{"length": length})))
 
 
 def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
@@ -160,8 +154,7 @@ def _shape(shape: Shape, body: Body, letters: _Letters) -> Shape:
     for name, declared in shape.declared.items():
         if name not in ("radius", "length") or getattr(shape, name) is not None or declared.kind != "quantity":
             continue
-        walls = name == "radius" and bool(getattr(shape, "radii", None))
-        if not walls:
+        if name != "radius" or not getattr(shape, "radii", None):
             changes[name] = letters.make(declared.letter or name[0], body.name, declared.dimension or "length")
     return replace(shape, **changes) if changes else shape
 
@@ -176,17 +169,12 @@ def configured(problem: Problem) -> Configuration:
         raise Unsolvable(
             fault.message, span=fault.span, help=fault.help, lines=problem.lines, file=problem.file
         ) from None
-    faults = list(negative_inertia(configuration.problem.bodies, configuration.signs))
+    faults = []
+    for body in configuration.problem.bodies:
+        shifted = body.inertia if body.inertia_about is not None else None
+        if shifted is not None and configuration.signs.by_numbers(shifted) == -1:
+            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
+            faults.append(Fault(message, body.span, "", "limits"))
     if faults:
         raise SceneError(faults, problem.lines, problem.file)
     return configuration
-
-
-def negative_inertia(bodies: Iterable[Body], signs: SignOracle) -> Iterator[Fault]:
-    """Moments of inertia given about a point that are smaller than m d² alone."""
-    for body in bodies:
-        if body.inertia is None or body.inertia_about is None:
-            continue
-        if signs.by_numbers(body.inertia) == -1:
-            message = f"the inertia of `{body.name}` about `{body.inertia_about}` is smaller than m d², its mass at its centre of mass"
-            yield Fault(message, body.span, "", "limits")

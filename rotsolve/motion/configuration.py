@@ -136,10 +136,8 @@ class Configuration(Struct, frozen=True, dict=True):
 
     def since(self, name: str, state: str) -> str:
         """The state from which a body and all that it carries have their data; empty where these never change."""
-        names = (name, *(member.name for member in self.cluster(name, state)))
-        return max(
-            (self._versions[state][item].since for item in names), key=lambda name: self.timeline.order.get(name, -1)
-        )
+        since = (self._versions[state][item].since for item in self.carried(name, state))
+        return max(since, key=lambda name: self.timeline.order.get(name, -1))
 
     def altered(self, name: str, start: str, end: str) -> bool:
         """Whether a body's own data differ between two states."""
@@ -203,17 +201,15 @@ class Configuration(Struct, frozen=True, dict=True):
 
     def present(self, state: str) -> tuple[Body, ...]:
         """Bodies that are there at a state and stand for themselves (a joined body belongs to its host)."""
-        carried = self._absent[state] | {member.name for member in self.members(state)}
-        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in carried)
+        away = self._absent[state] | {member.name for member in self.members(state)}
+        return tuple(self.body(body.name, state) for body in self.problem.bodies if body.name not in away)
 
     @remembered
     def members(self, state: str) -> tuple[Member, ...]:
         """Bodies joined to others by a weld, or by an event up to this state; those that ride on another turn with it."""
         riders = [rider(item, self.pivot(item.carrier.owner, state)) for item in self.rides(state)]
-        joined = (
-            *(item.joined() for item in self.connections(state)),
-            *(event.joined() for event in self.events(state)),
-        )
+        joined = [item.joined() for item in self.connections(state)]
+        joined += [event.joined() for event in self.events(state)]
         pairs = [pair for pair in joined if pair]
         held = frozenset(ref.owner for item in self.connections(state) for ref in item.fixed_points()) if pairs else ()
         return (*riders, *(welded(first, second, held, self.bodies) for first, second in pairs))
@@ -240,14 +236,15 @@ class Configuration(Struct, frozen=True, dict=True):
         direct = [member for member in members if member.host == host]
         return tuple(item for member in direct for item in (member, *self.cluster(member.name, state)))
 
+    def carried(self, host: str, state: str) -> tuple[str, ...]:
+        """A body and all that it carries, nearest first."""
+        return (host, *(member.name for member in self.cluster(host, state)))
+
     @remembered
     def pivot(self, name: str, state: str) -> PointRef | None:
         """The point of a body that a hinge or axle holds to the ground."""
-        for item in self.connections(state):
-            for ref in item.fixed_points():
-                if ref.owner == name:
-                    return ref
-        return None
+        held = (ref for item in self.connections(state) for ref in item.fixed_points() if ref.owner == name)
+        return next(held, None)
 
     def axis(self, name: str, state: str) -> str:
         """The support on whose axis a body turns."""

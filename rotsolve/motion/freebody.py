@@ -57,7 +57,11 @@ def facts_at(instant: Instant) -> Facts:
         tables = [fact for fact in stated if isinstance(fact, Turntable) and fact.body == body.name]
         facts = free_body(body, instant, own_forces, own_couples)
         bodies.append(replace(facts, sweep=sweep(tables[0], instant)) if tables else facts)
-    moment = instant.generic or instant.virtual
+    cuts: tuple[Cut, ...] = ()
+    if configuration.mentions.cuts and not (instant.generic or instant.virtual):
+        from rotsolve.motion.cuts import cuts_at
+
+        cuts = cuts_at(instant, tuple(bodies))
     return Facts(
         instant.state,
         instant.when,
@@ -66,23 +70,15 @@ def facts_at(instant: Instant) -> Facts:
         tuple(fact for fact in stated if isinstance(fact, Requirement)),
         tuple(fact for fact in stated if isinstance(fact, Potential)),
         given=tuple(given for body in bodies for given in given_motions(body.name, instant)),
-        cuts=() if moment or not configuration.mentions.cuts else cut_pieces(instant, tuple(bodies)),
+        cuts=cuts,
     )
-
-
-def cut_pieces(instant: Instant, bodies: tuple[BodyFacts, ...]) -> tuple[Cut, ...]:
-    """The pieces of rods that are cut through, as free bodies."""
-    from rotsolve.motion.cuts import cuts_at
-
-    return cuts_at(instant, bodies)
 
 
 def given_motions(name: str, instant: Instant) -> Iterator[GivenMotion]:
     """What is given of a body's motion, with the letters of this moment for all that follows from it."""
     for drive in instant.configuration.drives(name, instant.state):
-        yield GivenMotion(
-            drive, {word: instant.driven(drive, word) for word in drive.kinds[drive.order :]}, instant.time()
-        )
+        letters = {word: instant.driven(drive, word) for word in drive.kinds[drive.order :]}
+        yield GivenMotion(drive, letters, instant.time())
 
 
 def sweep(table: Turntable, instant: Instant) -> Sweep:
@@ -91,10 +87,8 @@ def sweep(table: Turntable, instant: Instant) -> Sweep:
     reach = table.distance + own.cm.rotated(orientation).along(RIGHT)
     product = product_about(own.pieces, own.reference, orientation, table.distance)
     if product is None:
-        raise Unsolvable(
-            f"how the mass of `{table.body}` is spread along and across it is not told",
-            span=instant.body(table.body).span,
-        )
+        message = f"how the mass of `{table.body}` is spread along and across it is not told"
+        raise Unsolvable(message, span=instant.body(table.body).span)
     moment = simplify(square(table.rate) * product, order=instant.configuration.order)
     return Sweep(table.rate, vector(square(table.rate) * reach, RIGHT.turned(180)), moment)
 
@@ -107,7 +101,7 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     body, forces = instant.body(name), []
     if any(item.weighs(body) for item in instant.configuration.connections(instant.state)):
         return ()
-    for owner in (name, *(member.name for member in instant.configuration.cluster(name, instant.state))):
+    for owner in instant.configuration.carried(name, instant.state):
         mass = mass_of(instant.body(owner))
         if mass != ZERO:
             size, arm = mass * gravity, instant.point(PointRef(owner, "cm"))
@@ -117,19 +111,14 @@ def weight(name: str, instant: Instant) -> tuple[Force, ...]:
     return tuple(forces)
 
 
-def cluster_mass(name: str, instant: Instant) -> Formula:
-    """Mass of a body with all that is joined to it."""
-    members = instant.configuration.cluster(name, instant.state)
-    return total([mass_of(instant.body(owner)) for owner in (name, *(member.name for member in members))])
-
-
 def free_body(body: Body, instant: Instant, forces: tuple[Force, ...], couples: tuple[Couple, ...]) -> BodyFacts:
     """One body at an instant."""
     motion, own = instant.motion(body.name), instant.frame(body.name)
+    carried = instant.configuration.carried(body.name, instant.state)
     inertia = moment_of_inertia(body, instant, own) if motion.turns else None
     return BodyFacts(
         body.name,
-        cluster_mass(body.name, instant),
+        total([mass_of(instant.body(name)) for name in carried]),
         inertia,
         motion,
         own.cm.rotated(motion.orientation),
@@ -184,21 +173,21 @@ def positive_sense(body: Body, instant: Instant) -> str:
 
 def moment_of_inertia(body: Body, instant: Instant, own: Frame) -> Inertia:
     """The letter for the moment of inertia about the reference, with its formula; a given one is its own letter."""
-    members = instant.configuration.cluster(body.name, instant.state)
+    carried = instant.configuration.carried(body.name, instant.state)
+    members = carried[1:]
     formula, remark = moment_about(own.pieces, own.reference, instant.configuration.order)
     if formula == ZERO:
         return Inertia(ZERO, ZERO, "")
     letter = given_inertia(body, own, bool(members))
-    label = inertia_label(body, instant, own, [member.name for member in members])
+    label = inertia_label(body, instant, own, members)
     if letter is None:
-        joined = "+".join([body.name, *(member.name for member in members)])
         kind = QUANTITIES["inertia"]
         since = instant.configuration.since(body.name, instant.state)
         changes = any(instant.configuration.since(body.name, state) for state in instant.configuration.timeline.order)
         name = f"{kind.letter}_total" if members and not changes else kind.letter
         when = since or (instant.configuration.timeline.states[0].name if changes else "")
         version = " ".join(part for part in (when, point_of_time(body.name, instant)) if part)
-        letter = instant.registry.ask(SceneQuantity("inertia", joined, "", version, name, kind.dimension))
+        letter = instant.registry.ask(SceneQuantity("inertia", "+".join(carried), "", version, name, kind.dimension))
     return Inertia(letter, formula, label, remark)
 
 
@@ -216,20 +205,19 @@ def given_inertia(body: Body, own: Frame, joined: bool) -> Formula | None:
     return body.inertia if simple else None
 
 
-def inertia_label(body: Body, instant: Instant, own: Frame, members: list[str]) -> str:
+def inertia_label(body: Body, instant: Instant, own: Frame, members: tuple[str, ...]) -> str:
     """Words for a moment of inertia, such as "rod about its end"."""
     shape = shape_of(body)
     noun = shape.noun or shape.word
     if members or body.parts or shape.pointlike:
-        noun = body.name.replace("_", " ")
+        noun = spoken(body.name)
     if members:
-        noun += " with " + " and ".join(name.replace("_", " ") for name in members)
+        noun += " with " + " and ".join(spoken(name) for name in members)
     pivot = instant.configuration.pivot(body.name, instant.state)
-    point = pivot.point if pivot is not None else None
     if any(instant.configuration.ride(name, instant.state) for name in members):
         return f"moment of inertia, {noun}"
     if not own.cm.parts:
         return f"moment of inertia, {noun}" + (" about its centre" if shape.slender else "")
-    if shape.slender and point in ("start", "end") and not members:
+    if shape.slender and pivot is not None and pivot.point in ("start", "end") and not members:
         return f"moment of inertia, {noun} about its end"
     return f"moment of inertia, {noun} about the {'axis' if shape.pointlike and not body.parts else 'pivot'}"

@@ -47,7 +47,6 @@ class Instant(Struct, frozen=True, dict=True):
     modes: Mapping[str, str] = field(default_factory=dict)
     virtual: bool = False
     mark: str = GENERIC
-    _motions: dict[str, Motion] = field(default_factory=dict)
 
     @cached_property
     def when(self) -> str:
@@ -141,9 +140,8 @@ class Instant(Struct, frozen=True, dict=True):
         """Whether the angle of a body matters: of a rod that weighs always, else where the scene speaks of it or follows a mark; of all
         that turns where a motion is followed in time."""
         if self.mark == COURSE:
-            return self.configuration.pivot(name, self.state) is not None or self.can_turn(
-                name, self.travels_on_line(name)
-            )
+            held = self.configuration.pivot(name, self.state) is not None
+            return held or self.can_turn(name, self.travels_on_line(name))
         rod = shape_of(self.body(name)).slender
         if self.weight_swings(name):
             return True
@@ -160,10 +158,8 @@ class Instant(Struct, frozen=True, dict=True):
     def speaks_of_angle(self, name: str) -> bool:
         """Whether the scene asks for a body's angle, states it, drives it, or lets something vary with it."""
         configuration = self.configuration
-        problem = configuration.problem
-        if any(
-            path.owner == name and path.quantity == "angle" and not path.point for path in configuration.mentions.paths
-        ):
+        problem, paths = configuration.problem, configuration.mentions.paths
+        if any(path.owner == name and path.quantity == "angle" and not path.point for path in paths):
             return True
         if any(drive.word == "angle" for drive in configuration.drives(name, self.state)):
             return True
@@ -211,26 +207,19 @@ class Instant(Struct, frozen=True, dict=True):
 
     def motion(self, name: str) -> Motion:
         """How a body moves at this moment."""
-        name = self.host(name)
-        if name not in self._motions:
-            self._motions[name] = self._motion(name)
-        return self._motions[name]
+        return self._motion(self.host(name))
 
+    @remembered
     def _motion(self, name: str) -> Motion:
         """On an axis, along a line, or freely in the plane."""
         configuration, sense = self.configuration, self.sense(name)
         if configuration.pivot(name, self.state) is not None:
-            spin, rate = (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
-            return Motion(
-                "axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=self.orientation(name)
-            )
+            spin, rate = (signed(self.rate(word, name), sense) for word in TURNING[1:])
+            own = self.orientation(name)
+            return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=own)
         line, orbit = self.line(name), self.orbit(name)
         turns = self.can_turn(name, line is not None)
-        spin, rate = (
-            (signed(self.rate(word, name), sense) for word in ("angular_velocity", "angular_acceleration"))
-            if turns
-            else (ZERO, ZERO)
-        )
+        spin, rate = (signed(self.rate(word, name), sense) if turns else ZERO for word in TURNING[1:])
         if line is not None:
             direction, words = line
             velocity = vector(self.travel("velocity", name, words), direction)
@@ -270,9 +259,8 @@ class Instant(Struct, frozen=True, dict=True):
 
     def component(self, word: str, name: str, axis: str) -> Formula:
         when = self.span(name) if word == "acceleration" else self.moving
-        return self.ask(
-            word, name, when=when, component=axis, words=("right", "left") if axis == "x" else ("up", "down")
-        )
+        words = ("right", "left") if axis == "x" else ("up", "down")
+        return self.ask(word, name, when=when, component=axis, words=words)
 
     def can_turn(self, name: str, on_line: bool) -> bool:
         """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""

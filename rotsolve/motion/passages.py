@@ -45,10 +45,10 @@ def works_on(body: BodyFacts, way: PhaseWorks, duration: Formula) -> Iterator[Wo
         yield named_work(force.owner, work_of_force(force.vector, force.arm, body, way), (name,), interval, first)
     for couple in body.couples:
         if couple.role.powered:
-            power = power_of(couple.owner, way.middle)
-            amount = (
-                Integral(power, TIME, first.time(), way.last.time()) if power.symbols() & {TIME} else power * duration
-            )
+            motors = first.configuration.actions(way.middle.state)
+            power = next(item for item in motors if item.name == couple.owner).now(way.middle)
+            summed = Integral(power, TIME, first.time(), way.last.time())
+            amount = summed if TIME in power.symbols() else power * duration
             yield named_work(couple.owner, None if running(power.symbols()) else amount, (name,), interval, first)
         elif not (couple.internal or couple.role.stores or couple.role.inner):
             turned = signed(rotation(name, interval, first), first.sense(name))
@@ -113,19 +113,10 @@ class PhaseWorks(Struct, frozen=True):
         return Integral(signed(along * circle.radius, circle.way), next(iter(midway)), *ends)
 
 
-def power_of(owner: str, instant: Instant) -> Formula:
-    """The power of a motor."""
-    item = next(item for item in instant.configuration.actions(instant.state) if item.name == owner)
-    return item.now(instant)
-
-
 def named_work(owner: str, amount: Formula | None, bodies: tuple[str, ...], interval: Interval, first: Instant) -> Work:
     """The work under its own letter where the scene asks for it or fixes it, or where only energy tells it; else spelled out."""
-    if (
-        amount is None
-        or first.configuration.mentions.asks(owner, "work")
-        or first.configuration.mentions.asks(owner, "power")
-    ):
+    mentions = first.configuration.mentions
+    if amount is None or mentions.asks(owner, "work") or mentions.asks(owner, "power"):
         letter = first.ask("work", owner, when=interval.name)
         return Work(owner, letter, owner, bodies, amount)
     return Work(owner, amount, owner, bodies)
@@ -140,8 +131,7 @@ def inner_works(facts: Facts, interval: Interval, first: Instant) -> Iterator[Wo
             yield Work(item.name, first.ask("work", item.name, when=interval.name), item.name, bodies, inner=True)
     drawn = {item.rider.owner: item.owner for item in first.configuration.rides(interval.start) if not item.free}
     for body in facts.bodies:
-        members = [member.name for member in first.configuration.cluster(body.name, interval.start)]
-        for name in (body.name, *members):
+        for name in first.configuration.carried(body.name, interval.start):
             owner = drawn.get(name, name)
             own = name in drawn or (name == body.name and not first.configuration.laid(name))
             if own and first.configuration.altered(name, interval.start, interval.end):
@@ -178,20 +168,17 @@ def lettered(work: Work) -> bool:
 
 def why_conserved(facts: Facts, group: frozenset[str]) -> Iterator[str]:
     """Why mechanical energy is conserved, in a sentence about the forces that do no work."""
-    roles = [force.role for body in facts.bodies if body.name in group for force in body.forces]
-    held = any(body.motion.kind == "axis" for body in facts.bodies if body.name in group)
+    bodies = [body for body in facts.bodies if body.name in group]
+    roles = [force.role for body in bodies for force in body.forces]
     parts = []
-    if any(body.sliding for body in facts.bodies if body.name in group):
+    if any(body.sliding for body in bodies):
         parts.append("there is no friction where the one slides along the other")
-    if held and any(role.holds for role in roles):
-        axle = any(role.axle for role in roles)
-        parts.append(
-            "the axle does no work (it is at rest)" if axle else "the pivot does no work (its point is at rest)"
-        )
-    if any(body.lays for body in facts.bodies if body.name in group):
-        parts.append(
-            "what is laid down comes to rest without a jolt (the mass still rolled up is as its radius squared)"
-        )
+    if any(body.motion.kind == "axis" for body in bodies) and any(role.holds for role in roles):
+        held = "the pivot does no work (its point is at rest)"
+        parts.append("the axle does no work (it is at rest)" if any(role.axle for role in roles) else held)
+    if any(body.lays for body in bodies):
+        jolt = "what is laid down comes to rest without a jolt (the mass still rolled up is as its radius squared)"
+        parts.append(jolt)
     if any(role.pulls for role in roles):
         parts.append("the string's tension gives one body what it takes from the other")
     if any(role.rubs for role in roles):
@@ -297,7 +284,4 @@ def leads_of(groups: Sequence[frozenset[str]], start: Known, end: Known, midst: 
 
 def groups_of(configuration: Configuration, facts: Facts, state: str) -> tuple[frozenset[str], ...]:
     """Bodies that move together, group by group."""
-    groups: dict[frozenset[str], None] = {}
-    for body in facts.bodies:
-        groups[configuration.component(body.name, state)] = None
-    return tuple(groups)
+    return tuple(dict.fromkeys(configuration.component(body.name, state) for body in facts.bodies))

@@ -12,7 +12,7 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
-from rotsolve.algebra.formula import ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
+from rotsolve.algebra.formula import HALF, ONE, ZERO, Formula, Number, Sum, add, call, negate, sqrt, total
 from rotsolve.core.derivation import Words
 from rotsolve.core.vectors.heading import NOWHERE, RIGHT, UP, Heading, Vector, cartesian, heading, vector
 from rotsolve.core.vectors.tensor import InertiaTensor, about_z
@@ -156,7 +156,7 @@ def part_frame(part: Part) -> tuple[Heading, Vector]:
     if part.start is not None and part.end is not None:
         middle = place(part.start) + place(part.end)
         along = place(part.end) - place(part.start)
-        return direction_of(along), tidy(middle.times(Number(Fraction(1, 2))))
+        return direction_of(along), tidy(middle.times(HALF))
     angle = heading(part.angle) if part.angle is not None else RIGHT
     length = part.body.shape.reach() if part.start is not None and part.body.shape is not None else None
     if part.start is not None and length is not None:

@@ -76,5 +76,4 @@ def rubs_at(configuration: Configuration, state: str) -> Iterator[Rub]:
         if isinstance(item, Connection) and item.rubs():
             yield Rub(item.name, configuration.host(item.slider().owner, state), state, item)
         for ref in item.brakes():
-            name = configuration.host(ref.owner, state)
-            yield Rub(item.name, name, state)
+            yield Rub(item.name, configuration.host(ref.owner, state), state)

@@ -11,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, Formula, Negative, Symbol, negate
 from rotsolve.core.drive import TRAVELLING, TURNING, Drive
-from rotsolve.core.facts import BodyFacts, Couple, Facts, Force, signed
+from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.passage import Travel
 from rotsolve.core.symbols import PLACES, POSITION, RATE, RATES, key_of, paths_in, running
 from rotsolve.language.keys import varying_values
@@ -77,7 +77,9 @@ def led_by(name: str, word: str, first: Instant, last: Instant, middle: Instant)
 def leading_rate(group: frozenset[str], facts: Facts) -> str:
     """The letter of the rate with which the forces on a group vary; '' where there is none."""
     bodies = [body for body in facts.bodies if body.name in group]
-    spoken = {name for body in bodies for item in body.acting for name in effort_letters(item)}
+    efforts = [force.size for body in bodies for force in body.forces]
+    efforts += [couple.torque for body in bodies for couple in body.couples]
+    spoken = {name for effort in efforts for name in effort.symbols()}
     for given in facts.given:
         if given.drive.body in group:
             spoken |= given.letters[given.drive.word].symbols()
@@ -85,10 +87,6 @@ def leading_rate(group: frozenset[str], facts: Facts) -> str:
         if not rule.linear and set(rule.bodies) & group:
             spoken |= rule.velocity[0].symbols() | rule.velocity[1].symbols()
     return next(iter(running(spoken, RATES)), "")
-
-
-def effort_letters(item: Force | Couple) -> frozenset[str]:
-    return item.size.symbols() if isinstance(item, Force) else item.torque.symbols()
 
 
 def relative_rate(rate: Formula, lead: Formula) -> Formula | int:
