@@ -3,19 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fractions import Fraction
 
-from rotsolve.algebra.formula import ZERO, Formula, Negative, Number, sqrt
+from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, sqrt
 from rotsolve.core import facts
 from rotsolve.core.symbols import POSITION, RATE, combined, pace_of
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Vector, along_text, heading, unit, vector
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
 from rotsolve.elements.connections.touch import check_wheel
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
-
-WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
@@ -42,8 +39,13 @@ class AppliedForce(Action, frozen=True):
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
         own = super().pace(configuration, state)
-        along = self.direction in SQUARE
-        if self.on is None or along or self.on.owner not in configuration.bodies or self.over or self.under:
+        if (
+            self.on is None
+            or self.direction in SQUARE
+            or self.on.owner not in configuration.bodies
+            or self.over
+            or self.under
+        ):
             return own
         held = configuration.pivot(configuration.host(self.on.owner, state), state)
         rim = self.on.point == "rim" or self.on.point in dict(configuration.bodies[self.on.owner].radii)
@@ -57,8 +59,7 @@ class AppliedForce(Action, frozen=True):
         told = self.told(push, arm, instant)
         if isinstance(size, Negative) and len(push.parts) == 1:  # −k x to the right is k x to the left
             size, push = size.operand, -push
-            along = along_text(push.parts[0][1])
-            told = along or f"{told}, backwards"
+            told = along_text(push.parts[0][1]) or f"{told}, backwards"
         yield facts.Force(self.name, facts.APPLIED, instant.host(self.on.owner), size, push, arm, "force", told)
 
     def aim(self, instant: Moment, on: PointRef) -> tuple[Vector, Vector]:
@@ -70,7 +71,9 @@ class AppliedForce(Action, frozen=True):
             if on.point in ("rim", None) or on.point in dict(instant.body(on.owner).radii):
                 return unit(UP if turn > 0 else DOWN), vector(radius or ZERO, RIGHT)
             arm = instant.point(on)
-            return self.across(arm, turn), arm
+            if len(arm.parts) == 1:
+                return unit(arm.parts[0][1]).turned(90 * turn), arm
+            return arm.turned(90 * turn).times(ONE / sqrt(arm.dot(arm))), arm
         if self.direction is None:
             return unit(motion.heading or RIGHT), instant.point(on)
         direction = pointing(self.direction)
@@ -87,13 +90,6 @@ class AppliedForce(Action, frozen=True):
             if sign:
                 return sign > 0
         return True
-
-    def across(self, arm: Vector, turn: int) -> Vector:
-        """Unit vector square to an arm, in the sense in which it turns the body."""
-        if len(arm.parts) == 1:
-            return unit(arm.parts[0][1]).turned(90 * turn)
-        length = sqrt(arm.dot(arm))
-        return arm.turned(90 * turn).times(Number(Fraction(1)) / length)
 
     def told(self, push: Vector, arm: Vector, instant: Moment) -> str:
         """Direction in words."""
@@ -148,8 +144,7 @@ class Press(Action, frozen=True):
         name, push = instant.host(self.on.owner), self.now(instant)
         mode, sense = instant.mode(f"{self.name}.{name}"), instant.sense(name)
         forward, back = instant.turn_words(name)
-        arm = vector(rim_radius(instant.body(self.on.owner), self.on.point) or ZERO, RIGHT)
-        inward = "towards the axle"
+        arm, inward = vector(rim_radius(instant.body(self.on.owner), self.on.point) or ZERO, RIGHT), "towards the axle"
         yield facts.Force(self.name, facts.NORMAL, name, push, unit(LEFT), arm, "push", inward, works=False)
         turn = sense if mode == "turns back" else -sense
         against = unit(UP if turn > 0 else DOWN)
@@ -182,9 +177,8 @@ class AppliedPower(Action, frozen=True):
         yield facts.Couple(self.name, facts.POWERED, name, facts.signed(torque, instant.sense(name)), "torque", torque)
         spin = facts.signed(instant.motion(name).spin, instant.sense(name))
         if spin != ZERO:  # from rest a constant power means an endless torque at first
-            yield facts.Rule(
-                self.name, "power of the torque", (name,), (power, torque * spin), (power, torque * spin), linear=False
-            )
+            sides = (power, torque * spin)
+            yield facts.Rule(self.name, "power of the torque", (name,), sides, sides, linear=False)
 
 
 def turn_sense(direction: Direction | None, natural: int) -> int:

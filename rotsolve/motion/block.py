@@ -28,9 +28,8 @@ def asked_block(problem: Problem) -> Problem:
     if len(problem.bodies) < 2 or spoken_of_as_a_whole(problem, loose):
         return problem
     named = {body.name for body in problem.bodies} | {item.name for item in acting(problem)}
-    surfaces = [
-        item.name for item in problem.surfaces if not loose.isdisjoint(names_in(item))
-    ]  # what lies on one tells
+    # of a surface whose slope or size is asked for, what lies on it may tell that
+    surfaces = [item.name for item in problem.surfaces if not loose.isdisjoint(names_in(item))]
     kept = reached(roots(problem), ties(problem, loose), {CLOCK, *named, *loose, *surfaces}) & named
     return problem if kept == named else with_only(problem, kept, named - kept)
 

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import pairwise
 
-from rotsolve.algebra.formula import ZERO, Formula, negate
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TRAVELLING, TURNING
 from rotsolve.core.facts import COUPLING, DRIVE, INNER, Couple, Force, Rule, signed
 from rotsolve.core.symbols import UNKNOWN, pace_of
@@ -29,11 +30,10 @@ class Belt(Connection, frozen=True):
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """Between neighbours the belt's net pull F turns one wheel forward and holds the other back; rims run equally fast."""
         sense = -1 if self.crossed else 1
-        for number, (first, second) in enumerate(zip(self.belt, self.belt[1:], strict=False)):
-            component = "" if len(self.belt) == 2 else str(number + 1)
-            yield from coupling(
-                self, first, second, sense, component, ("the belt does not slip", "belt's pull"), instant
-            )
+        words = ("the belt does not slip", "belt's pull")
+        for number, pair in enumerate(pairwise(self.belt), 1):
+            component = "" if len(self.belt) == 2 else str(number)
+            yield from coupling(self.name, pair, sense, component, words, instant)
 
 
 class Gear(Connection, frozen=True):
@@ -47,16 +47,8 @@ class Gear(Connection, frozen=True):
     inside: bool = key("flag", "the first wheel runs inside the second: both turn the same way", default=False)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
-        sense = 1 if self.inside else -1
-        yield from coupling(
-            self,
-            self.gear[0],
-            self.gear[1],
-            sense,
-            "",
-            ("the wheels do not slip on each other", "tooth force"),
-            instant,
-        )
+        words = ("the wheels do not slip on each other", "tooth force")
+        yield from coupling(self.name, self.gear, 1 if self.inside else -1, "", words, instant)
 
 
 class MutualDrive(Connection, frozen=True):
@@ -73,9 +65,7 @@ class MutualDrive(Connection, frozen=True):
         return self.drives
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        if self.couple is None:
-            return UNKNOWN  # a torque that nothing is said of
-        return pace_of(self.couple)
+        return UNKNOWN if self.couple is None else pace_of(self.couple)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The torque on the body, along its positive turn, and its reaction on the carrier."""
@@ -91,38 +81,21 @@ class MutualDrive(Connection, frozen=True):
 
 
 def coupling(
-    element: Connection,
-    first: PointRef,
-    second: PointRef,
-    sense: int,
-    component: str,
-    words: tuple[str, str],
-    instant: Moment,
+    owner: str, pair: tuple[PointRef, ...], sense: int, component: str, words: tuple[str, str], instant: Moment
 ) -> Iterator[Fact]:
     """Two rims run equally fast, R₁ ω₁ = ± R₂ ω₂; the force F between them turns the second with +R₂ F, the first with ∓R₁ F."""
-
-    names = [instant.host(ref.owner) for ref in (first, second)]
-    radii = [rim_radius(instant.body(ref.owner), ref.point) or ZERO for ref in (first, second)]
-    force = instant.ask("force", element.name, when=instant.span(names[1]), component=component)
-    label, noun = words
-    turn = instant.sense(names[1])
+    names = [instant.host(ref.owner) for ref in pair]
+    radii = [rim_radius(instant.body(ref.owner), ref.point) or ZERO for ref in pair]
+    force = instant.ask("force", owner, when=instant.span(names[1]), component=component)
+    (label, noun), turn = words, instant.sense(names[1])
     for name, radius, way in ((names[1], radii[1], turn), (names[0], radii[0], -turn * sense)):
-        torque = force * radius
-        yield Couple(
-            element.name,
-            COUPLING,
-            name,
-            torque if way > 0 else negate(torque),
-            noun,
-            force,
-            place="at the rim",
-            internal=True,
-        )
+        torque = signed(force * radius, way)
+        yield Couple(owner, COUPLING, name, torque, noun, force, place="at the rim", internal=True)
     sides = []
     for rate in ("spin", "spin_rate"):
         values = [radius * getattr(instant.motion(name), rate) for name, radius in zip(names, radii, strict=True)]
         sides.append(balance([(values[0], 1), (values[1], -sense)]))
-    yield Rule(element.name, label, tuple(names), sides[0], sides[1])
+    yield Rule(owner, label, tuple(names), sides[0], sides[1])
 
 
 class Guide(Connection, frozen=True):

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator
-from fractions import Fraction
 
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import simplify
-from rotsolve.algebra.formula import ZERO, Formula, Number, add, negate
+from rotsolve.algebra.formula import HALF, ZERO, Formula, add, negate
 from rotsolve.core.facts import SPRING, TORSION, Couple, Force, Potential, square
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import DOWN, TURNS, UP, Vector, along_text, unit
@@ -47,21 +46,18 @@ class Spring(Connection, frozen=True):
     def facts(self, instant: Moment) -> Iterator[Fact]:
         first, second = self.spring
         along, elongation = self.along(instant), self.elongation(instant)
-        size = (
-            self.stiffness * elongation
-            if self.stiffness is not None
-            else instant.ask("force", self.name, when=instant.when)
-        )
+        stiffness, bodies = self.stiffness, instant.configuration.bodies
+        size = instant.ask("force", self.name) if stiffness is None else stiffness * elongation
         for ref, push in ((first, along), (second, -along)):
-            if ref.owner in instant.configuration.bodies:
-                name = instant.host(ref.owner)
-                arm, way = instant.point(ref), along_words(push)
+            if ref.owner in bodies:
+                name, arm = instant.host(ref.owner), instant.point(ref)
+                way = (along_text(push.parts[0][1]) if len(push.parts) == 1 else "") or "along the spring"
                 yield Force(self.name, SPRING, name, size, push, arm, "spring force", way)
-        if self.stiffness is not None:
+        if stiffness is not None:
             rate = instant.velocity(second).dot(along) - instant.velocity(first).dot(along)
-            energy = Number(Fraction(1, 2)) * self.stiffness * square(elongation)
-            bodies = tuple(ref.owner for ref in self.spring if ref.owner in instant.configuration.bodies)
-            yield Potential(self.name, energy, elongation, rate, bodies, ("spring ", energy), placed=self.placed)
+            energy = HALF * stiffness * square(elongation)
+            owners = tuple(ref.owner for ref in self.spring if ref.owner in bodies)
+            yield Potential(self.name, energy, elongation, rate, owners, ("spring ", energy), placed=self.placed)
 
     @property
     def placed(self) -> bool:
@@ -126,11 +122,5 @@ class Torsion(Connection, frozen=True):
         if len(names) == 2:
             yield Couple(self.name, TORSION, names[0], torque, "torsion torque", torque)
         rate = instant.motion(last).spin - (instant.motion(names[0]).spin if len(names) == 2 else ZERO)
-        energy = Number(Fraction(1, 2)) * stiffness * square(twist)
+        energy = HALF * stiffness * square(twist)
         yield Potential(self.name, energy, twist, rate, tuple(names), ("torsion spring ", energy))
-
-
-def along_words(push: Vector) -> str:
-    """Direction of a spring's pull in words."""
-
-    return (along_text(push.parts[0][1]) if len(push.parts) == 1 else "") or "along the spring"

@@ -14,9 +14,9 @@ from itertools import pairwise
 from msgspec import Struct
 
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.facts import TAUT, TENSION, Force, Requirement, Rule
+from rotsolve.core.facts import TAUT, TENSION, Force, Motion, Requirement, Rule
 from rotsolve.core.faults import Unsolvable
-from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, Heading, Vector, along_text, opposite, unit
+from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Heading, Vector, along_text, opposite, unit
 from rotsolve.core.writing import balance, spoken
 from rotsolve.elements.connections.places import between
 from rotsolve.elements.connections.touch import supporting
@@ -24,8 +24,6 @@ from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Body, PointRef, Surface
 from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
-
-WORDS = {"right": RIGHT, "left": LEFT, "up": UP, "down": DOWN}
 
 
 class Leg(Struct, frozen=True):
@@ -51,11 +49,8 @@ class Routing(Struct, frozen=True, dict=True):
         """All legs, with the points where they meet the bodies."""
         pairs = list(pairwise(self.points))
         along = [self.direction(index) for index in range(len(pairs))]
-        result = []
-        for index, (first, second) in enumerate(pairs):
-            arms = (self.meeting(index, along, index), self.meeting(index + 1, along, index))
-            result.append(Leg(first, second, along[index], arms))
-        return tuple(result)
+        ends = [(self.meeting(k, along, k), self.meeting(k + 1, along, k)) for k in range(len(pairs))]
+        return tuple(Leg(*pair, way, arms) for pair, way, arms in zip(pairs, along, ends, strict=True))
 
     def direction(self, index: int) -> Vector:
         """Unit vector of a leg from its first to its second body, by whichever end settles it."""
@@ -63,9 +58,7 @@ class Routing(Struct, frozen=True, dict=True):
         if leaving is not None:
             return leaving
         arriving = self.leaving(index + 1, index)
-        if arriving is not None:
-            return -arriving
-        return unit(RIGHT)
+        return unit(RIGHT) if arriving is None else -arriving
 
     def leaving(self, index: int, other: int) -> Vector | None:
         """Direction in which the string leaves a body towards its neighbour, where that body settles it."""
@@ -172,11 +165,8 @@ class Routing(Struct, frozen=True, dict=True):
 
     def end_of(self, strand: tuple[Leg, ...]) -> str:
         """The body that names a strand: one that it ends at without passing round it, else its first."""
-        stations = [(leg, side) for leg in strand for side in (0, 1)]
-        for leg, side in stations:
-            ref = (leg.first, leg.second)[side]
-            index = self.points.index(ref)
-            if ref.owner in self.instant.configuration.bodies and not self.wraps(index):
+        for ref in (end for leg in strand for end in (leg.first, leg.second)):
+            if ref.owner in self.instant.configuration.bodies and not self.wraps(self.points.index(ref)):
                 return ref.owner
         return strand[0].first.owner or strand[0].second.owner
 
@@ -308,40 +298,18 @@ class String(Connection, frozen=True):
 
     def rules(self, strand: tuple[Leg, ...], instant: Moment) -> Iterator[Rule]:
         """Σ over the legs of (rate of the second end − rate of the first end) along the leg = 0."""
+        ends = [(leg, *end) for leg in strand for end in ((leg.second, leg.arms[1], 1), (leg.first, leg.arms[0], -1))]
+        ends = [end for end in ends if end[1].owner in instant.configuration.bodies]  # the ground is at rest
         sides = []
-        for rates in (velocity_at, acceleration_at):
-            terms = []
-            for leg in strand:
-                terms.append((rates(instant, leg.second, leg.arms[1]).dot(leg.along), 1))
-                terms.append((rates(instant, leg.first, leg.arms[0]).dot(leg.along), -1))
+        # a rim's centripetal part does not feed the string, which leaves it on a tangent
+        for rate in (Motion.velocity_of, Motion.acceleration_of):
+            terms = [(rate(instant.motion(ref.owner), arm).dot(leg.along), sign) for leg, ref, arm, sign in ends]
             sides.append(balance([(value, sign) for value, sign in terms if value != ZERO]))
-        bodies = tuple(
-            {
-                ref.owner: None
-                for leg in strand
-                for ref in (leg.first, leg.second)
-                if ref.owner in instant.configuration.bodies
-            }
-        )
+        named = (ref.owner for leg in strand for ref in (leg.first, leg.second))
+        bodies = tuple(dict.fromkeys(owner for owner in named if owner in instant.configuration.bodies))
         turning = any(instant.motion(name).turns for name in bodies) and len(strand) == 1
         label = "the string does not slip" if turning else "the string does not stretch"
         others = [name for name in bodies if not instant.motion(name).turns] if len(self.string) > 2 else []
         label += f", {spoken(others[0])}" if len(others) == 1 else ""
-        yield Rule(
-            self.name,
-            label,
-            bodies,
-            sides[0],
-            sides[1],
-            linear=self.pace(instant.configuration, instant.state) == "constant",
-        )
-
-
-def velocity_at(instant: Moment, ref: PointRef, arm: Vector) -> Vector:
-    """Velocity of the point of a body at an arm from its reference; the ground is at rest."""
-    return instant.motion(ref.owner).velocity_of(arm) if ref.owner in instant.configuration.bodies else Vector()
-
-
-def acceleration_at(instant: Moment, ref: PointRef, arm: Vector) -> Vector:
-    """Acceleration along a leg; a rim's centripetal part does not feed the string, which leaves it on a tangent."""
-    return instant.motion(ref.owner).acceleration_of(arm) if ref.owner in instant.configuration.bodies else Vector()
+        linear = self.pace(instant.configuration, instant.state) == "constant"
+        yield Rule(self.name, label, bodies, sides[0], sides[1], linear)

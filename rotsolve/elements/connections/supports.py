@@ -71,9 +71,8 @@ class Driven(Connection, frozen=True):
             sense = instant.sense(name)
             if self.friction_torque is not None:
                 yield from self.friction(instant, name, sense)
-            if self.driven or (
-                self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
-            ):
+            asked = self.friction_torque is None and instant.configuration.mentions.asks(self.name, "torque")
+            if asked or any(getattr(self, word) is not None for word in TURNING):
                 size = instant.ask("torque", self.name, when=instant.span(name), words=instant.turn_words(name))
                 yield Couple(self.name, DRIVE, name, signed(size, sense), "torque", size)
 
@@ -87,13 +86,8 @@ class Driven(Connection, frozen=True):
             yield held_still(self.name, name, instant.motion(name))
             return
         size = (self.friction_torque or ZERO).substitute({"time": instant.time()})
-        against = back if mode != "turns back" else forward
-        turn = -sense if mode != "turns back" else sense
+        turn, against = (sense, forward) if mode == "turns back" else (-sense, back)
         yield Couple(self.name, FRICTION, name, signed(size, turn), "friction torque", size, against)
-
-    @property
-    def driven(self) -> bool:
-        return any(getattr(self, word) is not None for word in TURNING)
 
 
 class Hinge(Driven, frozen=True):
@@ -123,13 +117,8 @@ class Hinge(Driven, frozen=True):
         return self.hinge[-1:]
 
     def fixed_points(self) -> tuple[PointRef, ...]:
-        return (
-            self.hinge
-            if len(self.hinge) == 1
-            else self.hinge[1:]
-            if self.hinge[0].owner in ("ground", "ceiling")
-            else ()
-        )
+        grounded = len(self.hinge) == 1 or self.hinge[0].owner in ("ground", "ceiling")
+        return self.hinge[-1:] if grounded else ()
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return super().pace(configuration, state) if self.fixed_points() else "position"
@@ -256,31 +245,17 @@ def reaction(
         arm = instant.point(ref)
         noun, way = "axle force" if role.axle else "hinge force", words[0] if opposite is None else words[1]
         push = unit(direction if opposite is None else direction.turned(180))
-        yield Force(
-            owner,
-            role,
-            name,
-            size,
-            push,
-            arm,
-            noun,
-            way,
-            works=bool(opposite) or instant.motion(name).kind != "axis",
-            internal=True,
-        )
+        works = bool(opposite) or instant.motion(name).kind != "axis"
+        yield Force(owner, role, name, size, push, arm, noun, way, works=works, internal=True)
 
 
 def joint(owner: str, carrier: PointRef, body: PointRef, instant: Moment) -> Iterator[Rule]:
     """The joined points of two bodies move together, right and up."""
     for word, direction in (("right", RIGHT), ("up", UP)):
-        yield Rule(
-            owner,
-            f"the joint moves as one point ({word})",
-            (carrier.owner, body.owner),
-            (instant.velocity(body).along(direction), instant.velocity(carrier).along(direction)),
-            (instant.acceleration(body).along(direction), instant.acceleration(carrier).along(direction)),
-            linear=False,
-        )
+        label, bodies = f"the joint moves as one point ({word})", (carrier.owner, body.owner)
+        velocity = (instant.velocity(body).along(direction), instant.velocity(carrier).along(direction))
+        acceleration = (instant.acceleration(body).along(direction), instant.acceleration(carrier).along(direction))
+        yield Rule(owner, label, bodies, velocity, acceleration, linear=False)
 
 
 class Shaft(Connection, frozen=True):

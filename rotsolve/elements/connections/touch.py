@@ -225,9 +225,8 @@ class Touch(Connection, frozen=True):
         return -1 if (surface.normal - track[0]).degrees % 360 == 90 else 1
 
     def pace(self, configuration: Surroundings, state: str) -> str:
-        return (
-            "constant" if self.track(configuration.bodies[self.pair()[0].owner], configuration, state) else "position"
-        )
+        track = self.track(configuration.bodies[self.lying()], configuration, state)
+        return "constant" if track else "position"
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The normal force, the rule that the body stays on the surface where its motion does not say so, and friction."""
@@ -285,12 +284,9 @@ class Touch(Connection, frozen=True):
         motion, ground = instant.motion(self.lying()), self.ground(instant)
         if motion.heading is None:
             return None
-        sliding = (
-            motion.acceleration - ground[1]
-            if acceleration
-            else motion.velocity_of(self.touching_arm(instant)) - ground[0]
-        )
-        return sliding.along(self.forward(instant))
+        if acceleration:
+            return (motion.acceleration - ground[1]).along(self.forward(instant))
+        return (motion.velocity_of(self.touching_arm(instant)) - ground[0]).along(self.forward(instant))
 
     def drift(self, instant: Moment) -> Formula | None:
         motion = instant.motion(self.lying())
