@@ -87,6 +87,11 @@ class Meeting(Struct, frozen=True):
         None  # moment of inertia about the common point, where the event holds the body there from then on
     )
 
+    @property
+    def impulses(self) -> tuple[Force | Couple, ...]:
+        """All that changes its momentum and angular momentum."""
+        return (*self.blows, *self.twists)
+
 
 class Encounter(Struct, frozen=True):
     """An event: the bodies that take part, and the point about which no outside impulse has an arm, if there is one."""

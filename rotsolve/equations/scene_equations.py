@@ -177,12 +177,14 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     @staged("laws")
     def equations(self) -> list[Equation]:
-        """All equations, each once, none that says nothing; `stated` lines of the states first."""
+        """All equations, none that says nothing, of equal ones of a family the cheapest; `stated` lines of the states first."""
         written: dict[tuple[Formula, Formula, str], Equation] = {}
         altered = self.configuration.alteration
         for equation in self._written() if altered is None else altered.rewritten(self._written()):
             key = (equation.left, equation.right, equation.family)
-            if equation.left != equation.right and key not in written and not self._empty(equation):
+            twin = written.get(key)
+            dearer = twin is not None and twin.cost <= equation.cost
+            if not dearer and equation.left != equation.right and not self._empty(equation):
                 written[key] = equation
         return list(written.values())
 

@@ -6,8 +6,9 @@ that takes what its scope holds (one of the records below) and yields `LAW.equat
     Principle((LAW,), (PHASE,), function)
 
 in `LAWS`. The place in the table is the order in which the equations of one scope are written, which only decides between plans that cost
-the same. Nothing else is to be touched: `--law`, the plan, the derivation, the confirmation of answers and the mistakes go by the law that
-an equation knows. A row may name its function as "module:function" of this room; it is loaded when its scope is met first.
+the same; of equal equations of one family the cheapest is kept. Nothing else is to be touched: `--law`, the plan, the derivation, the
+confirmation of answers and the mistakes go by the law that an equation knows. A row may name its function as "module:function" of this
+room; it is loaded when its scope is met first.
 """
 
 from __future__ import annotations

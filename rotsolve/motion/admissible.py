@@ -5,14 +5,16 @@ What an element asks of the bodies that it names it checks itself; here is what 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from rotsolve.core.faults import Unsolvable
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.bodies import Body, PointRef
-from rotsolve.language.problem import Problem
+from rotsolve.language.problem import Path, Problem
 from rotsolve.motion.configuration import Configuration
+
+TURNS = ("angular_velocity", "angular_acceleration", "angular_momentum", "rotation", "turns", "torque")
 
 
 def check(problem: Problem) -> None:
@@ -22,6 +24,7 @@ def check(problem: Problem) -> None:
     check_pairs(problem, scene.bodies)
     check_ropes(problem, scene.bodies)
     check_stacks(problem, scene.bodies)
+    check_senses(scene)
     for item in (*problem.connections, *problem.actions):
         item.check(scene)
     for event in problem.events:
@@ -115,6 +118,27 @@ def check_stacks(problem: Problem, bodies: Mapping[str, Body]) -> None:
             name = below[name]
         if name in passed:
             raise Unsolvable(f"`{top}` and `{under.owner}` lie on each other", span=under.span)
+
+
+def check_senses(scene: Configuration) -> None:
+    """No turn is asked or told of a body while it is part of another that counts turns the other way round."""
+    for path, states in turns_spoken_of(scene):
+        for state in states if path.owner in scene.bodies else ():
+            host = scene.host(path.owner, state)
+            if host != path.owner and scene.sense(host, state) != scene.sense(path.owner, state):
+                message = f"`{path.owner}` turns as one with `{host}`, whose positive turn is the other way round: not solved yet"
+                raise Unsolvable(message, span=path.span, help="give both the same `turns`")
+
+
+def turns_spoken_of(scene: Configuration) -> Iterator[tuple[Path, Sequence[str]]]:
+    """The turns that states tell and questions ask for, with the states for which they do."""
+    every = [state.name for state in scene.timeline.states]
+    for state in scene.timeline.states:
+        yield from ((line.path, [state.name]) for line in state.conditions if line.path and line.path.quantity in TURNS)
+    for find in scene.problem.finds:
+        for term in find.terms:
+            if term.path.quantity in TURNS:
+                yield term.path, [name for name in (term.at, term.start, term.end) if name in every] or every
 
 
 def check_ropes(problem: Problem, bodies: Mapping[str, Body]) -> None:

@@ -280,19 +280,10 @@ def meeting_place(name: str, about: PointRef, instant: Instant) -> Vector:
     """Where a body is when it meets another in an event, seen from the pivot or point `about`."""
     configuration = instant.configuration
     for interval in configuration.timeline.intervals:
-        refs = [ref for item in (interval.event,) if item is not None for ref in _points(item)]
+        refs = interval.event.points(configuration.problem.connections) if interval.event is not None else ()
         if instant.state in (interval.start, interval.end) and any(ref.owner == name for ref in refs):
             other = next((ref for ref in refs if ref.owner != name), None)
             if other is not None:
                 return instant.point(other)
     help = f"name a point of `{name}`, or of what it meets in an event"
     raise NotYet(f"where `{name}` is, seen from `{about.owner}`, is not known", help=help)
-
-
-def _points(event: object) -> tuple[PointRef, ...]:
-    """The points of the bodies that meet in an event."""
-    for word in ("joins", "collides"):
-        value = getattr(event, word, None)
-        if isinstance(value, tuple):
-            return value
-    return ()

@@ -77,7 +77,7 @@ def blows_on_last(path: Path, interval: str, scene: SceneEquations) -> list[tupl
 def meeting_of_last(owner: str, interval: str, scene: SceneEquations) -> Meeting | None:
     """What a blow does to its last-named body."""
     last = last_named(owner, interval, scene)
-    hit = [item for item in scene.encounters[interval].meetings if any(found.owner == owner for found in item.blows)]
+    hit = [item for item in scene.encounters[interval].meetings if any(found.owner == owner for found in item.impulses)]
     return next((item for item in hit if item.body.name == last), hit[-1] if hit else None)
 
 
@@ -121,10 +121,8 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
     hit = meeting_of_last(owner, interval, scene)
     if hit is None:
         raise NotYet(f"`{owner}` gives no angular impulse there")
-    torques = [item.torque for item in hit.blows if item.owner == owner]
-    return total(
-        [signed(torque, hit.body.motion.sense) for torque in (*torques, *(twist.torque for twist in hit.twists))]
-    )
+    torques = [item.torque for item in hit.impulses if item.owner == owner]
+    return total([signed(torque, hit.body.motion.sense) for torque in torques])
 
 
 def _axis(size: Formula) -> str:

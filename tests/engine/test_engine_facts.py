@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
+import pytest
 from msgspec.structs import replace
 
 from rotsolve.algebra.calculus.derivative import differentiate
@@ -17,11 +18,11 @@ from rotsolve.algebra.units.dimension import TIME, Dimension, DimensionError, di
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.symbols import has_quantities, key_of
 from rotsolve.core.vectors.heading import UP
-from rotsolve.elements.connections import CONNECTIONS
 from rotsolve.equations.scene_equations import SceneEquations
 from rotsolve.language.problem import Problem, State
 from rotsolve.laws import energy
 from rotsolve.motion.configuration import Configuration
+from rotsolve.scene.elements import TABLES
 
 Readings = Callable[[Path], tuple[SceneEquations, ...]]
 RATES = ("velocity", "angular_velocity")
@@ -29,9 +30,12 @@ STRETCHES = ("elongation", "length")
 PLACES = ("angle", "displacement", *STRETCHES)
 
 
-def test_every_connection_with_physics_has_a_scene(scenes: list[Path], problem_of: Callable[[Path], Problem]) -> None:
-    tested = {type(item) for path in scenes for item in problem_of(path).connections}
-    missing = [item.word for item in CONNECTIONS if not item.later and item not in tested]
+@pytest.mark.parametrize("section", TABLES)
+def test_every_element_with_physics_has_a_scene(
+    section: str, scenes: list[Path], problem_of: Callable[[Path], Problem]
+) -> None:
+    tested = {type(item) for path in scenes for item in getattr(problem_of(path), section)}
+    missing = [item.word for item in TABLES[section][1] if not item.later and item not in tested]
     assert not missing, f"add a scene to tests/engine/scenes with: {', '.join(missing)}"
 
 

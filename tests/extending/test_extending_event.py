@@ -23,7 +23,7 @@ states:
   before: {table.angular_velocity: w}
   after: {}
 events: {tug: {jerk: table, by: H, from: before, to: after}}
-find: {omega: table.angular_velocity at after}
+find: {omega: table.angular_velocity at after, G: tug.angular_impulse during tug}
 """
 
 
@@ -59,6 +59,7 @@ def test_it_is_solved() -> None:
     solution = solve(SCENE)
     assert solution.answers["omega"].exact == "w + 2 H/(m R²)"  # H = ½ m R² (ω − w)
     assert solution.answers["omega"].value is not None and str(solution.answers["omega"].value) == "7"
+    assert solution.answers["G"].exact == "H"
     assert [check for check in solution.checks if check.holds is False] == []
 
 

@@ -8,7 +8,7 @@ import pytest
 
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, NEWTON, Equation, Law
 from rotsolve.core.facts import signed
-from rotsolve.laws import table
+from rotsolve.laws import newton, table
 from rotsolve.laws.table import STATE, AtMoment, Principle
 from rotsolve.pipeline import solve
 
@@ -41,6 +41,25 @@ def test_it_is_chosen_for_its_cost(monkeypatch: pytest.MonkeyPatch) -> None:
     solution = solve(SCENE)
     assert "one couple alone turns wheel     I α = τ" in str(solution)
     assert solution.answers["alpha"].exact == "2 τ/(m R²)"
+
+
+@pytest.mark.parametrize("place", [0, None], ids=["in front", "behind"])
+def test_of_two_laws_that_write_the_same_the_cheaper_one_is_told(
+    monkeypatch: pytest.MonkeyPatch, place: int | None
+) -> None:
+    """Wherever it stands in the table: here the law for rotation, τ = I α, under another name."""
+    cheap, dear = (Law(words, f"{words}, {{body}}", NEWTON, cost) for words, cost in (("cheap", 1), ("dear", 4)))
+
+    def written(law: Law) -> Principle:
+        def equations(at: AtMoment) -> Iterator[Equation]:
+            for equation in newton.law_of_rotation(at):
+                yield law.equation(equation.left, equation.right, equation.section, equation.bodies)
+
+        return Principle((law,), (STATE,), equations)
+
+    rows = (*table.LAWS[:place], written(cheap), written(dear), *(table.LAWS if place == 0 else ()))
+    monkeypatch.setattr(table, "LAWS", rows)
+    assert "cheap, wheel" in str(solve(SCENE))
 
 
 def test_it_serves_its_family_alone(monkeypatch: pytest.MonkeyPatch) -> None:
