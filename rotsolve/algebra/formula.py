@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from msgspec import Struct
@@ -174,10 +175,7 @@ class Sum(Formula, frozen=True):
         return self.terms
 
     def with_children(self, children: tuple[Formula, ...]) -> Formula:
-        result: Formula = children[0]
-        for child in children[1:]:
-            result = add(result, child)
-        return result
+        return reduce(add, children)
 
 
 class Product(Formula, frozen=True):
@@ -189,10 +187,7 @@ class Product(Formula, frozen=True):
         return self.factors
 
     def with_children(self, children: tuple[Formula, ...]) -> Formula:
-        result: Formula = children[0]
-        for child in children[1:]:
-            result = multiply(result, child)
-        return result
+        return reduce(multiply, children)
 
 
 class Quotient(Formula, frozen=True):

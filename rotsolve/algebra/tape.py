@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 from fractions import Fraction
+from functools import reduce
 from typing import Any
 
 from msgspec import Struct, field
@@ -94,10 +95,7 @@ class Tape(Struct):
             case Negative(operand):
                 return self.negative(place(operand))
             case Product(factors):
-                result = place(factors[0])
-                for factor in factors[1:]:
-                    result = self.times(result, place(factor))
-                return result
+                return reduce(self.times, map(place, factors))
             case Quotient(above, below):
                 return self.over(place(above), place(below))
             case Power(base, exponent):

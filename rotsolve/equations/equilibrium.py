@@ -48,7 +48,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
     if len(letters) > 1:
         raise NotYet("where these bodies are in equilibrium is not told", help=STATE_IT)
     slope = differentiate(drive, letters[0]) * turning_rate(letters[0], still, group)
-    roots = [candidate.formula for candidate in solve_trig(drive, letters[0])]
+    roots = solve_trig(drive, letters[0])
     if not roots:
         raise NotYet("the equilibrium has no closed form", help=STATE_IT)
     stable = [root for root in roots if signs.of_sizes(slope.substitute({letters[0]: root})) == -1]

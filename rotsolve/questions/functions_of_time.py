@@ -74,7 +74,7 @@ class Beside(Struct, frozen=True):
             raise NotYet("where it changes its sign can not be told for certain")
         first, last = self.ball(start), self.ball(end)
         inside = [root for root in found.roots if first < root.refine(FIGURES) < last]
-        exact = solve_polynomial(function, TIME) or [item.formula for item in solve_trig(function, TIME)]
+        exact = solve_polynomial(function, TIME) or solve_trig(function, TIME)
         return [self._closed(root, exact, period_of(function, TIME)) for root in inside]
 
     def ball(self, value: Formula) -> Ball:

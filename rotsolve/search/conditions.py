@@ -78,7 +78,7 @@ def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Fo
     equation = Equality(curve.substitute({letter: own}), value)
     order, positive = search.solver.order, search.solver.positive - {letter}
     roots = solve_polynomial(curve - value, letter, order=order, positive=positive)
-    roots = roots or [item.formula for item in solve_trig(curve - value, letter, order=order, positive=positive)]
+    roots = roots or solve_trig(curve - value, letter, order=order, positive=positive)
     picked = search.choose_root(letter, roots) if len(roots) > 1 else PickedRoot(0)
     if not roots or picked is None:
         raise NotYet(f"no value of `{letter}` in closed form fulfils the condition")

@@ -173,8 +173,7 @@ def factors_of(value: Formula, letter: str, search: Search) -> Iterator[Formula]
 
 def angles(course: Curve, search: Search) -> list[Formula]:
     """Roots of a derivative in the sine and cosine of the letter, over a full turn; the positive ones first."""
-    found = solve_trig(course.slope, course.letter, order=search.solver.order, positive=search.solver.positive)
-    roots = [candidate.formula for candidate in found]
+    roots = solve_trig(course.slope, course.letter, order=search.solver.order, positive=search.solver.positive)
     return sorted(roots, key=lambda root: (search.signs.decide(root) or 0) < 0)
 
 

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
+from functools import reduce
 
 from msgspec import Struct
 
+from rotsolve.algebra.exact.angles import coupled
 from rotsolve.algebra.formula import Formula, Negative, Product, Quotient, Sum, Symbol
 from rotsolve.algebra.tape import ONE, ZERO, Unwritable
 from rotsolve.simulation.harmonics import fewer_products
@@ -47,11 +49,9 @@ class Linear(Struct):
             case Product(factors):
                 holding = [factor for factor in factors if factor.symbols() & set(unknowns)]
                 if len(holding) == 1:
-                    result = self.tape.number(ONE)
-                    for factor in factors:
-                        if factor is not holding[0]:
-                            result = self.tape.times(result, self.tape.formula(factor, self.letters))
-                    return self.added([(self.row(holding[0], unknowns), result)])
+                    front = (self.tape.formula(item, self.letters) for item in factors if item is not holding[0])
+                    weight = reduce(self.tape.times, front, self.tape.number(ONE))
+                    return self.added([(self.row(holding[0], unknowns), weight)])
         raise Unwritable("a law in which a force or acceleration does not stand by itself")
 
     def added(self, weighted: Sequence[tuple[Row, int]]) -> Row:
@@ -153,7 +153,7 @@ class Linear(Struct):
     def _together(self, left: list[tuple[int, Row]]) -> dict[str, int]:
         """The unknowns of equations with changing coefficients, block by block; none of a block that does not tell all its own."""
         known: dict[str, int] = {}
-        for rows in coupled(row for _, row in left):
+        for rows in coupled((row for _, row in left), lambda row: row.keys() - {REST}):
             names = sorted({name for row in rows for name in row if name != REST})
             if len(names) != len(rows):
                 continue
@@ -167,16 +167,3 @@ class Linear(Struct):
             block = Block(tuple(tuple(row[:-1]) for row in table), right)
             known.update(zip(names, self.tape.unknowns(block), strict=True))
         return known
-
-
-def coupled(rows: Iterable[Row]) -> list[list[Row]]:
-    """Rows that share unknowns, group by group."""
-    groups: list[tuple[set[str], list[Row]]] = []
-    for row in rows:
-        names, together = set(row) - {REST}, [row]
-        for group in [group for group in groups if group[0] & names]:
-            groups.remove(group)
-            names |= group[0]
-            together = [*group[1], *together]
-        groups.append((names, together))
-    return [group[1] for group in groups]

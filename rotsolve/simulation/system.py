@@ -172,7 +172,8 @@ def check_rules(system: System) -> None:
     expansion.extend(1)
     largest = max([abs(lists[rate][0]) for *_, rate in pairs], default=0.0)
     for name, speed, rate in pairs:
-        if abs(first_rate(lists[speed]) - lists[rate][0]) > OFF * largest:
+        slope = lists[speed][1] if len(lists[speed]) > 1 else 0.0
+        if abs(slope - lists[rate][0]) > OFF * largest:
             raise NotYet(f"the rules tell `{name}` for one moment alone, not how it goes on: not simulated yet")
 
 
@@ -188,7 +189,3 @@ def dependent_speeds(system: System) -> Sequence[tuple[str, int, str]]:
         if rate is not None and letter not in own:
             found.append((letter, place, rate))
     return found
-
-
-def first_rate(series: Sequence[float]) -> float:
-    return series[1] if len(series) > 1 else 0.0

@@ -57,7 +57,7 @@ class Isolation(Textbook, kw_only=True):
         if is_zero(gap, self.positive):
             raise Redundant(item.index)
         roots = solve_unwrapped(gap, name, order=self.order, positive=self.positive)
-        roots = roots or [angle.formula for angle in solve_trig(gap, name, order=self.order, positive=self.positive)]
+        roots = roots or solve_trig(gap, name, order=self.order, positive=self.positive)
         return self.one_root(name, roots, gap)
 
     def roots(self, item: Item, asked: str) -> tuple[list[Formula], list[Equality]]:
@@ -86,8 +86,7 @@ class Isolation(Textbook, kw_only=True):
                 roots = solve(whole, asked, order=self.order, positive=self.positive)
                 if roots:
                     return roots, self.bounds_put_in(item, asked) or self.unfolded(item, Equality(left, right))
-        trig = solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive)
-        return [candidate.formula for candidate in trig], []
+        return solve_trig(self.with_answers(gap), asked, order=self.order, positive=self.positive), []
 
     def square_in(self, gap: Formula, name: str) -> Formula | None:
         """c of an equation x² = c, given as gap = 0; None for others."""

@@ -301,8 +301,8 @@ def test_trig_roots(text: str) -> None:
     f = parse(text)
     found = solve_trig(f, "x", positive=POSITIVE)
     assert found
-    for candidate in found:
-        value = evaluate(f, {**values, "x": candidate.formula})
+    for root in found:
+        value = evaluate(f, {**values, "x": root})
         assert abs(value.float) < 1e-12
 
 

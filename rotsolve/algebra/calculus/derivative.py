@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Sequence
 from fractions import Fraction
+from functools import reduce
 
 from rotsolve.algebra.exact.normal import Fractions, degree, is_zero, simplify
 from rotsolve.algebra.formula import (
@@ -56,13 +57,9 @@ def differentiate(f: Formula, name: str) -> Formula:
 
 
 def _product_rule(f: Product, name: str) -> Formula:
-    terms = []
-    for k, factor in enumerate(f.factors):
-        slope = differentiate(factor, name)
-        for other in (*f.factors[:k], *f.factors[k + 1 :]):
-            slope = multiply(slope, other)
-        terms.append(slope)
-    return total(terms)
+    others = [(*f.factors[:k], *f.factors[k + 1 :]) for k in range(len(f.factors))]
+    slopes = [differentiate(factor, name) for factor in f.factors]
+    return total([reduce(multiply, rest, slope) for rest, slope in zip(others, slopes, strict=True)])
 
 
 def _power_rule(f: Power, name: str) -> Formula:

@@ -222,16 +222,14 @@ def integrate_by_hand(
     return simplify(add(high, negate(primitive.substitute({name: lower}))), positive=positive)
 
 
-def carried_out(
-    f: Formula, positive: Collection[str] = (), tidied: Callable[[Formula], Formula] | None = None
-) -> Formula:
-    """All integrals in closed form where there is one, each result `tidied`."""
+def carried_out(f: Formula, positive: Collection[str]) -> Formula:
+    """All integrals in closed form where there is one."""
 
     def change(node: Formula) -> Formula:
         if not isinstance(node, Integral):
             return node
         done = integrate(node.integrand, node.variable, node.lower, node.upper, positive=positive)
-        return node if done is None else tidied(done) if tidied else done
+        return node if done is None else done
 
     return f.transform(change, Integral)
 

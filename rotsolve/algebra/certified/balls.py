@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from fractions import Fraction
+from functools import reduce
+from operator import add, mul
 from typing import Any
 
 from rotsolve.algebra.exact.normal import is_zero
@@ -93,16 +95,10 @@ class RealBalls:
         return found
 
     def sum(self, node: Sum) -> Ball:
-        result = self(node.terms[0])
-        for term in node.terms[1:]:
-            result = result + self(term)
-        return result
+        return reduce(add, map(self, node.terms))
 
     def product(self, node: Product) -> Ball:
-        result = self(node.factors[0])
-        for factor in node.factors[1:]:
-            result = result * self(factor)
-        return result
+        return reduce(mul, map(self, node.factors))
 
     def quotient(self, node: Quotient) -> Ball:
         return self(node.numerator) / self._divisor(node.denominator)
@@ -229,12 +225,9 @@ class ComplexBalls:
             return acb(self.outer(node))
         parts = [self(child) for child in node.children()]
         if isinstance(node, Sum):
-            return sum(parts[1:], parts[0])
+            return reduce(add, parts)
         if isinstance(node, Product):
-            result = parts[0]
-            for part in parts[1:]:
-                result = result * part
-            return result
+            return reduce(mul, parts)
         if isinstance(node, Quotient):
             return parts[0] / parts[1]
         if isinstance(node, Negative):

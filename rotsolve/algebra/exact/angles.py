@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from fractions import Fraction
 from math import comb
+from typing import TypeVar
 
 from rotsolve.algebra.exact.field import Field
 from rotsolve.algebra.exact.shape import Shaper
@@ -32,6 +33,7 @@ from rotsolve.algebra.formula import (
 
 Vector = dict[Formula, Fraction]  # term -> coefficient; PI stands for pure multiples of π
 SinCos = tuple[Formula, Formula]
+Held = TypeVar("Held")
 
 
 def linear(node: Formula, order: Sequence[str]) -> Vector:
@@ -110,6 +112,19 @@ def _without(row: Vector, pivot_row: Vector, pivot: Formula) -> Vector:
     zero = Fraction(0)
     result = {key: row.get(key, zero) - scale * pivot_row.get(key, zero) for key in keys}
     return {key: value for key, value in result.items() if value}
+
+
+def coupled(items: Iterable[Held], names: Callable[[Held], Collection[object]]) -> list[list[Held]]:
+    """The items in groups that share none of their names."""
+    groups: list[tuple[set[object], list[Held]]] = []
+    for item in items:
+        own, members = set(names(item)), [item]
+        for group in [group for group in groups if group[0] & own]:
+            groups.remove(group)
+            own |= group[0]
+            members = [*group[1], *members]
+        groups.append((own, members))
+    return [members for _, members in groups]
 
 
 def add_angles(first: SinCos, second: SinCos) -> SinCos:

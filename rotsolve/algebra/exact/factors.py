@@ -111,10 +111,8 @@ class Factorization:
                 powers = [next((e for p, e in factors if p == q), 0) for q in (plus, minus)]
                 k = min(powers, key=abs) if powers[0] * powers[1] > 0 else 0
                 if k:
-                    factors = [(p, e - k if p in (plus, minus) else e) for p, e in factors] + [
-                        (self.field.terms(gens[b]), 2 * k)
-                    ]
-                    factors = [(p, e) for p, e in factors if e]
+                    factors = [(p, e - k if p in (plus, minus) else e) for p, e in factors]
+                    factors = [(p, e) for p, e in [*factors, (self.field.terms(gens[b]), 2 * k)] if e]
                     parts.number *= -1 if k % 2 else 1
         return factors
 

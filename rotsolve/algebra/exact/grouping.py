@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from functools import reduce
 from math import gcd
+from operator import or_
 
 from msgspec import Struct
 
@@ -89,9 +91,7 @@ class Monomials:
         monomials = [m for m, _ in rest]
         if self.is_prime(monomials):
             return 1, ((rest, 1),)
-        every = 0
-        for m in monomials:
-            every |= m
+        every = reduce(or_, monomials)
         for k, _ in self.held(self._linear(every)):
             parts = [(m, *self._primitive(part)) for m, part in self._parts(rest, FULL << BYTE * k).items()]
             found = {part for *_, part in parts}
@@ -135,10 +135,7 @@ class Monomials:
                 found.setdefault(m & outside, []).append((m & ~outside, c))
             common = FULL * self.ones
             for part in found.values():
-                held = 0
-                for m, _ in part:
-                    held |= m
-                common &= self.mask(held)
+                common &= self.mask(reduce(or_, [m for m, _ in part]))
             if common | outside == FULL * self.ones:
                 return {m: tuple(part) for m, part in found.items()}
             outside = FULL * self.ones & ~common
@@ -269,9 +266,7 @@ class Grouping:
     def _ways(self, packed: Packed) -> Iterator[list[Group]]:
         """The ways to take a sum apart by the powers of one of its letters, or into parts that share no letter but that one."""
         masks = [self.monomials.mask(m) for m, _ in packed]
-        every = 0
-        for mask in masks:
-            every |= mask
+        every = reduce(or_, masks)
         for k, _ in self.monomials.held(every):
             for groups in (_by_powers(packed, BYTE * k), _components(packed, masks, ~(FULL << BYTE * k))):
                 if 1 < len(groups) < len(packed):

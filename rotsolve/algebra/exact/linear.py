@@ -47,7 +47,11 @@ def solve_all(
 def eliminated(problem: Fractions, unknowns: Sequence[str]) -> dict[str, Ratio]:
     """All unknowns of a linear problem as fractions in lowest terms, not yet written as a textbook would."""
     ring, columns = problem.field, {problem.field.index[Symbol(name)]: name for name in unknowns}
-    rows = _rows(problem, columns)
+    others = [j for j in range(len(ring.atoms)) if j not in columns]
+    bound = {
+        j: name for j in others for name in unknowns if ring.mentions(j, name)
+    }  # roots, sines … that hold an unknown
+    rows = {k: _row(problem, k, columns, bound) for k in range(len(problem.formulas))}
     pivots = _eliminate(ring, rows, set(columns))
     used = set(pivots.values())
     for k, row in rows.items():
@@ -75,19 +79,6 @@ def _solved(ring: Field, row: Row, column: int, found: Mapping[int, Ratio]) -> R
         top, under = found[i]
         above = above + row[i] * (top if under == below else top * (below / under))
     return ring.cancel((ring.reduce(-above), ring.reduce(below * row[column])))
-
-
-def _rows(problem: Fractions, columns: dict[int, str]) -> dict[int, Row]:
-    """The equations as coefficients of the unknowns and the rest."""
-    ring = problem.field
-    bound = {  # the roots, sines and the like that hold an unknown
-        j: name
-        for j in range(len(ring.atoms))
-        if j not in columns
-        for name in columns.values()
-        if ring.mentions(j, name)
-    }
-    return {k: _row(problem, k, columns, bound) for k in range(len(problem.formulas))}
 
 
 def _row(problem: Fractions, k: int, columns: dict[int, str], bound: Mapping[int, str]) -> Row:

@@ -84,7 +84,7 @@ class Rewriter:
             elif node.function == "exp" and not node.arguments[0].holds(*TRIG):
                 for term, value in self._linear(node.arguments[0]).items():
                     self.exp_shares[term] = lcm(self.exp_shares.get(term, 1), value.denominator)
-        for group in _groups([vector for vector, _ in vectors]):
+        for group in angles.coupled((vector for vector, _ in vectors), set):
             if angles.rank(group) < len(group) or any(_is_inverse(term) for vector in group for term in vector):
                 for vector in group:
                     for term, value in vector.items():
@@ -279,19 +279,3 @@ def _signed(vector: Vector, order: Sequence[str]) -> tuple[int, Vector]:
     terms = sorted(vector, key=place) if len(vector) > 1 else list(vector)
     sign = 1 if vector[terms[0]] > 0 else -1
     return sign, {term: sign * vector[term] for term in terms}
-
-
-def _groups(vectors: list[Vector]) -> list[list[Vector]]:
-    """The vectors in groups that share no term."""
-    groups: list[tuple[set[Formula], list[Vector]]] = []
-    for vector in vectors:
-        terms, members = set(vector), [vector]
-        apart = []
-        for other_terms, other in groups:
-            if terms & other_terms:
-                terms |= other_terms
-                members = other + members
-            else:
-                apart.append((other_terms, other))
-        groups = [*apart, (terms, members)]
-    return [members for _, members in groups]

@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from math import isqrt
 
-from msgspec import Struct
-
 from rotsolve.algebra.certified.ball import evaluate
 from rotsolve.algebra.exact.field import Poly
 from rotsolve.algebra.exact.linear import solve_linear
@@ -25,13 +23,6 @@ from rotsolve.algebra.formula import (
     negate,
     sqrt,
 )
-
-
-class Candidate(Struct, frozen=True):
-    """A root and how it was found: `asin`, `pi - asin`, `acos`, `-acos`, `atan`, `atan + pi`, `atan2 + acos`, …"""
-
-    formula: Formula
-    form: str
 
 
 def solve_polynomial(
@@ -99,9 +90,7 @@ def _square_root(problem: Fractions, poly: Poly) -> Poly | None:
     return result
 
 
-def solve_trig(
-    f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
-) -> list[Candidate]:
+def solve_trig(f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()) -> list[Formula]:
     """Roots of f = 0 where the unknown stands only in sin and cos of one linear argument; empty where it does not.
 
     Handles A sin + B cos + C = 0, quadratics in the sine alone or the cosine alone, and products of these.
@@ -122,8 +111,8 @@ def solve_trig(
     assert isinstance(atom, Call)
     found = _angle_roots(problem, num, pair, order, positive)
     return [
-        Candidate(simplify(shown, order=order, positive=positive), form)
-        for value, form in found or ()
+        simplify(shown, order=order, positive=positive)
+        for value in found or ()
         for shown in _unwrap(atom.arguments[0], unknown, value)
     ]
 
@@ -137,8 +126,8 @@ def _unwrap(argument: Formula, unknown: str, value: Formula) -> list[Formula]:
 
 def _angle_roots(
     problem: Fractions, num: Poly, pair: tuple[int, int, Poly], order: Sequence[str], positive: Collection[str]
-) -> list[tuple[Formula, str]] | None:
-    """All angles with their forms; None where one of the factors has no closed form, since its roots may be those that are meant."""
+) -> list[Formula] | None:
+    """All angles; None where one of the factors has no closed form, since its roots may be those that are meant."""
     ring = problem.field
     s, c, _ = pair
     degrees = num.degrees()
@@ -164,22 +153,20 @@ def _angle_roots(
     a, k = lines[1], -lines[0]
     if not len(k):
         root = call("atan", problem.shortest((-slope, a)))
-        return [(root, "atan"), (add(root, PI), "atan + pi")]
+        return [root, add(root, PI)]
     shown_a, shown_b = problem.shaper.ratio((a, ring.one)), problem.shaper.ratio((slope, ring.one))
     radius = sqrt(add(multiply(shown_a, shown_a), multiply(shown_b, shown_b)))
     phase = call("atan2", shown_a, shown_b)
     swing = call("acos", divide(problem.shaper.ratio((k, ring.one)), radius))
-    return [(add(phase, swing), "atan2 + acos"), (add(phase, negate(swing)), "atan2 - acos")]
+    return [add(phase, swing), add(phase, negate(swing))]
 
 
-def _inverse(name: str, value: Formula) -> list[tuple[Formula, str]]:
+def _inverse(name: str, value: Formula) -> list[Formula]:
     """Both angles of one turn with this sine or cosine; none where a plain number is beyond 1."""
     if not value.symbols() and abs(evaluate(value, {}).ball) > 1:
         return []
     root = call(name, value)
-    if name == "asin":
-        return [(root, "asin"), (add(PI, negate(root)), "pi - asin")]
-    return [(root, "acos"), (negate(root), "-acos")]
+    return [root, add(PI, negate(root)) if name == "asin" else negate(root)]
 
 
 INVERSE = {"log": "exp", "exp": "log", "asin": "sin", "acos": "cos", "atan": "tan"}
@@ -190,11 +177,8 @@ def solve_unwrapped(
     f: Formula, unknown: str, *, order: Sequence[str] = (), positive: Collection[str] = ()
 ) -> list[Formula]:
     """The roots of f = 0 where the unknown occurs within one function only, and linearly or as a square within that."""
-    wraps = {
-        node
-        for node in f.walk(*INVERSE)
-        if isinstance(node, Call) and unknown in node.symbols() and node.function in INVERSE
-    }
+    calls = {node for node in f.walk(*INVERSE) if isinstance(node, Call) and unknown in node.symbols()}
+    wraps = {node for node in calls if node.function in INVERSE}
     outer = [node for node in wraps if not any(node is not other and node in set(other.walk()) for other in wraps)]
     if len(outer) != 1:
         return []

@@ -153,9 +153,8 @@ class Shaper:
         terms = parts.sums[0][0]
         lettered = all(map(any, terms))  # 1 + 3 sin² θ has a term without a letter
         cancels = any(c % q == 0 for c in terms.values())
-        return (
-            q if lettered and cancels and self._fractions(terms, q) <= sum(abs(c) != 1 for c in terms.values()) else 1
-        )
+        short = self._fractions(terms, q) <= sum(abs(c) != 1 for c in terms.values())
+        return q if lettered and cancels and short else 1
 
     @staticmethod
     def _fractions(terms: Terms, q: int) -> int:

@@ -20,7 +20,7 @@ With forks, what is refused without them is read in every way that makes sense, 
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Callable, Collection
 from fractions import Fraction
 
 from rotsolve.algebra.formula import (
@@ -91,14 +91,18 @@ class Parser(Cursor):
         """The sign in front, read; None where there is none."""
         return self.next().kind if self.token.kind in ("+", "-") else None
 
+    def signed(self, read: Callable[[], Formula]) -> Formula:
+        """The sign ahead, and what is read behind it."""
+        sign = self.sign()
+        self.enter()
+        operand = read()
+        self.depth -= 1
+        return _minus(operand) if sign == "-" else operand
+
     def term(self) -> Formula:
         """A product with its sign: −a b is −(a b)."""
-        sign = self.sign()
-        if sign:
-            self.enter()
-            operand = self.term()
-            self.depth -= 1
-            return _minus(operand) if sign == "-" else operand
+        if self.token.kind in ("+", "-"):
+            return self.signed(self.term)
         factors = [self.factor()]
         while True:
             if self.token.kind == "*":
@@ -137,13 +141,7 @@ class Parser(Cursor):
         return self.forks.choose(not fraction and not function and (close or first.start > slash.end))
 
     def signed_factor(self) -> Formula:
-        sign = self.sign()
-        if sign is None:
-            return self.factor()
-        self.enter()
-        operand = self.signed_factor()
-        self.depth -= 1
-        return _minus(operand) if sign == "-" else operand
+        return self.signed(self.signed_factor) if self.token.kind in ("+", "-") else self.factor()
 
     def factor(self) -> Formula:
         """A primary with its power."""
