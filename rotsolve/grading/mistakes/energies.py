@@ -15,7 +15,7 @@ from rotsolve.core.facts import Force
 from rotsolve.core.passage import Alteration, Encounter, Meeting
 from rotsolve.core.symbols import of_kinds
 from rotsolve.core.writing import flat, moved, spoken
-from rotsolve.grading.mistakes.mistake import Change, Made
+from rotsolve.grading.mistakes.mistake import Change, Made, both_sides
 from rotsolve.laws import momentum
 from rotsolve.laws.table import EVENT, ThroughEvent, equations_for
 
@@ -36,7 +36,8 @@ def halves(scene: Scene) -> Made:
     facts = scene.moments
     inertias = frozenset(
         name
-        for body in (body for moment in facts for body in moment.bodies)
+        for moment in facts
+        for body in moment.bodies
         if body.inertia is not None
         for name in body.inertia.letter.symbols()
     )
@@ -101,8 +102,7 @@ def without_halves(
     def changed(equation: Equation) -> Equation:
         if not concerns(equation):
             return equation
-        left, right = (total([whole(term) for term in flat([side])]) for side in (equation.left, equation.right))
-        return replace(equation, left=left, right=right)
+        return both_sides(equation, lambda side: total([whole(term) for term in flat([side])]))
 
     return changed
 
@@ -124,8 +124,7 @@ def workless(equation: Equation) -> Equation:
     works = dict.fromkeys(of_kinds(equation.symbols(), ("work",)), ZERO)
     if equation.family != ENERGY or not works:
         return equation
-    left, right = equation.left.substitute(works), equation.right.substitute(works)
-    return replace(equation, left=left, right=right)
+    return both_sides(equation, lambda side: side.substitute(works))
 
 
 # events
@@ -142,12 +141,13 @@ def elastic_laws(encounter: Encounter, section: str) -> Iterator[Equation]:
     """The laws of an event in which no kinetic energy is lost."""
     if encounter.restitution is not None:
         _, approach, separation = encounter.restitution
-        yield from equations_for(
-            EVENT, ThroughEvent(replace(encounter, restitution=(ONE, approach, separation)), section)
-        )
+        elastic = replace(encounter, restitution=(ONE, approach, separation))
+        yield from equations_for(EVENT, ThroughEvent(elastic, section))
         return
-    before = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=False)]
-    after = [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=True)]
+    before, after = (
+        [term for meeting in encounter.meetings for term in kinetic_terms(meeting, after=later)]
+        for later in (False, True)
+    )
     names = tuple(sorted(meeting.body.name for meeting in encounter.meetings))
     yield KEPT.equation(*moved(before, after), section, names)
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterator
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from msgspec.structs import replace
@@ -10,7 +11,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Power, Symbol, negate, total
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation
+from rotsolve.core.equation import ENERGY, ROTATION, SECOND_LAW, Equation, Law
 from rotsolve.core.facts import FRICTION, TENSION, WEIGHT, BodyFacts, Couple, Facts, Force, Inertia, Role
 from rotsolve.core.passage import Alteration
 from rotsolve.core.symbols import of_kinds
@@ -21,6 +22,7 @@ from rotsolve.grading.mistakes.mistake import (
     Change,
     Made,
     and_joined,
+    both_sides,
     each,
     each_and_all,
     of_bodies,
@@ -68,17 +70,21 @@ def tension_as_weight(scene: Scene) -> Made:
         weights = [force.size for force in body.forces if force.role.weighs]
         if body.motion.kind == "line" and not body.motion.turns and len(pulls) == len(weights) == 1:
             words = f"the tension was taken as the weight of the {spoken(name)}"
-            yield words, Change(altered=Alteration(equation=in_balance(name, pulls[0], weights[0])), aside=(ENERGY,))
+            altered = in_place_of(SECOND_LAW, name, pulls[0], weights[0])
+            yield words, Change(altered=altered, aside=(ENERGY,))
 
 
-def in_balance(name: str, pull: Formula, weight: Formula) -> Callable[[Equation], Equation]:
-    """T = m g wherever Newton's second law for a body stands."""
+def in_place_of(law: Law, name: str, left: Formula, right: Formula) -> Alteration:
+    """left = right wherever a law of a body stands."""
 
     def changed(equation: Equation) -> Equation:
-        moved = equation.bodies == (name,) and equation.law == SECOND_LAW
-        return replace(equation, left=pull, right=weight) if moved else equation
+        return replace(equation, left=left, right=right) if is_law_of(equation, law, name) else equation
 
-    return changed
+    return Alteration(equation=changed)
+
+
+def is_law_of(equation: Equation, law: Law, name: str) -> bool:
+    return equation.bodies == (name,) and equation.law == law
 
 
 def no_weight(scene: Scene) -> Made:
@@ -144,8 +150,9 @@ def friction_sign(scene: Scene) -> Made:
     for owners, who in rubbing(scene):
         words = f"the friction on {who} was given the wrong sign"
         yield words, Change(altered=of_owners(owners, resized(negate)))
-        turned = Change(altered=of_owners(owners, with_other_torque), aside=(ENERGY,))
-        yield f"the torque of the friction on {who} was given the wrong sign", turned
+        turned = of_owners(owners, lambda item: replace(item, arm=-item.arm) if isinstance(item, Force) else item)
+        words = f"the torque of the friction on {who} was given the wrong sign"
+        yield words, Change(altered=turned, aside=(ENERGY,))
 
 
 def resized(change: Callable[[Formula], Formula]) -> Callable[[Force | Couple], Force | Couple]:
@@ -157,10 +164,6 @@ def resized(change: Callable[[Formula], Formula]) -> Callable[[Force | Couple], 
         return replace(item, size=change(item.size))
 
     return changed
-
-
-def with_other_torque(item: Force | Couple) -> Force | Couple:
-    return replace(item, arm=-item.arm) if isinstance(item, Force) else item
 
 
 def no_friction(scene: Scene) -> Made:
@@ -216,7 +219,7 @@ def equal_tensions(scene: Scene) -> Made:
     pairs = {name: tensions_on(body) for name, body in scene.bodies.items() if body.motion.kind == "axis"}
     for name in each(name for name, found in pairs.items() if found):
         words = f"the tensions on both sides of the {spoken(name)} were taken as equal"
-        yield words, Change(altered=Alteration(equation=levelled(name, pairs[name][0])), aside=(ENERGY,))
+        yield words, Change(altered=in_place_of(ROTATION, name, *pairs[name][0]), aside=(ENERGY,))
 
 
 def tensions_on(body: BodyFacts) -> list[tuple[Formula, Formula]]:
@@ -224,26 +227,9 @@ def tensions_on(body: BodyFacts) -> list[tuple[Formula, Formula]]:
     pulls = [force for force in body.forces if force.role.pulls and isinstance(force.size, Symbol)]
     return [
         (one.size, other.size)
-        for place, one in enumerate(pulls)
-        for other in pulls[place + 1 :]
+        for one, other in combinations(pulls, 2)
         if one.owner == other.owner and one.size != other.size
     ]
-
-
-def levelled(name: str, pair: tuple[Formula, Formula]) -> Callable[[Equation], Equation]:
-    """T₁ = T₂ wherever the law of rotation of a wheel stands."""
-
-    def changed(equation: Equation) -> Equation:
-        if not is_rotation_of(equation, name):
-            return equation
-        return replace(equation, left=pair[0], right=pair[1])
-
-    return changed
-
-
-def is_rotation_of(equation: Equation, name: str) -> bool:
-    """Whether an equation is the law of rotation of a body."""
-    return equation.bodies == (name,) and equation.law == ROTATION
 
 
 # supports
@@ -259,7 +245,7 @@ def no_reaction(scene: Scene) -> Made:
 
 def without_rotation(names: Collection[str]) -> Callable[[Equation], Equation | None]:
     """All equations but the laws of rotation of some bodies."""
-    return lambda equation: None if any(is_rotation_of(equation, name) for name in names) else equation
+    return lambda equation: None if any(is_law_of(equation, ROTATION, name) for name in names) else equation
 
 
 def without_reaction(body: BodyFacts, facts: Facts) -> BodyFacts:
@@ -281,24 +267,24 @@ def centre_at_rest(scene: Scene) -> Made:
         for letter in body.motion.spin_rate.symbols()
     )
     if rates:
-        altered = Alteration(equation=lambda equation: without_rates(equation, rates))
+        altered = second_law_without(lambda node: node in rates)
         yield "the acceleration of the centre of mass was left out", Change(altered=altered)
 
 
-def without_rates(equation: Equation, rates: Collection[Formula]) -> Equation:
-    """Newton's second law without angular accelerations."""
-    if equation.law != SECOND_LAW:
-        return equation
-    sides = (side.transform(lambda node: ZERO if node in rates else node) for side in (equation.left, equation.right))
-    left, right = sides
-    return replace(equation, left=left, right=right)
+def second_law_without(left_out: Callable[[Formula], bool]) -> Alteration:
+    """Newton's second law with 0 for what is left out of it."""
+
+    def without(side: Formula) -> Formula:
+        return side.transform(lambda node: ZERO if left_out(node) else node)
+
+    return Alteration(equation=lambda law: both_sides(law, without) if law.law == SECOND_LAW else law)
 
 
 def no_centripetal(scene: Scene) -> Made:
     """0 for m v²/r and m r ω² in Newton's second law."""
     speeds = frozenset(speed for facts in scene.moments for body in facts.bodies for speed in speed_letters(body))
     if speeds:
-        altered = Alteration(equation=lambda equation: without_squares(equation, speeds))
+        altered = second_law_without(lambda node: isinstance(node, Power) and node.base in speeds)
         yield "the acceleration towards the centre of the circle was left out", Change(altered=altered)
 
 
@@ -307,14 +293,3 @@ def speed_letters(body: BodyFacts) -> Iterator[Formula]:
     if body.cm.parts or body.motion.bend is not None:
         rates = [body.motion.spin, *(size for size, _ in body.motion.velocity.parts)]
         yield from (Symbol(name) for rate in rates for name in rate.symbols())
-
-
-def without_squares(equation: Equation, speeds: Collection[Formula]) -> Equation:
-    """Newton's second law without the squares of speeds."""
-    if equation.law != SECOND_LAW:
-        return equation
-
-    def change(node: Formula) -> Formula:
-        return ZERO if isinstance(node, Power) and node.base in speeds else node
-
-    return replace(equation, left=equation.left.transform(change), right=equation.right.transform(change))

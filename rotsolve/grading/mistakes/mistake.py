@@ -8,6 +8,7 @@ from msgspec import Struct, field
 from msgspec.structs import replace
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.equation import Equation
 from rotsolve.core.facts import BodyFacts, Couple, Facts, Force
 from rotsolve.core.passage import Alteration
 from rotsolve.core.writing import spoken
@@ -112,3 +113,8 @@ def of_owners(owners: Collection[str], change: Callable[[Force | Couple], Force 
         return replace(body, forces=forces, couples=tuple(item for item in acting if isinstance(item, Couple)))
 
     return Alteration(facts=lambda facts: replace(facts, bodies=tuple(changed(body, facts) for body in facts.bodies)))
+
+
+def both_sides(equation: Equation, change: Callable[[Formula], Formula]) -> Equation:
+    """An equation of which both sides are changed."""
+    return replace(equation, left=change(equation.left), right=change(equation.right))

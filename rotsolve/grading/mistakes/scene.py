@@ -22,6 +22,7 @@ from rotsolve.core.faults import SceneError, Unsolvable
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.consistency import disagreement
 from rotsolve.equations.scene_equations import SceneEquations
+from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.mistakes.mistake import Change, Mistake
 from rotsolve.language.problem import Find, Problem
 from rotsolve.motion.configuration import Configuration
@@ -147,22 +148,10 @@ def reread(answer: Answer, letters: Mapping[str, Formula], values: Mapping[str, 
     closed = None if answer.closed is None else answer.closed.substitute(letters)
     value = None
     if closed is not None:
-        signed = (
-            Call("abs", (closed,)) if answer.components else closed
-        )  # the size of a vector, whatever its letters come to
-        value = number_before_unit(signed, ONE if answer.unit is None else answer.unit.factor, values)
+        size = Call("abs", (closed,)) if answer.components else closed  # of a vector, whatever its letters come to
+        value = certified_number(size if answer.unit is None else size / answer.unit.factor, values)
     parts = tuple(reread(part, letters, values) for part in answer.components)
     return replace(answer, formula=closed, closed=closed, value=value, components=parts, remark=(), angle=None)
-
-
-def number_before_unit(closed: Formula, factor: Formula, values: Mapping[str, Formula]) -> Certified | None:
-    """The value in a unit; None where there is none."""
-    if closed.symbols() - set(values):
-        return None
-    try:
-        return evaluate(closed / factor, values)
-    except Undefined:
-        return None
 
 
 class Differing(Struct, frozen=True):

@@ -33,62 +33,55 @@ class MistakeKind(Struct, frozen=True):
         return (Mistake(self.name, words, change) for words, change in self.made(scene))
 
 
-MISTAKES: list[MistakeKind] = [
-    MistakeKind("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
-    MistakeKind(
-        "equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions
-    ),
-    MistakeKind(
-        "tension as weight", "T = m g is put for the tension on a body that falls or rises", forces.tension_as_weight
-    ),
-    MistakeKind(
-        "no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy
-    ),
-    MistakeKind(
-        "wrong shape factor", "the moment of inertia of another shape is used: m R² for ½ m R²", inertias.shape_factors
-    ),
-    MistakeKind("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),
-    MistakeKind("sine for cosine", "sine and cosine of an angle are exchanged", misread.sine_for_cosine),
-    MistakeKind("degrees as radians", "30° is put in as 30 rad", misread.degrees_as_radians),
-    MistakeKind(
-        "revolutions as radians",
-        "rev/min is put in as rad/s, or only its 2π or its 60 is left out",
-        misread.revolutions_as_radians,
-    ),
-    MistakeKind("hertz as radians", "Hz is put in as rad/s", misread.hertz_as_radians),
-    MistakeKind(
-        "diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters
-    ),
-    MistakeKind("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
-    MistakeKind("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
-    MistakeKind("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
-    MistakeKind("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
-    MistakeKind(
-        "momentum kept",
-        "momentum is taken as conserved in a blow though a support pushes too",
-        energies.momentum_through_support,
-    ),
-    MistakeKind(
-        "energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept
-    ),
-    MistakeKind("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
-    MistakeKind("friction left out", "friction is left out", forces.no_friction),
-    MistakeKind("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
-    MistakeKind("mass for weight", "m is put for m g", forces.no_weight),
-    MistakeKind("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
-    MistakeKind("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
-    MistakeKind("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
-    MistakeKind("mass at the end", "a hinged rod is taken as a point mass at its end", forces.mass_at_end),
-    MistakeKind("radius left out", "the radius is left out of a torque", forces.no_radius),
-    MistakeKind("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
-    MistakeKind("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
-    MistakeKind(
-        "centre at rest", "α r is left out of Newton's second law for the forces of a hinge", forces.centre_at_rest
-    ),
-    MistakeKind("start from rest", "a velocity at the start is left out", misread.from_rest),
-    MistakeKind("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
-    MistakeKind("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
-    MistakeKind("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
+MISTAKES = [
+    MistakeKind(*row)
+    for row in (
+        ("pulley without inertia", "the moment of inertia of a wheel or pulley is left out", inertias.pulleys),
+        ("equal tensions", "the tensions on both sides of a heavy pulley are taken as equal", forces.equal_tensions),
+        ("tension as weight", "T = m g is put for the tension on a body that falls or rises", forces.tension_as_weight),
+        ("no rotational energy", "the rotation of a rolling or unwinding body is left out", inertias.rotational_energy),
+        (
+            "wrong shape factor",
+            "the moment of inertia of another shape is used: m R² for ½ m R²",
+            inertias.shape_factors,
+        ),
+        ("no parallel axes", "I about the centre of mass is used for I about the axis", inertias.parallel_axes),
+        ("sine for cosine", "sine and cosine of an angle are exchanged", misread.sine_for_cosine),
+        ("degrees as radians", "30° is put in as 30 rad", misread.degrees_as_radians),
+        (
+            "revolutions as radians",
+            "rev/min is put in as rad/s, or only its 2π or its 60 is left out",
+            misread.revolutions_as_radians,
+        ),
+        ("hertz as radians", "Hz is put in as rad/s", misread.hertz_as_radians),
+        ("diameter for radius", "the diameter is put for the radius, or the radius is halved", misread.diameters),
+        ("sign of gravity", "the weight of a body has the wrong sign", forces.gravity_sign),
+        ("sign of friction", "friction, or its torque, has the wrong sign", forces.friction_sign),
+        ("point mass", "a hinged body is taken as a point mass at its centre of mass", inertias.point_masses),
+        ("hinge left out", "the force of a hinge is left out of Newton's second law", forces.no_reaction),
+        (
+            "momentum kept",
+            "momentum is taken as conserved in a blow though a support pushes too",
+            energies.momentum_through_support,
+        ),
+        ("energy kept", "kinetic energy is taken as conserved in an event that loses some", energies.energy_kept),
+        ("work left out", "mechanical energy is taken as conserved though work is done", energies.no_work),
+        ("friction left out", "friction is left out", forces.no_friction),
+        ("normal force as weight", "the normal force is taken as m g, as on the level", forces.normal_as_weight),
+        ("mass for weight", "m is put for m g", forces.no_weight),
+        ("half left out", "the half of ½ m v² or ½ I ω² is left out", energies.halves),
+        ("half of the way left out", "the half of ½ a t² is left out", energies.half_of_way),
+        ("weight at the end", "the weight of a hinged rod is taken to act at its end", forces.weight_at_end),
+        ("mass at the end", "a hinged rod is taken as a point mass at its end", forces.mass_at_end),
+        ("radius left out", "the radius is left out of a torque", forces.no_radius),
+        ("sign of tension", "the tension on a hanging body has the wrong sign", forces.tension_sign),
+        ("centripetal force left out", "m v²/r is left out of Newton's second law", forces.no_centripetal),
+        ("centre at rest", "α r is left out of Newton's second law for the forces of a hinge", forces.centre_at_rest),
+        ("start from rest", "a velocity at the start is left out", misread.from_rest),
+        ("letters exchanged", "m₁ is put for m₂, or one radius for another", misread.letters_exchanged),
+        ("centre of mass counted twice", "½ m v² is added to ½ I ω² about a fixed axis", inertias.twice_moving),
+        ("units not converted", "cm is put in as m, g as kg", misread.units_not_converted),
+    )
 ]
 
 
