@@ -7,7 +7,7 @@ from fractions import Fraction
 
 from msgspec import Struct
 
-from rotsolve.algebra.formula import Formula
+from rotsolve.algebra.formula import Formula, Symbol
 from rotsolve.core.derivation import Words
 
 RIGHT, WRONG, UNDECIDED = "right", "wrong", "can't decide"
@@ -88,9 +88,9 @@ def found(outcome: str, kind: str, *words: str | Formula, flaws: tuple[str, ...]
     return Finding(outcome, (Remark(kind, tuple(words)),), flaws)
 
 
-def outcome_for(holds: bool | None) -> str:
-    """The outcome for what is proved, disproved or neither."""
-    return UNDECIDED if holds is None else RIGHT if holds else WRONG
+def listed_letters(names: Iterable[str]) -> Words:
+    """T, a: letters with commas between them."""
+    return tuple(word for name in names for word in (", ", Symbol(name)))[1:]
 
 
 def all_findings(findings: Iterable[Finding]) -> Finding:

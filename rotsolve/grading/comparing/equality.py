@@ -135,8 +135,10 @@ def sample_points(region: Region, own: bool = False) -> tuple[Point, ...]:
 def _random_point(region: Region, random: Random, spread: float, own: bool) -> Point | None:
     """Values of all letters, None where a bound is broken."""
     numbers = {letter.name: _random_number(letter, random, spread, own) for letter in region.letters}
+    for ranked in region.ranks:  # those of one dimension in the order of the scene's
+        numbers |= dict(zip(ranked, sorted(numbers[name] for name in ranked), strict=True))
     with Precision(BITS):
-        point: dict[str, Ball] = {name: arb(number) for name, number in _in_order(region, numbers).items()}
+        point: dict[str, Ball] = {name: arb(number) for name, number in numbers.items()}
         balls = RealBalls({}, bound=point)
         try:
             if any(balls(bound) < 0 for bound in region.bounds):
@@ -160,13 +162,6 @@ def _random_number(letter: FreeLetter, random: Random, spread: float, own: bool)
             size = low + (high - low) * random.uniform(0.1, 0.9)
         return -size if letter.negative else size
     return -size if letter.signed and random.random() < 0.5 else size
-
-
-def _in_order(region: Region, numbers: dict[str, float]) -> dict[str, float]:
-    """The numbers of letters of one dimension exchanged so that they have the order of the scene's."""
-    for ranked in region.ranks:
-        numbers |= dict(zip(ranked, sorted(numbers[name] for name in ranked), strict=True))
-    return numbers
 
 
 # comparing

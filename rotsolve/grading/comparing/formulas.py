@@ -15,9 +15,8 @@ from msgspec import Struct
 from rotsolve.algebra.formula import Formula, Negative, Number, Symbol
 from rotsolve.algebra.units.dimension import DimensionError, describe, dimension_of
 from rotsolve.grading.comparing.numbers import Typed, certified_number
-from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, value_judged
-from rotsolve.grading.comparing.signs import right_but_for_sign
-from rotsolve.grading.verdict import RIGHT, WRONG, Finding, found, outcome_for
+from rotsolve.grading.comparing.scalars import Scalar, lacking_unit, right_but_for_sign, value_judged
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, found, listed_letters
 from rotsolve.language import marks
 
 USUAL = 1 / 100  # the share by which a rounded coefficient may change a formula, where the tolerance is no share
@@ -105,9 +104,9 @@ def letters_with_number(value: Fraction, numbers: Mapping[str, float], share: fl
 
 def letter_for(put: Mapping[Fraction, Symbol], node: Formula) -> Formula:
     """The letter for a number, with its sign."""
-    letter = put.get(node.value) if isinstance(node, Number) else None
-    if letter is None or not isinstance(node, Number):
+    if not isinstance(node, Number) or node.value not in put:
         return node
+    letter = put[node.value]
     return Negative(letter) if node.value < 0 else letter
 
 
@@ -121,13 +120,13 @@ def formula_judged(formula: Formula, asked: Scalar, *, measured: bool = False) -
             return found(RIGHT, "form", "right, but a number is wanted", flaws=(marks.FORM,))
         return Finding(RIGHT)
     if holds is None:
-        return found(outcome_for(None), "equality", "it agrees wherever it was tried, but that is no proof")
+        return found(UNDECIDED, "equality", "it agrees wherever it was tried, but that is no proof")
     misfit = "" if measured else of_other_dimension(formula, asked)
     partly = partly_numeric(formula, asked, fits=not misfit, measured=measured)
     if partly is not None or misfit:
         return partly or found(WRONG, "dimension", misfit)
     if asked.same(-formula, asked.closed) or partly_numeric(-formula, asked, fits=True) is not None:
-        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
+        return right_but_for_sign(asked)
     return Finding(WRONG)
 
 
@@ -178,7 +177,7 @@ def put_in_beside(formula: Formula, asked: Scalar) -> Finding | None:
 
 def with_numbers(asked: Scalar, names: Iterable[str], *, rounded: bool = False) -> Finding:
     """What is said of a right formula in which there are numbers of these letters."""
-    listed = [word for name in sorted(names) for word in (", ", Symbol(name))][1:]
+    listed = listed_letters(sorted(names))
     put: tuple[str | Formula, ...] = ("right with the number of ", *listed, " put in") if listed else ("right",)
     said = (*put, ", but a number in it is rounded") if rounded else put
     return found(RIGHT, "numbers", *said, flaws=(marks.FORM,) if asked.marking.form == marks.EXACT else ())
@@ -188,7 +187,7 @@ def worked_out(formula: Formula, asked: Scalar) -> Finding:
     """The finding for a formula where there is no closed form: its number is held against the one that is sought."""
     number = certified_number(formula, asked.values)
     if asked.value is None or number is None:
-        return found(outcome_for(None), "equality", "there is no closed form to compare it with")
+        return found(UNDECIDED, "equality", "there is no closed form to compare it with")
     value = Typed(formula.substitute(asked.values))
     return value_judged(value, asked.si, "", asked) or Finding(WRONG)
 

@@ -32,10 +32,8 @@ from rotsolve.language.marks import Tolerance
 
 DIGITS = (15, 40, 120, 400)  # how closely both numbers are known, until they can be told apart
 BITS = 1600  # of precision in which they are compared
-FLOAT_BITS, FLOAT_DOUBT = (
-    45,
-    1e-12,
-)  # of a ball that floats stand for, and the share by which they may be off, with room to spare
+FLOAT_BITS = 45  # of a ball that floats stand for
+FLOAT_DOUBT = 1e-12  # the share by which they may be off, with room to spare
 HALF = Fraction(1, 2)
 TURNS = ("rev", "turn", "rpm")  # units that count turns
 ALIKE = {  # units that are taken for one another
@@ -170,7 +168,7 @@ def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool =
         return Measured(fault=Remark("dimension", (other_dimension(typed, dimension),)))
     if dimension.matches(FREQUENCY):
         return measured_rate(typed, wanted, dimension)
-    if is_hertz(typed) and dimension.angle and not dimension.matches(FREQUENCY):
+    if is_hertz(typed) and dimension.angle:
         return Measured(fault=Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",)))
     if turns and typed.dimension == ANGLE:
         if counts_turns(typed):
@@ -205,11 +203,6 @@ def is_hertz(unit: Unit) -> bool:
 
 def counts_turns(unit: Unit) -> bool:
     return any(word in unit.text for word in TURNS)
-
-
-def without_unit(wanted: Unit, si: Unit, dimension: Dimension) -> tuple[Unit, ...]:
-    """The units that a number without one may be meant in, the likeliest first."""
-    return (si, wanted) if dimension.matches(NONE) else (wanted, si)
 
 
 def may_lack(unit: Unit, dimension: Dimension) -> bool:

@@ -13,7 +13,7 @@ from rotsolve.grading.comparing.formulas import formula_judged
 from rotsolve.grading.comparing.numbers import Typed, measured_unit
 from rotsolve.grading.comparing.scalars import Scalar, number_judged
 from rotsolve.grading.reading.records import FORMULA, NUMBER, VECTOR, LineReading
-from rotsolve.grading.verdict import RIGHT, WRONG, Finding, all_findings, found
+from rotsolve.grading.verdict import WRONG, Finding, Remark, all_findings, found
 from rotsolve.language.marks import Tolerance
 
 AXES = ("x", "y", "z")
@@ -71,11 +71,8 @@ def size_judged(reading: LineReading, whole: Scalar | None) -> Finding:
         return found(WRONG, "form", "its components are asked for")
     finding = scalar_judged(reading, whole)
     if finding.right and whole.direction and not reading.direction and reading.kind == NUMBER:
-        return Finding(
-            RIGHT,
-            (*finding.remarks, *found(RIGHT, "direction", f"its direction: {whole.direction}").remarks),
-            finding.flaws,
-        )
+        remark = Remark("direction", (f"its direction: {whole.direction}",))
+        return replace(finding, remarks=(*finding.remarks, remark))
     return finding
 
 
@@ -83,15 +80,11 @@ def component_readings(reading: LineReading) -> list[LineReading]:
     """The components of a vector, of a matrix row by row; a unit behind the bracket is that of each that has none."""
     if not reading.parts:
         return [reading]
-    parts = [
-        part if part.unit is not None or part.kind != NUMBER else replace(part, unit=reading.unit)
-        for part in reading.parts
-    ]
-    return [
-        entry
-        for part in parts
-        for entry in (component_readings(replace(part, unit=part.unit or reading.unit)) if part.parts else [part])
-    ]
+    found = []
+    for part in reading.parts:
+        lacks = part.unit is None and (part.parts or part.kind == NUMBER)
+        found += component_readings(replace(part, unit=reading.unit) if lacks else part)
+    return found
 
 
 def negated(reading: LineReading) -> LineReading:

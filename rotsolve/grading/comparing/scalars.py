@@ -10,7 +10,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, evaluate, rounded
 from rotsolve.algebra.formula import Formula
-from rotsolve.algebra.units.dimension import Dimension
+from rotsolve.algebra.units.dimension import NONE, Dimension
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
@@ -22,10 +22,9 @@ from rotsolve.grading.comparing.numbers import (
     measured_unit,
     rounds_to,
     within_tolerance,
-    without_unit,
 )
-from rotsolve.grading.comparing.signs import points_other_way, right_but_for_sign
-from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found, outcome_for
+from rotsolve.grading.comparing.signs import points_other_way
+from rotsolve.grading.verdict import RIGHT, UNDECIDED, WRONG, Finding, Remark, found
 from rotsolve.language import marks
 from rotsolve.language.marks import Marking
 
@@ -60,11 +59,6 @@ class Scalar(Struct, frozen=True, dict=True, eq=False):
     positive: str = ""
     directed: bool = False
     turns: bool = False
-
-    @property
-    def sign(self) -> int | None:
-        """The sign of its value."""
-        return None if self.value is None else self.value.sign
 
     @property
     def si(self) -> Unit:
@@ -105,7 +99,7 @@ def unitless_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     """The finding for a number without a unit, in whichever unit it is right."""
     if typed.rational == 0:
         return value_judged(typed, asked.unit, direction, asked) or slip(typed, asked.unit, asked)
-    for unit in without_unit(asked.unit, asked.si, asked.dimension):
+    for unit in (asked.si, asked.unit) if asked.dimension.matches(NONE) else (asked.unit, asked.si):  # likeliest first
         finding = value_judged(typed, unit, direction, asked)
         if finding is not None:
             return lacking_unit(finding, unit, asked)
@@ -130,14 +124,28 @@ def value_judged(typed: Typed, unit: Unit, direction: str, asked: Scalar) -> Fin
     signed = oriented(typed, value, turned) if direction and asked.direction else typed
     holds = within_tolerance(signed, value, asked.marking.tolerance, unit)
     if holds is None:
-        return found(outcome_for(None), "tolerance", "it lies on the edge of the tolerance")
+        return found(UNDECIDED, "tolerance", "it lies on the edge of the tolerance")
     if holds:
         return form_judged(typed, value, asked)
     if within_tolerance(signed.times(Fraction(-1)), value, asked.marking.tolerance, unit):
         if turned:
             return found(WRONG, "direction", f"it points the other way: {asked.direction}")
-        return right_but_for_sign(asked.directed, asked.direction, asked.positive, asked.sign, asked.marking)
+        return right_but_for_sign(asked)
     return None
+
+
+def right_but_for_sign(asked: Scalar) -> Finding:
+    """What is said of an answer with the other sign: it is marked as the teacher chose."""
+    direction, positive = asked.direction, asked.positive
+    if not asked.directed:
+        return found(WRONG, "sign", "right but for the sign")
+    said = "right but for the sign: the other direction is declared positive"
+    if direction and positive:
+        way = "" if direction == positive else f", and it is {direction}"
+        said = f"right but for the sign: {positive} is declared positive{way}"
+    elif direction and asked.value is not None and asked.value.sign == 1:
+        said = f"right but for the sign: its size is asked for; it points {direction}"
+    return found(RIGHT if asked.marking.sign == marks.LENIENT else WRONG, "sign", said)
 
 
 def oriented(typed: Typed, value: Certified, turned: bool) -> Typed:
@@ -164,12 +172,8 @@ def form_judged(typed: Typed, value: Certified, asked: Scalar) -> Finding:
 
 def is_form(typed: Typed, asked: Scalar) -> bool:
     """Whether a number is the closed form: ⅝, π/12."""
-    closed = asked.closed
-    return (
-        closed is not None
-        and not closed.symbols()
-        and bool(asked.same(typed.value * (typed.unit or asked.unit).factor, closed))
-    )
+    closed, number = asked.closed, typed.value * (typed.unit or asked.unit).factor
+    return closed is not None and not closed.symbols() and bool(asked.same(number, closed))
 
 
 def is_exactly(typed: Typed, value: Certified) -> bool:

@@ -63,15 +63,10 @@ def rounded_answers(closed: Formula, values: Mapping[str, Formula], givens: Mapp
                 found.append(Rounded(value, (Symbol(name), f" = {text}")))
     if closed.holds(Constant):
         for text in PIS:
-            value = certified_number(with_pi(closed, Number(Fraction(text))), values)
+            value = certified_number(closed.transform(partial(node_replaced, PI, Number(Fraction(text)))), values)
             if value is not None:
                 found.append(Rounded(value, (PI, f" = {text}")))
     return tuple(found)
-
-
-def with_pi(closed: Formula, pi: Formula) -> Formula:
-    """The formula with another number for π."""
-    return closed.transform(lambda node: pi if node == PI else node)
 
 
 def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
@@ -94,15 +89,9 @@ def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -
     half = typed.half_unit
     if typed.figures is not None and (half is None or typed.figures < LEAST_ROUNDED):
         return None
-    number = Typed(typed.value * factor)
-    for answer in answers:
-        if (
-            is_near(number, answer.value, share=EXACTLY)
-            if half is None
-            else is_near(number, answer.value, margin=half * factor)
-        ):
-            return answer.words
-    return None
+    number, margin = Typed(typed.value * factor), None if half is None else half * factor
+    near = (answer.words for answer in answers if is_near(number, answer.value, share=EXACTLY, margin=margin))
+    return next(near, None)
 
 
 def rounding_spread(closed: Formula, values: Mapping[str, Formula]) -> float:
@@ -146,16 +135,11 @@ class Explaining:
 
     def another(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The answer to another question, given for this one."""
-        if typed.figures is not None and typed.figures < ENOUGH:
+        if (typed.figures is not None and typed.figures < ENOUGH) or typed.unit not in (None, asked.unit):
             return None
         for answer in self.letters.solution.derivation.answers:
             alike = answer.name != name and answer.unit == asked.unit and not answer.components
-            if (
-                alike
-                and answer.value is not None
-                and typed.unit in (None, asked.unit)
-                and rounds_to(typed, answer.value)
-            ):
+            if alike and answer.value is not None and rounds_to(typed, answer.value):
                 return found(WRONG, "mistake", "it is the value of ", Symbol(answer.name))
         return None
 
@@ -210,12 +194,10 @@ class Explaining:
         sums = [node for node in formula.walk(Sum) if isinstance(node, Sum)]
         places = [(node, place) for node in sums for place in range(len(node.terms))]
         for node, place in islice(places, MOST_TERMS):
-            terms = [negate(term) if index == place else term for index, term in enumerate(node.terms)]
-            other = Sum(tuple(terms))
-            if asked.closed is not None and asked.same(
-                formula.transform(partial(node_replaced, node, other)), asked.closed
-            ):
-                term = node.terms[place]
+            term = node.terms[place]
+            other = Sum((*node.terms[:place], negate(term), *node.terms[place + 1 :]))
+            turned = formula.transform(partial(node_replaced, node, other))
+            if asked.closed is not None and asked.same(turned, asked.closed):
                 shown = term.operand if isinstance(term, Negative) else term
                 return found(WRONG, "mistake", "it would be right with the other sign of ", shown)
         return None

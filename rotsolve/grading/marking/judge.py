@@ -8,7 +8,7 @@ from fractions import Fraction
 from msgspec.structs import replace
 
 from rotsolve.algebra.certified.balls import Undefined
-from rotsolve.algebra.formula import ZERO, Formula, Symbol
+from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.remembered import remembered
@@ -21,7 +21,7 @@ from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.marking.texts import CHAIN, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER
-from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Verdict, found
+from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Verdict, found, listed_letters
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
@@ -85,8 +85,7 @@ class Judge:
         used = self.following.follows(target.name, given, earlier, target.marking.tolerance)
         if not used:
             return None
-        listed = [word for name in used for word in (", ", Symbol(name))][1:]
-        finding = found(WRONG, "followed", "right with your own ", *listed, flaws=(marks.FOLLOWED,))
+        finding = found(WRONG, "followed", "right with your own ", *listed_letters(used), flaws=(marks.FOLLOWED,))
         assert one.reading is not None and target.whole is not None
         if one.reading.kind == NUMBER and one.reading.unit is None and not target.whole.dimension.matches(NONE):
             finding = lacking_unit(finding, target.whole.unit, target.whole)
@@ -144,10 +143,10 @@ class Judge:
 
 def unsolved_judged(one: JudgedText, others: frozenset[str]) -> JudgedText:
     """The finding for an answer that is told by others, and they by it."""
-    if not others:
-        return JudgedText(one.reading, found(WRONG, "form", "the answer speaks of itself"), one.read_as)
-    listed = [word for name in sorted(others) for word in (", ", Symbol(name))][1:]
-    finding = found(WRONG, "form", "nothing is solved: it is told by ", *listed, ", and that by this answer")
+    finding = found(WRONG, "form", "the answer speaks of itself")
+    if others:
+        listed = listed_letters(sorted(others))
+        finding = found(WRONG, "form", "nothing is solved: it is told by ", *listed, ", and that by this answer")
     return JudgedText(one.reading, finding, one.read_as)
 
 

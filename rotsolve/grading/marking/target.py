@@ -18,7 +18,7 @@ from rotsolve.derivation.meanings import Meanings
 from rotsolve.grading.comparing.numbers import certified_number
 from rotsolve.grading.comparing.scalars import Close, Same, Scalar
 from rotsolve.language.marks import Marking, marking_of
-from rotsolve.language.problem import Find, Problem
+from rotsolve.language.problem import Problem
 from rotsolve.motion.positive import positive_letters
 from rotsolve.solution import Solution
 
@@ -175,7 +175,8 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
             scalar_of(part, marking, letters, (same, close), directed=not rows or len(rows) == 1) for part in entries
         )
         directed = letters.meanings.directed(answer.name)
-        whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, asks_for_turns(find))
+        turns = [term.path.quantity for term in find.terms] == ["turns"]
+        whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)
         yield Target(answer.name, marking, whole, parts, len(rows) or 1, directional=told and bool(answer.direction))
 
 
@@ -204,8 +205,3 @@ def scalar_of(
         directed,
         turns,
     )
-
-
-def asks_for_turns(find: Find) -> bool:
-    """Whether the question is for a number of turns."""
-    return [term.path.quantity for term in find.terms] == ["turns"]

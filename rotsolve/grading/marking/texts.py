@@ -7,7 +7,6 @@ import re
 from msgspec import Struct
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Formula
 from rotsolve.core.remembered import remembered
 from rotsolve.grading.comparing.readings import scalar_judged, vector_judged
 from rotsolve.grading.comparing.signs import cut_direction, is_direction, points_other_way
@@ -104,8 +103,9 @@ class Texts:
 
     def _read(self, target: Target, reading: LineReading) -> Finding:
         """The finding for one reading."""
-        reading = self.meant(reading)
-        if reading.formula is not None and self.circular(target, reading.formula):
+        reading, closed = self.meant(reading), self.letters.closed.get(target.name)
+        own = closed is not None and target.name in closed.symbols()
+        if reading.formula is not None and target.name in reading.formula.symbols() and not own:
             return found(WRONG, "form", "the answer speaks of itself")
         if target.parts:
             return vector_judged(reading, target.parts, target.whole)
@@ -119,34 +119,25 @@ class Texts:
         formula = None if reading.formula is None else self.letters.meant(reading.formula)
         return replace(reading, formula=formula, parts=tuple(self.meant(part) for part in reading.parts))
 
-    def circular(self, target: Target, formula: Formula) -> bool:
-        """Whether an answer holds its own letter, which is no letter of its closed form."""
-        closed = self.letters.closed.get(target.name)
-        return target.name in formula.symbols() and (closed is None or target.name not in closed.symbols())
-
 
 def chain_judged(found_in: list[JudgedText], chain: tuple[str, ...]) -> JudgedText:
     """What is found in a chain of values: its last member is the answer; an earlier one that is another value is said to be so."""
     *earlier, last = found_in
     finding = last.finding
     if finding.outcome == WRONG and any(remark.kind == "dimension" for remark in finding.remarks):
-        return JudgedText(
-            None, found(UNDECIDED, CHAIN, "what stands between the signs of equality does not belong together")
-        )
+        said = "what stands between the signs of equality does not belong together"
+        return JudgedText(None, found(UNDECIDED, CHAIN, said))
     if finding.right and any(one.finding.right and FORM not in one.finding.flaws for one in earlier):
         flaws = tuple(flaw for flaw in finding.flaws if flaw != FORM)
         remarks = tuple(remark for remark in finding.remarks if FORM in flaws or remark.kind != FORM)
         finding = Finding(finding.outcome, remarks, flaws)
     for one, member in zip(earlier, chain, strict=False):
-        other = (
-            one.finding.right if finding.outcome == WRONG else one.finding.outcome == WRONG and not one.finding.flaws
-        )
-        if other:
+        failed = one.finding.outcome == WRONG and not one.finding.flaws
+        if one.finding.right if finding.outcome == WRONG else failed:
             start, end = len(member) - len(member.lstrip()), len(member.rstrip())
             words = f"`{member.strip()}` {'is right' if one.finding.right else 'is another value'}"
-            return replace(
-                last, finding=replace(finding, remarks=(*finding.remarks, Remark(CHAIN, (words,), start, end)))
-            )
+            finding = replace(finding, remarks=(*finding.remarks, Remark(CHAIN, (words,), start, end)))
+            break
     return replace(last, finding=finding)
 
 

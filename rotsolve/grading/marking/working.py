@@ -10,8 +10,6 @@ from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
 
-from msgspec import Struct
-
 from rotsolve.algebra.certified.ball import Certified, Undefined, evaluate
 from rotsolve.algebra.certified.balls import RealBalls
 from rotsolve.algebra.exact.normal import equal
@@ -25,6 +23,7 @@ from rotsolve.grading.marking.target import SceneLetters
 from rotsolve.grading.reading.answers import read_line
 from rotsolve.grading.reading.records import EQUATION, AnswerError, LineReading, Names
 from rotsolve.grading.verdict import (
+    RIGHT,
     UNDECIDED,
     WRONG,
     Finding,
@@ -33,19 +32,11 @@ from rotsolve.grading.verdict import (
     Verdict,
     all_findings,
     found,
-    outcome_for,
 )
 from rotsolve.language.marks import ALL, marking_of
 
 USUAL = 0.01  # the share by which the two sides of a line with decimals may differ, where the tolerance is no share
 DECIMAL = re.compile(r"\d[.,]\d")
-
-
-class LinkedEquation(Struct, frozen=True):
-    """One equation of a line, and where it begins there."""
-
-    text: str
-    start: int
 
 
 class WorkingJudge:
@@ -68,7 +59,7 @@ class WorkingJudge:
 
     @remembered
     def verdict(self, text: str) -> Verdict:
-        finding = all_findings(self.link(link) for link in equations_of(text))
+        finding = all_findings(self.link(*link) for link in equations_of(text))
         return Verdict(finding.outcome, "", finding.remarks)
 
     @cached_property
@@ -78,15 +69,15 @@ class WorkingJudge:
 
     # one equation
 
-    def link(self, link: LinkedEquation) -> Finding:
-        """The finding for one equation, by the reading that makes it right."""
+    def link(self, text: str, start: int) -> Finding:
+        """The finding for one equation of a line, which begins at `start`, by the reading that makes it right."""
         try:
-            readings = read_line(link.text, self.names)
+            readings = read_line(text, self.names)
         except AnswerError as error:
             kind = "undeclared" if error.unknown else "reading"
-            remark = Remark(kind, (str(error),), link.start + error.start, link.start + error.end)
+            remark = Remark(kind, (str(error),), start + error.start, start + error.end)
             return Finding(UNDECIDED, (remark,))
-        tried = [self.equation(reading, link.text) for reading in readings]
+        tried = [self.equation(reading, text) for reading in readings]
         return next((finding for finding in tried if finding.right), tried[0])
 
     def equation(self, reading: LineReading, text: str) -> Finding:
@@ -101,7 +92,7 @@ class WorkingJudge:
             return found(UNDECIDED, "undeclared", f"the scene does not tell what {open_[0]} is")
         holds = self.holds(left, right, text)
         if holds is not False:
-            return Finding(outcome_for(holds))
+            return Finding(UNDECIDED if holds is None else RIGHT)
         unitless = one_is_a_number(left, right) or DECIMAL.search(text)  # numbers lost their units when they were read
         return (
             (None if unitless else self.misfit(left, right))
@@ -147,9 +138,8 @@ class WorkingJudge:
     def is_law(self, residue: Formula) -> bool:
         """Whether an equation is a law of the scene, of whose letters not all have a closed form."""
         laws = self.letters.meanings.laws
-        return any(
-            self.identical(residue, side) for law in laws for side in (law.left - law.right, law.right - law.left)
-        )
+        sides = (side for law in laws for side in (law.left - law.right, law.right - law.left))
+        return any(self.identical(residue, side) for side in sides)
 
     def differ(self, left: Formula, right: Formula) -> bool:
         """Whether the numbers of both sides surely differ."""
@@ -170,10 +160,8 @@ class WorkingJudge:
     def value(self, side: Formula) -> Certified | None:
         names = side.symbols() - self.letters.values.keys()
         roots = {name: number for name in names if (number := self.number(name)) is not None}
-        if names - roots.keys():
-            return None
         try:
-            return evaluate(side, self.letters.values, roots=roots)
+            return evaluate(side, self.letters.values, roots=roots) if len(roots) == len(names) else None
         except (Undefined, ZeroDivisionError):
             return None
 
@@ -227,14 +215,14 @@ class WorkingJudge:
         return None
 
 
-def equations_of(text: str) -> Iterator[LinkedEquation]:
-    """The equations of a line: a = b, b = c of the chain a = b = c."""
+def equations_of(text: str) -> Iterator[tuple[str, int]]:
+    """The equations of a line, and where they begin: a = b, b = c of the chain a = b = c."""
     pieces = [match.span() for match in re.finditer("[^=]+", text)]
     if len(pieces) < 3:
-        yield LinkedEquation(text, 0)
+        yield text, 0
         return
     for (start, _), (_, end) in pairwise(pieces):
-        yield LinkedEquation(text[start:end], start)
+        yield text[start:end], start
 
 
 def one_is_a_number(left: Formula, right: Formula) -> bool:
