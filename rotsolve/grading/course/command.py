@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -12,7 +11,7 @@ from rotsolve.core.faults import Fault, SceneError
 from rotsolve.grading.course.examiner import Judges, NotMarked, variant_of
 from rotsolve.grading.course.report.student import StudentPage
 from rotsolve.grading.course.sheet import HandedInError, content_of, from_answers, read_sheet
-from rotsolve.grading.verdict import RIGHT, WRONG, Marked, Paper
+from rotsolve.grading.verdict import RIGHT, WRONG, Marked
 from rotsolve.page.blocks import Page
 from rotsolve.page.formats import TERMINAL, format_named, format_of_file
 from rotsolve.page.text import PRINTER, plain_text
@@ -67,8 +66,6 @@ def run_check(request: CheckRequest) -> int:
             from rotsolve.grading.course.many import check_class
 
             return check_class(request, judges)
-        from rotsolve.grading.course.command import check_one
-
         return check_one(request, judges)
     except SceneError as error:
         return refuse_check(error.render())
@@ -83,7 +80,11 @@ def refuse_check(message: str) -> int:
 
 def check_one(request: CheckRequest, judges: Judges) -> int:
     """Mark one paper; the exit code says whether all of it is right."""
-    paper = read_paper(request, tuple(judges.task.letters))
+    asked = tuple(judges.task.letters)
+    if request.typed:
+        paper = from_answers(request.typed, asked)
+    else:
+        paper = read_sheet(content_of(request.answers), name_of(request.answers), asked)
     if not paper.variant and request.variant is not None:
         paper = replace(paper, variant=str(request.variant))
     try:
@@ -96,13 +97,6 @@ def check_one(request: CheckRequest, judges: Judges) -> int:
         print("note: no variant is told: marked with the numbers of the problem itself", file=sys.stderr)
     failed = show_page(StudentPage(judges.task, marked, paper.variant), request, request.output)
     return failed or (ALL_RIGHT if all_right(marked) else NOT_ALL_RIGHT)
-
-
-def read_paper(request: CheckRequest, asked: Sequence[str]) -> Paper:
-    """The paper: as typed on the command line, or in a file."""
-    if request.typed:
-        return from_answers(request.typed, asked)
-    return read_sheet(content_of(request.answers), name_of(request.answers), asked)
 
 
 def answered(marked: Marked) -> Marked:

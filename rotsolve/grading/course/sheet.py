@@ -22,9 +22,8 @@ OTHER_MARKS = {codecs.BOM_UTF16_LE: "UTF-16", codecs.BOM_UTF16_BE: "UTF-16"}
 SAVE = "save it as UTF-8; spreadsheets call it `CSV UTF-8`"
 LATEX = str.maketrans("", "", "\\{}$ ")  # $\omega_{0}$ is omega_0
 LINE = re.compile(r"\s*(?P<name>[^=:≈]{1,60}?)\s*[=:≈](?![=:≈])\s*(?P<text>.*)", re.DOTALL)
-MATHEMATICS = re.compile(
-    r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL
-)  # $a = 2 m$ as a whole
+# $a = 2 m$ as a whole
+MATHEMATICS = re.compile(r"\s*(?:\${1,2}([^$]*)\${1,2}|\\\((.*)\\\)|\\\[(.*)\\\])\s*", re.DOTALL)
 YAML = (".yaml", ".yml")
 STUDENT_KEY, VARIANT_KEY, WORKING_KEY = "student", "variant", "working"
 OWN = (STUDENT_KEY, VARIANT_KEY, WORKING_KEY)  # keys beside the names of the answers
@@ -120,7 +119,7 @@ def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
 def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
     """`a = …` is an answer, the last one where there are several; `student:` and `variant:` say whose; all else is working."""
     told: dict[str, str] = {}
-    found: dict[str, int] = {}
+    found: dict[str, tuple[int, str]] = {}
     working: dict[int, str] = {}
     for number, line in enumerate(lines):
         said = name_and_text(line)
@@ -129,21 +128,16 @@ def from_lines(lines: Sequence[str], file: str, asked: Sequence[str]) -> Paper:
             told[said[0].lower()] = said[1]
         elif said and name is not None:
             if name in found:
-                working[found[name]] = lines[found[name]].strip()
-            found[name] = number
+                earlier, _ = found[name]
+                working[earlier] = lines[earlier].strip()
+            found[name] = number, said[1]
         elif line.strip() and not line.lstrip().startswith("#"):
             working[number] = line.strip()
-    answers = {name: text_after(lines[found[name]]) for name in asked if name in found}
+    answers = {name: found[name][1] for name in asked if name in found}
     if not answers:
         raise HandedInError([no_answer_fault(asked, "=")], lines, file)
-    return Paper(
-        told.get(STUDENT_KEY, ""), answers, tuple(working[key] for key in sorted(working)), told.get(VARIANT_KEY, "")
-    )
-
-
-def text_after(line: str) -> str:
-    said = name_and_text(line)
-    return said[1] if said else line.strip()
+    ways = tuple(working[number] for number in sorted(working))
+    return Paper(told.get(STUDENT_KEY, ""), answers, ways, told.get(VARIANT_KEY, ""))
 
 
 def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
@@ -162,7 +156,8 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
             faults.append(Fault(f"{quoted(name)} stands here twice", key.span, "leave one out"))
         elif name == WORKING_KEY and name not in asked:
             told[name] = ""
-            working = tuple(line for item in item_texts(node, faults) for line in item.split("\n") if line.strip())
+            items = [single_text(name, item, faults) for item in (node.items if isinstance(node, List) else (node,))]
+            working = tuple(line for item in items for line in item.split("\n") if line.strip())
         else:
             told[name] = single_text(name, node, faults).replace("\n", " ")
     answers = {name: told[name] for name in asked if told.get(name)}
@@ -175,12 +170,6 @@ def from_yaml(text: str, file: str, asked: Sequence[str]) -> Paper:
 def no_answer_fault(asked: Sequence[str], sign: str) -> Fault:
     blank = " " if sign == "=" else ""
     return Fault("there is no answer", None, f"write `{asked[0]}{blank}{sign} …`; asked: {', '.join(asked)}")
-
-
-def item_texts(node: Node, faults: list[Fault]) -> list[str]:
-    """The texts of a list, or the one text."""
-    nodes = node.items if isinstance(node, List) else (node,)
-    return [single_text(WORKING_KEY, item, faults) for item in nodes]
 
 
 def single_text(name: str, node: Node, faults: list[Fault]) -> str:

@@ -59,22 +59,19 @@ class Columns(Struct, frozen=True):
 
 def read_columns(header: Sequence[str], line: int, file: str, asked: Sequence[str]) -> Columns:
     """The columns by the lines of the first row: separated by what makes the most of its cells known."""
-    best = max(
-        (columns_by(header, separator, asked) for separator in SEPARATORS),
-        key=lambda item: (len(item.answers), item.width),
-    )
+    tried = (columns_by(header, separator, asked) for separator in SEPARATORS)
+    best = max(tried, key=lambda item: (len(item.answers), item.width))
     cells = trimmed_cells(first_row_cells(header, best.separator))
-    wrong, message = "", ""
+    twice = doubled_column(cells, asked)
+    if best.answers and not twice:
+        return best
+    wrong, message = twice, f"two columns are {quoted(twice)}"
+    help = "leave one out, or give it another name"
     if not best.answers:
         wrong, message = header[0], "no column has the name of an answer"
         help = hint(next(filter(None, cells), ""), asked, "asked")
-    elif twice := doubled_column(cells, asked):
-        wrong, message = twice, f"two columns are {quoted(twice)}"
-        help = "leave one out, or give it another name"
-    if message:
-        span = Span(line, max(1, header[0].rfind(wrong) + 1), max(1, len(wrong)))
-        raise HandedInError([Fault(message, span, help)], ("",) * (line - 1) + tuple(header), file)
-    return best
+    span = Span(line, max(1, header[0].rfind(wrong) + 1), max(1, len(wrong)))
+    raise HandedInError([Fault(message, span, help)], ("",) * (line - 1) + tuple(header), file)
 
 
 def columns_by(header: Sequence[str], separator: str, asked: Sequence[str]) -> Columns:
@@ -91,9 +88,8 @@ def columns_by(header: Sequence[str], separator: str, asked: Sequence[str]) -> C
     free = [place for place in range(len(cells)) if place not in answers.values()]
     variant, working = (place_called(cells, free, words) for words in (VARIANT, WORKING))
     free = [place for place in free if place not in (variant, working)]
-    student = place_called(cells, free, STUDENT)
-    if student is None:
-        student = next(iter(free), None)
+    called = place_called(cells, free, STUDENT)
+    student = next(iter(free), None) if called is None else called
     unused = tuple(cells[place] for place in free if place != student and cells[place])
     return Columns(separator, len(cells), answers, student, variant, working, unused, units, len(row))
 
@@ -204,9 +200,8 @@ def table_entries(lines: Sequence[str], start: int, found: Columns) -> Iterator[
             cells = next(reader)
             height = reader.line_num
         except csv.Error as error:
-            yield Entry(
-                place + 1, lines[place][:40].partition(found.separator)[0].strip('" '), None, (csv_complaint(error),)
-            )
+            student = lines[place][:40].partition(found.separator)[0].strip('" ')
+            yield Entry(place + 1, student, None, (csv_complaint(error),))
             height = 1
         else:
             yield row_entry(place + 1, cells, found)
@@ -215,12 +210,10 @@ def table_entries(lines: Sequence[str], start: int, found: Columns) -> Iterator[
 
 def csv_complaint(error: csv.Error) -> str:
     """The complaint of Python's reader in our words."""
-    said = str(error)
-    if "field larger" in said:
+    if "field larger" in str(error):
         return "a cell is too long"
-    return (
-        "a quotation mark is never closed, or text follows a closing one; inside quotes, write a quotation mark twice"
-    )
+    said = "a quotation mark is never closed, or text follows a closing one"
+    return f"{said}; inside quotes, write a quotation mark twice"
 
 
 def row_entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
@@ -247,9 +240,11 @@ def row_entry(line: int, cells: Sequence[str], found: Columns) -> Entry:
     if beyond:
         remarks.append(f"the row ends before {', '.join(beyond)}")
     texts = {name: " ".join(cell(place).split("\n")) for name, place in found.answers.items() if cell(place)}
-    answers = {name: with_column_unit(text, found.units.get(name, "")) for name, text in texts.items()}
+    for name in texts.keys() & found.units.keys():
+        if NUMBER.fullmatch(texts[name]):  # in the unit that the column tells
+            texts[name] += f" {found.units[name]}"
     working = tuple(part.strip() for part in re.split(r"[\n;]", cell(found.working)) if part.strip())
-    return Entry(line, student, Paper(student, answers, working, cell(found.variant)), tuple(remarks))
+    return Entry(line, student, Paper(student, texts, working, cell(found.variant)), tuple(remarks))
 
 
 def cut_decimal(cells: Sequence[str], found: Columns) -> str:
@@ -264,11 +259,6 @@ def cut_decimal(cells: Sequence[str], found: Columns) -> str:
     return ""
 
 
-def with_column_unit(text: str, unit: str) -> str:
-    """A number by itself with the unit that the column tells."""
-    return f"{text} {unit}" if unit and NUMBER.fullmatch(text) else text
-
-
 def with_name_remarks(entries: Sequence[Entry]) -> Iterator[Entry]:
     """The entries; of a name that stands in several rows, each says so."""
     lines: dict[str, list[int]] = {}
@@ -278,6 +268,5 @@ def with_name_remarks(entries: Sequence[Entry]) -> Iterator[Entry]:
         others = [str(line) for line in lines[entry.student.casefold()][: NAMED + 1] if line != entry.line][:NAMED]
         if others and entry.student:
             said = f"the same name stands in {'lines' if len(others) > 1 else 'line'} {', '.join(others)}"
-            yield replace(entry, remarks=(*entry.remarks, said))
-        else:
-            yield entry
+            entry = replace(entry, remarks=(*entry.remarks, said))
+        yield entry

@@ -126,8 +126,7 @@ class AnswerParser:
     """One way of reading a line."""
 
     def __init__(self, line: AnswerLine, forks: Forks) -> None:
-        self.text, self.names, self.forks = line.text, line.names, forks
-        self.source = line
+        self.source, self.text, self.names, self.forks = line, line.text, line.names, forks
 
     def line(self) -> LineReading:
         """What the line says."""
@@ -169,20 +168,18 @@ class AnswerParser:
 
     def equation(self, tokens: list[Token]) -> LineReading:
         """left = right."""
-        signs = [index for index, token in enumerate(tokens) if token.kind == "="]
-        if len(signs) > 1:
-            second = tokens[signs[1]]
-            raise FormulaError("one equation at a time: a second `=`", second.start, second.end)
+        sign, *more = [token for token in tokens if token.kind == "="]
+        if more:
+            raise FormulaError("one equation at a time: a second `=`", more[0].start, more[0].end)
+        at = tokens.index(sign)
         sides = []
-        for side in ([*tokens[: signs[0]], end_at(tokens[signs[0]])], tokens[signs[0] + 1 :]):
+        for side in ([*tokens[:at], end_at(sign)], tokens[at + 1 :]):
             if len(side) == 1:
-                raise FormulaError("one side of the equation is empty", tokens[signs[0]].start, tokens[signs[0]].end)
+                raise FormulaError("one side of the equation is empty", sign.start, sign.end)
             sides.append(self.pointed(side))
         left, right = sides
-        remarks = (*left.remarks, *right.remarks)
-        return LineReading(
-            EQUATION, f"{left.text} = {right.text}", si_formula(left), right=si_formula(right), remarks=remarks
-        )
+        written, remarks = f"{left.text} = {right.text}", (*left.remarks, *right.remarks)
+        return LineReading(EQUATION, written, si_formula(left), right=si_formula(right), remarks=remarks)
 
 
 def si_formula(side: LineReading) -> Formula | None:
@@ -195,11 +192,7 @@ def si_formula(side: LineReading) -> Formula | None:
 # matrices
 
 
-class MatrixRow(Struct, frozen=True):
-    """The entries of one row between brackets, and where they begin in the line."""
-
-    text: str
-    start: int
+MatrixRow = tuple[str, int]  # the entries of one row between brackets, and where they begin in the line
 
 
 def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
@@ -210,26 +203,26 @@ def read_matrix(text: str, names: Names) -> tuple[LineReading, ...]:
     inside, start = shape["inside"], shape.start("inside")
     unit = text[shape.end() :].strip()
     rows = latex_rows(inside, start) if shape.re is LATEX else bracketed_rows(inside, start) or flat_rows(inside, start)
-    return (LineReading(VECTOR, text.strip(), parts=tuple(read_row(row, unit, names) for row in rows)),)
+    return (LineReading(VECTOR, text.strip(), parts=tuple(read_row(*row, unit, names) for row in rows)),)
 
 
-def read_row(row: MatrixRow, unit: str, names: Names) -> LineReading:
+def read_row(text: str, start: int, unit: str, names: Names) -> LineReading:
     """One row, with the unit behind the whole matrix."""
     try:
-        return next(iter(read_line(f"({row.text}) {unit}".strip(), names)))
+        return read_line(f"({text}) {unit}".strip(), names)[0]
     except AnswerError as error:
-        start = row.start - 1 + error.start
-        raise AnswerError(error.message, start, row.start - 1 + error.end, error.suggestion, error.unknown) from None
+        first, end = start - 1 + error.start, start - 1 + error.end
+        raise AnswerError(error.message, first, end, error.suggestion, error.unknown) from None
 
 
 def latex_rows(inside: str, start: int) -> Iterator[MatrixRow]:
     for match in re.finditer(r"(?:(?!\\\\).)+", inside, re.DOTALL):
         if match[0].strip():
-            yield MatrixRow(match[0].replace("&", ","), start + match.start())
+            yield match[0].replace("&", ","), start + match.start()
 
 
 def flat_rows(inside: str, start: int) -> Iterator[MatrixRow]:
-    return (MatrixRow(match[0], start + match.start()) for match in re.finditer("[^;]+", inside))
+    return ((match[0], start + match.start()) for match in re.finditer("[^;]+", inside))
 
 
 def bracketed_rows(inside: str, start: int) -> list[MatrixRow]:
@@ -242,5 +235,5 @@ def bracketed_rows(inside: str, start: int) -> list[MatrixRow]:
         elif character in CLOSE:
             depth -= 1
             if depth == 0:
-                rows.append(MatrixRow(inside[first:index], start + first))
+                rows.append((inside[first:index], start + first))
     return rows

@@ -81,16 +81,14 @@ def _units_side_by_side(name: str) -> tuple[str, ...]:
 
 def _unit_symbols(token: Token, tokens: list[Token], forks: Forks) -> list[Token]:
     """The symbols of the units that a token names."""
-    name = {"°": "deg"}.get(token.text, token.text)
+    name = "deg" if token.text == "°" else token.text
     found = units_in_run(name)
     if not found:
         hint = f": {AMBIGUOUS[name]}" if name in AMBIGUOUS else ""
         message = f"`{name}` has several definitions{hint}" if hint else f"unknown unit `{name}`"
         raise FormulaError(message, token.start, token.end, None if hint else suggest(name, UNITS))
-    if (
-        name in PER_SECOND and _negative_power_follows(token, tokens) and forks.choose(True)
-    ):  # ms⁻² is m s⁻², seldom 1/ms²
-        found = PER_SECOND[name]
+    if name in PER_SECOND and _negative_power_follows(token, tokens) and forks.choose(True):
+        found = PER_SECOND[name]  # ms⁻² is m s⁻², seldom 1/ms²
     return _in_columns_of(found, token)
 
 
@@ -108,8 +106,7 @@ def _in_columns_of(words: tuple[str, ...], token: Token) -> list[Token]:
 
 def _negative_power_follows(token: Token, tokens: list[Token]) -> bool:
     """Whether a negative power follows."""
-    after = tokens[tokens.index(token) + 1 :][:3]
-    marks = "".join(mark.text for mark in after)
+    marks = "".join(mark.text for mark in tokens[tokens.index(token) + 1 :][:3])
     return marks.startswith(("⁻", "^-", "^(-"))
 
 

@@ -62,11 +62,10 @@ def quantity_readings(text: str, names: Names, dimensions: Dimensions, known: bo
         return ()
     found: list[LineReading] = []
     raised = with_typed_powers(line.tokens)
-    ways: list[Callable[[Forks], LineReading]] = [
-        lambda forks: _read_with_units(line.text, raised, names, dimensions, forks)
-    ]
+    ways: list[Callable[[Forks], LineReading]] = []
     if raised != line.tokens:
-        ways.insert(0, lambda forks: AnswerParser(replace(line, tokens=raised), forks).line())
+        ways.append(lambda forks: AnswerParser(replace(line, tokens=raised), forks).line())
+    ways.append(lambda forks: _read_with_units(line.text, raised, names, dimensions, forks))
     for way in ways:
         try:
             found += all_ways(way, 3 * len(line.tokens))
@@ -106,9 +105,14 @@ def with_typed_powers(tokens: list[Token]) -> list[Token]:
         close = len(rest) > 2 and token.end == rest[0].start and rest[0].end == rest[1].start
         if power and close and rest[0].kind == "-" and rest[1].text.isdigit() and len(rest[1].text) <= MOST_DIGITS:
             minus, digits = rest.pop(0), rest.pop(0)
-            end = digits.end
-            result += [Token("^", "^", token.end, token.end), Token("(", "(", token.end, token.end), minus, digits]
-            result.append(Token(")", ")", end, end))
+            start, end = token.end, digits.end
+            result += [
+                Token("^", "^", start, start),
+                Token("(", "(", start, start),
+                minus,
+                digits,
+                Token(")", ")", end, end),
+            ]
     return result
 
 
@@ -220,11 +224,9 @@ def _within(text: str, tokens: list[Token], names: Names, dimensions: Dimensions
     value = names.meant(formula.substitute({name: unit.factor for name, unit in units.items()}))
     if not value.symbols():
         return _worked_out(text, tokens, value, measured if units else None)
-    return (
-        LineReading(FORMULA, _typed(text, tokens), value, unit_for(measured))
-        if units
-        else LineReading(FORMULA, "", value)
-    )
+    if not units:
+        return LineReading(FORMULA, formula=value)
+    return LineReading(FORMULA, _typed(text, tokens), value, unit_for(measured))
 
 
 def _worked_out(text: str, tokens: list[Token], value: Formula, dimension: Dimension | None) -> LineReading:
@@ -257,11 +259,11 @@ def readings_in_degrees(reading: LineReading) -> Iterator[LineReading]:
     turned: list[Number] = []
 
     def change(node: Formula) -> Formula:
-        bare = isinstance(node, Call) and node.function in TRIG and isinstance(node.arguments[0], Number)
-        if not bare or not isinstance(node, Call) or not isinstance(node.arguments[0], Number):
+        argument = node.arguments[0] if isinstance(node, Call) and node.function in TRIG else None
+        if not isinstance(node, Call) or not isinstance(argument, Number):
             return node
-        turned.append(node.arguments[0])
-        return Call(node.function, (Quotient(Product((node.arguments[0], PI)), HALF_TURN),))
+        turned.append(argument)
+        return Call(node.function, (Quotient(Product((argument, PI)), HALF_TURN),))
 
     formula = reading.formula.transform(change, *TRIG)
     if turned:

@@ -69,11 +69,6 @@ _ROOT = re.compile(r"\s*\[\s*([0-9]+)\s*\]")
 _HATTED = {"î": "i", "ĵ": "j"}
 
 
-def command_mark(word: str) -> str | None:
-    """The mark that a command stands for."""
-    return _MARK_OF.get(word)
-
-
 def unknown_command(found: str, start: int, end: int) -> FormulaError:
     """The fault that no such command is known, with the one that was probably meant."""
     from difflib import get_close_matches  # only a faulty text pays for this import
@@ -157,7 +152,7 @@ class LineLexer(Lexer):
             return self.content(start, end)
         if word in ("begin", "end"):
             return self.matrix(word, start, end)
-        mark = command_mark(word)
+        mark = _MARK_OF.get(word)
         if mark is None:
             raise unknown_command(found, start, end)
         self.emit(mark, mark, start, end)
@@ -220,12 +215,11 @@ class LineLexer(Lexer):
     def other(self, found: str, start: int, end: int) -> int:
         """A character that is no mark: the plain letter that it is a form of, such as 𝑚 or ｍ."""
         plain = normalize("NFKC", found)
-        if plain != found and _TOKEN.fullmatch(plain) and not plain.startswith("\\"):
-            match = _TOKEN.fullmatch(plain)
-            assert match is not None
-            kind = str(match.lastgroup)
+        match = _TOKEN.fullmatch(plain)
+        if match is not None and plain != found and not plain.startswith("\\"):
             mark = MARKS.get(plain, plain)
-            self.emit(mark if kind == "mark" else kind, mark if kind == "mark" else plain, start, end)
+            is_mark = match.lastgroup == "mark"
+            self.emit(mark if is_mark else str(match.lastgroup), mark if is_mark else plain, start, end)
             return end
         return super().other(found, start, end)
 

@@ -101,13 +101,9 @@ def between_digits(tokens: list[Token], index: int) -> bool:
 
 def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> LineReading | None:
     """A vector in brackets, perhaps with a unit behind them; None where the line is none."""
-    if not any(token.kind in (",", ";") for token in tokens):
-        return None
     last = closing_bracket(tokens)
-    if last < 0 or not any(token.kind in (",", ";") for token in tokens[1:last]):
-        return None
     behind = tokens[last + 1 :]
-    if not looks_like_unit(behind):
+    if last < 0 or all(token.kind not in (",", ";") for token in tokens[1:last]) or not looks_like_unit(behind):
         return None
     inside = list_components([*tokens[1:last], end_at(tokens[last])], forks)
     if len(inside) == 1:
@@ -131,19 +127,14 @@ def with_remarks(reading: LineReading, remarks: tuple[Remark, ...]) -> LineReadi
 def vector_of(parts: list[LineReading], unit: Unit | None) -> LineReading:
     """The vector with these components, all in the unit behind the bracket where that has one."""
     if unit is not None:
-        parts = [part if part.unit is not None else part_in_unit(part, unit) for part in parts]
+        parts = [part if part.unit else replace(part, unit=unit, written=unit.after(part.text)) for part in parts]
         inner = ", ".join(part.text.removesuffix(unit.text).strip() for part in parts)
         shown = unit.after(f"({inner})")
     else:
         shown = f"({', '.join(part.text for part in parts)})"
     remarks = tuple(remark for part in parts for remark in part.remarks)
-    return LineReading(
-        VECTOR, shown, unit=unit, parts=tuple(replace(part, remarks=()) for part in parts), remarks=remarks
-    )
-
-
-def part_in_unit(part: LineReading, unit: Unit) -> LineReading:
-    return replace(part, unit=unit, written=unit.after(part.text))
+    quiet = tuple(replace(part, remarks=()) for part in parts)
+    return LineReading(VECTOR, shown, unit=unit, parts=quiet, remarks=remarks)
 
 
 def by_axes(tokens: list[Token], letters: frozenset[str]) -> list[Token] | None:
@@ -198,12 +189,8 @@ def axis_terms(tokens: list[Token]) -> list[list[Token]]:
     level, cuts = 0, [0]
     for index, token in enumerate(tokens[:-1]):
         level += (token.text in OPENING) - (token.text in CLOSING)
-        if (
-            level == 0
-            and index
-            and token.kind in ("+", "-")
-            and tokens[index - 1].kind not in ("^", "/", "*", "+", "-")
-        ):
+        outermost = level == 0 and index and token.kind in ("+", "-")
+        if outermost and tokens[index - 1].kind not in ("^", "/", "*", "+", "-"):
             cuts.append(index)
     ends = [*cuts[1:], len(tokens) - 1]
     return [[*tokens[start:end], end_at(tokens[end])] for start, end in zip(cuts, ends, strict=True)]
@@ -285,22 +272,17 @@ def polar_vector(size: LineReading, angle: LineReading, cut: SizeAndAngle, forks
         raise FormulaError("a direction is told by an angle, such as 53°", cut.start, cut.stop)
     if angle.kind == NUMBER and angle.unit is None:
         said = "an angle without a unit is read in degrees"
-        angle, remarks = taken_in_degrees(angle), (*remarks, Remark("unit", (said,), cut.start, cut.stop))
+        remarks = (*remarks, Remark("unit", (said,), cut.start, cut.stop))
+        angle = LineReading(NUMBER, DEGREE.after(angle.text), angle.formula, DEGREE, angle.figures)
     if size.kind not in (NUMBER, FORMULA) or size.formula is None or angle.formula is None:
         raise FormulaError("a vector is told by its size and one angle", 0, cut.end)
-    unit = angle.unit if angle.unit is not None else RADIAN
-    factor = unit.factor
+    unit = angle.unit or RADIAN
     way = counterclockwise_angle(angle.formula, power_of_pi(1 / unit.scale, 1 - unit.pi_power), cut, forks)
     shown = angle.unit.after(to_text(way)) if angle.unit is not None else to_text(way)
     parts = []
     for function in ("cos", "sin"):
-        value = multiply(size.formula, Call(function, (multiply(way, factor),)))
+        value = multiply(size.formula, Call(function, (multiply(way, unit.factor),)))
         text = to_text(value) if size.unit is None else size.unit.after(to_text(value))
         parts.append(LineReading(size.kind, text, value, size.unit, size.figures))
-    return LineReading(
-        VECTOR, f"{size.text} at {shown}", unit=size.unit, parts=tuple(parts), remarks=remarks, polar=(size, angle)
-    )
-
-
-def taken_in_degrees(angle: LineReading) -> LineReading:
-    return LineReading(NUMBER, DEGREE.after(angle.text), angle.formula, DEGREE, angle.figures)
+    written = f"{size.text} at {shown}"
+    return LineReading(VECTOR, written, unit=size.unit, parts=tuple(parts), remarks=remarks, polar=(size, angle))

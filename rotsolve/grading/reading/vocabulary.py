@@ -32,13 +32,11 @@ INVERSE = {"sin": "asin", "cos": "acos", "tan": "atan"}  # sin⁻¹ x may be arc
 TAKES_POWER = frozenset(("sqrt", "log", "exp", "asin", "acos", "atan"))  # √x² is √(x²), but sin θ² is likelier (sin θ)²
 EULER = "e"  # the base of the exponential, where no letter of the scene is called so
 _FUNCTION = "|".join(
-    sorted((name for name in FUNCTION_NAMES if FUNCTION_NAMES[name] in FUNCTIONS), key=len, reverse=True)
+    sorted((name for name, kind in FUNCTION_NAMES.items() if kind in FUNCTIONS), key=len, reverse=True)
 )
 INDICES = frozenset(SUBSCRIPTS.values())  # of which no name begins
 REMEMBERED = 4096  # runs: students write the same few over and over
-MOST_STRANGE = (
-    2  # letters at the end of a run that are told to be strange by themselves: x in mgx, but not orce in force
-)
+MOST_STRANGE = 2  # letters at a run's end that are told to be strange by themselves: x in mgx, but not orce in force
 LONGEST_RUN = 24  # of a run in which the strange part is looked for
 MOST_READINGS = 8
 MOST_TRIES, MOST_TOKENS = 24, 1500  # of a line, and of all its tries together
@@ -112,12 +110,9 @@ def _with_function_inside(run: str, names: frozenset[str]) -> tuple[Token, ...] 
 def run_fault(token: Token, names: frozenset[str]) -> FormulaError:
     """Why a run has no meaning; of `mgx` the x is told to be strange, and `v2` is perhaps meant as v²."""
     run = token.text
-    ends = (
-        [end for end in range(1, len(run)) if run[end].isalpha() and run[end] not in INDICES]
-        if len(run) <= LONGEST_RUN
-        else []
-    )
-    known = max((end for end in ends if run_meaning(run[:end], names) is not None), default=0)
+    ends = range(1, len(run)) if len(run) <= LONGEST_RUN else ()
+    apart = (end for end in ends if run[end].isalpha() and run[end] not in INDICES)
+    known = max((end for end in apart if run_meaning(run[:end], names) is not None), default=0)
     strange = Token("name", run[known:], token.start + known, token.end)
     if known and len(strange.text) > MOST_STRANGE and run.isalpha():  # a word
         return UnknownName(f"unknown name `{run}`", token.start, token.end)

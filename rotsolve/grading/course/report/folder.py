@@ -21,9 +21,8 @@ from rotsolve.run.delivery import harmless, write_file
 
 STUDENTS, SUMMARY, MARKS = "students", "summary", "marks.csv"
 ENDINGS = "|".join(re.escape(item.suffixes[0]) for item in FORMATS.values())
-PAGES = re.compile(
-    rf"\d{{4,}}(-.*)?({ENDINGS})|\.\d{{4,}}.*\.\d+\.new"
-)  # of students, and what was not written to its end
+# of students, and what was not written to its end
+PAGES = re.compile(rf"\d{{4,}}(-.*)?({ENDINGS})|\.\d{{4,}}.*\.\d+\.new")
 ABOVE = re.compile(rf"marks\.csv|summary({ENDINGS})|\.(marks|summary)\.\w+\.\d+\.new")
 POINT = {";": ","}  # the decimal point where semicolons separate
 BYTES = 80  # of a student's name in the name of a file
@@ -34,22 +33,18 @@ def write_report(course: MarkedClass, folder: Path, format: Format, tell: Callab
     remove_files(folder, ABOVE)
     (folder / STUDENTS).mkdir(parents=True, exist_ok=True)
     remove_files(folder / STUDENTS, PAGES)
-    targets = tuple(
-        f"{STUDENTS}/{file_name(number, result)}{format.suffixes[0]}" for number, result in enumerate(course.results, 1)
-    )
-    for number, (result, target) in enumerate(zip(course.results, targets, strict=True), 1):
+    ending, targets = format.suffixes[0], []
+    for number, result in enumerate(course.results, 1):
+        target = "" if result.marked is None else f"{STUDENTS}/{file_name(number, result)}{ending}"
         if result.marked is not None:
             page = StudentPage(course.task, result.marked, result.variant)
             if code := write_file(str(folder / target), format.document([format.body(page)])):
                 return code
-        tell(number / len(targets))
-    linked = tuple(
-        target if result.marked is not None else "" for result, target in zip(course.results, targets, strict=True)
-    )
-    summary = format.document([format.body(SummaryPage(course, linked))])
-    return write_file(str(folder / f"{SUMMARY}{format.suffixes[0]}"), summary) or write_file(
-        str(folder / MARKS), marks_table(course)
-    )
+        targets.append(target)
+        tell(number / len(course.results))
+    summary = format.document([format.body(SummaryPage(course, tuple(targets)))])
+    failed = write_file(str(folder / f"{SUMMARY}{ending}"), summary)
+    return failed or write_file(str(folder / MARKS), marks_table(course))
 
 
 def remove_files(folder: Path, ours: re.Pattern[str]) -> None:
@@ -73,17 +68,8 @@ def marks_table(course: MarkedClass) -> str:
     separator = course.columns.separator
     writer = csv.writer(text, delimiter=separator, lineterminator="\n")
     names = tuple(course.task.letters)
-    writer.writerow(
-        [
-            "line",
-            "student",
-            "variant",
-            *(cell for name in names for cell in (f"{name} verdict", name)),
-            "marks",
-            "of",
-            "remarks",
-        ]
-    )
+    columns = [cell for name in names for cell in (f"{name} verdict", name)]
+    writer.writerow(["line", "student", "variant", *columns, "marks", "of", "remarks"])
     for result in course.results:
         numbers, remarks = verdicts_and_marks(result.marked, names), all_remarks(result)
         row = [str(result.entry.line), one_line(result.entry.student), one_line(result.variant)]

@@ -117,7 +117,9 @@ def marked_data(marked: Marked, variant: str) -> dict[str, Any]:
         "student": marked.student,
         "variant": variant,
         "answers": [part_data(part) for part in marked.parts],
-        "working": [line_data(line) for line in marked.lines],
+        "working": [
+            {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong} for line in marked.lines
+        ],
         "marks": marks_data(marked.marks),
         "of": marks_data(marked.of),
     }
@@ -126,10 +128,6 @@ def marked_data(marked: Marked, variant: str) -> dict[str, Any]:
 def part_data(part: JudgedPart) -> dict[str, Any]:
     marks = {"marks": marks_data(part.marks), "of": marks_data(part.of), "followed": part.followed}
     return {"name": part.name, "text": part.text, **verdict_data(part.verdict), **marks}
-
-
-def line_data(line: JudgedLine) -> dict[str, Any]:
-    return {"text": line.text, **verdict_data(line.verdict), "first_wrong": line.first_wrong}
 
 
 def verdict_data(verdict: Verdict) -> dict[str, Any]:

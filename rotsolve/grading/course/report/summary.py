@@ -109,11 +109,10 @@ def overview(course: MarkedClass) -> Iterator[Paragraph]:
     if papers:
         marks = [paper.marks for paper in papers]
         best, most = max(marks), papers[0].of
-        figures = (
-            f"mean {marks_text(mean(marks))}, median {marks_text(Fraction(median(marks)))}, best {marks_text(best)}"
-        )
+        figures = f"mean {marks_text(mean(marks))}, median {marks_text(Fraction(median(marks)))}"
         full = sum(paper.marks >= paper.of for paper in papers)
-        yield Paragraph((f"Of {marks_text(most)} marks: {figures}; {full} with full marks.",))
+        said = f"Of {marks_text(most)} marks: {figures}, best {marks_text(best)}; {full} with full marks."
+        yield Paragraph((said,))
     if any(result.variant for result in course.results) and course.seed is not None:
         yield Paragraph((f"Variants by seed {course.seed}.",))
 
@@ -180,11 +179,8 @@ def to_be_looked_at(course: MarkedClass) -> Iterator[Paragraph | Table]:
     if course.columns.unused:
         yield Paragraph((f"Columns that were not used: {', '.join(course.columns.unused)}.",))
     yield from doubtful_variants(course)
-    rows = [
-        ((str(result.entry.line),), (result.name,), words)
-        for result in course.results
-        for words in oddities(course, result)
-    ]
+    odd = ((result, words) for result in course.results for words in oddities(course, result))
+    rows = [((str(result.entry.line),), (result.name,), words) for result, words in odd]
     if rows:
         yield Table(("line", "student", "what"), tuple(rows))
 
@@ -203,13 +199,10 @@ def doubtful_variants(course: MarkedClass) -> Iterator[Paragraph]:
     marked = [result for result in course.results if result.marked is not None]
     without = [result.name for result in marked if not result.variant]
     if without:
-        named = (
-            f": {', '.join(without[:NAMED])}{', …' if len(without) > NAMED else ''}"
-            if len(without) < len(marked)
-            else ""
-        )
-        whose = "No paper tells its variant" if not named else "Papers that tell no variant"
-        yield Paragraph((f"{whose}{named}. They were marked with the numbers of the problem itself.",))
+        named = f"{', '.join(without[:NAMED])}{', …' if len(without) > NAMED else ''}"
+        some = len(without) < len(marked)
+        whose = f"Papers that tell no variant: {named}" if some else "No paper tells its variant"
+        yield Paragraph((f"{whose}. They were marked with the numbers of the problem itself.",))
     papers = [result.marked for result in marked if result.variant and result.marked is not None]
     numbers = [part for paper in papers for part in paper.parts if any(char.isdigit() for char in part.text)]
     if len(papers) >= FEW and numbers and not any(part.marks for part in numbers):
