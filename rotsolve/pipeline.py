@@ -102,9 +102,8 @@ def composed(
     with stage("verify", whole=True):
         held = checks(search, composer.letters, balls)
     with stage("compose", whole=True):
-        derivation = with_missing_told(
-            composer.derivation(held, before, () if decision is None else decision.trials), composer.problem
-        )
+        trials = () if decision is None else decision.trials
+        derivation = with_missing_told(composer.derivation(held, before, trials), composer.problem)
     beside = left_out(problem, composer.problem)
     skipped("bodies", beside)
     counted("equations written", derivation.equations_written)
@@ -190,6 +189,5 @@ def check_law(search: Search, law: str) -> None:
     problem = search.scene.configuration.problem
     if used - {""} and law not in used:
         others = ", ".join(FAMILIES[name].words for name in FAMILIES if name in used)
-        raise unsolvable(
-            problem, f"{FAMILIES[law].words} does not settle anything that is asked here", None, f"it takes {others}"
-        )
+        message = f"{FAMILIES[law].words} does not settle anything that is asked here"
+        raise unsolvable(problem, message, None, f"it takes {others}")

@@ -11,9 +11,8 @@ from contextlib import contextmanager
 from typing import NoReturn
 
 SOLVED, UNSOLVED, USAGE, BROKEN_PIPE, INTERRUPTED = 0, 1, 2, 141, 130
-GARBAGE = (
-    100_000  # new objects after which Python looks for cycles among them; a scene makes few, and most live to its end
-)
+# new objects after which Python looks for cycles among them; a scene makes few, and most live to its end
+GARBAGE = 100_000
 
 
 def leave_after(work: Callable[[], object]) -> NoReturn:

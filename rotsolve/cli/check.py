@@ -10,11 +10,6 @@ from rotsolve.cli.options import Seed, Width, one_of
 from rotsolve.page.formats import FORMATS
 from rotsolve.process import orderly, page_width
 
-
-def pages_checked(value: str | None) -> str | None:
-    return one_of(tuple(FORMATS), value)
-
-
 Problem = Annotated[
     str, typer.Argument(metavar="PROBLEM", help="The scene that was set; - reads one from standard input.")
 ]
@@ -33,7 +28,11 @@ Report = Annotated[
 Pages = Annotated[
     str | None,
     typer.Option(
-        "--format", "-f", metavar="|".join(FORMATS), callback=pages_checked, help="[default: text; of a report, html]"
+        "--format",
+        "-f",
+        metavar="|".join(FORMATS),
+        callback=lambda name: one_of(tuple(FORMATS), name),
+        help="[default: text; of a report, html]",
     ),
 ]
 Number = Annotated[

@@ -27,6 +27,16 @@ def one_of(choices: tuple[str, ...], value: str | None) -> str | None:
     raise typer.BadParameter(f"{value!r} is not one of {', '.join(choices)}")
 
 
+def seconds_of(text: str, option: str) -> float:
+    """A length of time in seconds, above zero."""
+    from rotsolve.scene.values import read_seconds
+
+    try:
+        return read_seconds(text)
+    except ValueError as error:
+        raise typer.BadParameter(str(error), param_hint=option) from None
+
+
 def read_settings(pairs: list[str]) -> dict[str, str]:
     """`m=3kg` as {'m': '3kg'}; a name set twice or a pair without `=` is a usage error."""
     settings: dict[str, str] = {}

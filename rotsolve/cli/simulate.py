@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from rotsolve.cli.options import Output, Settings, Width, read_settings
+from rotsolve.cli.options import Output, Settings, Width, read_settings, seconds_of
 from rotsolve.process import orderly, page_width
 
 SHORTEST, LONGEST = 1e-9, 1e9  # seconds that a motion is followed
@@ -15,13 +15,8 @@ MOST_ROWS = 100_000
 
 
 def time_checked(text: str, option: str) -> float:
-    """A length of time in seconds, above zero."""
-    from rotsolve.scene.values import read_seconds
-
-    try:
-        seconds = read_seconds(text)
-    except ValueError as error:
-        raise typer.BadParameter(str(error), param_hint=option) from None
+    """A length of time in seconds that a motion may be followed."""
+    seconds = seconds_of(text, option)
     if not SHORTEST <= seconds <= LONGEST:
         raise typer.BadParameter(f"{text!r} is not from {SHORTEST:g} s to {LONGEST:g} s", param_hint=option)
     return seconds

@@ -7,24 +7,12 @@ from typing import Annotated
 import typer
 from msgspec.structs import replace
 
-from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings
+from rotsolve.cli.options import Digits, Output, Settings, Width, one_of, read_settings, seconds_of
 from rotsolve.page.formats import FORMATS, format_of_file
 from rotsolve.process import orderly, page_width
 
 LAWS = ("newton", "energy", "angular-momentum")
 STAGES = ("facts", "equations", "plan")
-
-
-def law_checked(value: str | None) -> str | None:
-    return one_of(LAWS, value)
-
-
-def format_checked(value: str | None) -> str | None:
-    return one_of(tuple(FORMATS), value)
-
-
-def stage_checked(value: str | None) -> str | None:
-    return one_of(STAGES, value)
 
 
 def moment_checked(text: str | None) -> str | None:
@@ -35,16 +23,6 @@ def moment_checked(text: str | None) -> str | None:
         return None if text is None else read_time(text).text
     except ValueError as error:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
-
-
-def limit_checked(text: str | None) -> float | None:
-    """The time limit in seconds."""
-    from rotsolve.scene.values import read_seconds
-
-    try:
-        return None if text is None else read_seconds(text)
-    except ValueError as error:
-        raise typer.BadParameter(str(error), param_hint="'--time-limit'") from None
 
 
 def refuse_clashes(show: str | None, format: str | None, profile: bool, several: bool) -> None:
@@ -69,7 +47,11 @@ Files = Annotated[
 ]
 Law = Annotated[
     str | None,
-    typer.Option(metavar="|".join(LAWS), callback=law_checked, help="Solve by this law. [default: the shortest way]"),
+    typer.Option(
+        metavar="|".join(LAWS),
+        callback=lambda law: one_of(LAWS, law),
+        help="Solve by this law. [default: the shortest way]",
+    ),
 ]
 Layout = Annotated[
     str | None,
@@ -77,7 +59,7 @@ Layout = Annotated[
         "--format",
         "-f",
         metavar="|".join(FORMATS),
-        callback=format_checked,
+        callback=lambda name: one_of(tuple(FORMATS), name),
         help="Output format. [default: by the name of -o, or text]",
     ),
 ]
@@ -86,7 +68,11 @@ At = Annotated[
 ]
 Show = Annotated[
     str | None,
-    typer.Option(metavar="|".join(STAGES), callback=stage_checked, help="Print this stage instead of the derivation."),
+    typer.Option(
+        metavar="|".join(STAGES),
+        callback=lambda stage: one_of(STAGES, stage),
+        help="Print this stage instead of the derivation.",
+    ),
 ]
 Timing = Annotated[
     bool, typer.Option("--profile", help="Say on standard error where the time went, and what was skipped.")
@@ -130,7 +116,9 @@ def solve_command(
     refuse_clashes(show, format, profile, jobs > 1 or bool(time_limit))
     page = (format_chosen(format, output, show), output, digits)
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
-    request = replace(request, at=moment_checked(at), jobs=jobs, time_limit=limit_checked(time_limit), profile=profile)
+    moment = moment_checked(at)
+    limit = None if time_limit is None else seconds_of(time_limit, "'--time-limit'")
+    request = replace(request, at=moment, jobs=jobs, time_limit=limit, profile=profile)
     with orderly():
         code = solve_files(request)
     raise typer.Exit(code)

@@ -16,9 +16,7 @@ from rotsolve.run.delivery import harmless
 NamedText = tuple[str, str]  # the name of a file, and its text
 Row = tuple[str, ...]
 CSV = "csv"
-CSV_FORMAT = Format(
-    CSV, (".csv",), "tables for spreadsheets", ""
-)  # a table is no page: it is none of the formats of pages
+CSV_FORMAT = Format(CSV, (".csv",), "tables for spreadsheets", "")  # no page, and none of the formats of pages
 PROBLEM_COLUMNS = ("variant", "problem", "title", "text", "given", "find", "positive")
 ANSWER_COLUMNS = ("variant", "problem", "given", "answer", "value", "unit", "direction", "word", "exact", "note")
 

@@ -70,10 +70,9 @@ def with_variant(sheet: Sheet, problems: list[dict[str, Any]]) -> dict[str, Any]
 
 def key_blocks(sheet: Sheet, digits: int) -> Iterator[PageBlock]:
     """The answers of one variant."""
-    level = 2
+    level = 3 if sheet.variant else 2
     if sheet.variant:
-        yield Title(level, (f"Variant {sheet.variant}",))
-        level += 1
+        yield Title(2, (f"Variant {sheet.variant}",))
     for number, (_, worked) in enumerate(sheet.problems, 1):
         yield Title(level, (f"{number}. {worked.problem.title}",))
         givens = tuple((given_equation(given),) for given in worked.shown())
@@ -85,18 +84,16 @@ def key_data(sheet: Sheet, digits: int) -> dict[str, Any]:
     """The answers of one variant, as `rotsolve solve --format json` gives them."""
     from rotsolve.page.data import answer_data, given_data
 
-    return with_variant(
-        sheet,
-        [
-            {
-                "problem": name,
-                "title": worked.problem.title,
-                "given": [given_data(given) for given in worked.shown()],
-                "answers": [answer_data(answer, digits) for answer in worked.answers],
-            }
-            for name, worked in sheet.problems
-        ],
-    )
+    problems = [
+        {
+            "problem": name,
+            "title": worked.problem.title,
+            "given": [given_data(given) for given in worked.shown()],
+            "answers": [answer_data(answer, digits) for answer in worked.answers],
+        }
+        for name, worked in sheet.problems
+    ]
+    return with_variant(sheet, problems)
 
 
 def solution_pages(sheet: Sheet, digits: int) -> Iterator[DerivationPage]:

@@ -7,7 +7,7 @@ tell (which of two roots is nearer, whole turns), each variant is solved anew.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from msgspec import Struct
 from msgspec.structs import replace
@@ -65,8 +65,7 @@ class Branch:
         valid = self.solution.trace.validity() if self.solution.trace.validity is not None else None
         self.bounds = valid.bounds if valid is not None else ()
         asked = [item for item in witness.asked if item.symbols() and item not in self.bounds]
-        self.asked = tuple(item for item in asked if item.symbols() <= problem.values.keys())
-        self.signs = [sign_at(item, problem.values) for item in self.asked]
+        self.signs = signs_of(asked, problem)
         self.probed = False
         derivation = self.solution.derivation
         self.trusted = (
@@ -81,9 +80,7 @@ class Branch:
     def evaluated(self, problem: Problem) -> tuple[Answer, ...] | None:
         """The answers by their formulas; None where the numbers may decide otherwise than they did. Unsuited where a bound is broken."""
         values = problem.values
-        if not self.trusted or any(
-            sign_at(item, values) != sign for item, sign in zip(self.asked, self.signs, strict=True)
-        ):
+        if not self.trusted or any(sign_at(item, values) != sign for item, sign in self.signs.items()):
             return None
         if any(sign_at(bound, values) < 0 for bound in self.bounds):
             raise Unsuited("a string would go slack, or a contact open or slip")
@@ -105,8 +102,7 @@ class VariantReader:
         self.tree = scene_of(problem)
         with witnessed() as witness:
             read_tree(self.tree, problem.lines, problem.file)
-        asked = tuple(item for item in witness.asked if item.symbols() <= problem.values.keys())
-        self.signs = {item: sign_at(item, problem.values) for item in asked}
+        self.signs = signs_of(witness.asked, problem)
         self.by_size = witness.by_size
 
     def read(self, settings: Mapping[str, str]) -> Problem:
@@ -192,6 +188,11 @@ def sign_at(value: Formula, values: Values) -> int:
     return SignOracle(values).by_numbers(value) or 0
 
 
+def signs_of(asked: Iterable[Formula], problem: Problem) -> dict[Formula, int]:
+    """The signs of what has a number for the values of a problem."""
+    return {item: sign_at(item, problem.values) for item in asked if item.symbols() <= problem.values.keys()}
+
+
 def revalued(answer: Answer, values: Values) -> Answer | None:
     """An answer with the number that its closed form has for other values; None where that does not tell all that it says."""
     components = [revalued(part, values) for part in answer.components]
@@ -207,11 +208,9 @@ def revalued(answer: Answer, values: Values) -> Answer | None:
     if value is None or value.sign is None or value.sign != answer.value.sign:
         return None
     angle = angle_to_horizontal(parts, values) if answer.angle is not None else None
-    return (
-        None
-        if (angle is None) != (answer.angle is None)
-        else replace(answer, value=value, components=parts, angle=angle)
-    )
+    if (angle is None) != (answer.angle is None):
+        return None
+    return replace(answer, value=value, components=parts, angle=angle)
 
 
 def number_at(value: Formula, values: Values) -> Certified | None:
@@ -229,12 +228,8 @@ def angle_to_horizontal(parts: Sequence[Answer], values: Values) -> Certified | 
 
 def answers_agree(one: Answer, other: Answer) -> bool:
     """Whether two answers say the same."""
-    same = (one.name, one.direction, one.word) == (other.name, other.direction, other.word)
+    words = [(item.name, item.direction, item.word, len(item.components)) for item in (one, other)]
     numbers = [(certified_digits(item.value, PROBE), certified_digits(item.angle, PROBE)) for item in (one, other)]
-    parts = len(one.components) == len(other.components)
-    return (
-        same
-        and parts
-        and numbers[0] == numbers[1]
-        and all(answers_agree(*pair) for pair in zip(one.components, other.components, strict=True))
-    )
+    if words[0] != words[1] or numbers[0] != numbers[1]:
+        return False
+    return all(answers_agree(*pair) for pair in zip(one.components, other.components, strict=True))

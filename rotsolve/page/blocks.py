@@ -7,7 +7,7 @@ so that a format prints by itself only what it sets in a way of its own. A new k
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from msgspec import Struct
 
@@ -158,15 +158,8 @@ class Listing(PageBlock, frozen=True):
     @staticmethod
     def bullet(row: Listed) -> Bullet:
         beside = f" — {row.beside}" if row.beside else ""
-        return Bullet(
-            (
-                Styled(NAME, row.name),
-                ": ",
-                *joined_phrases(row.said, "; "),
-                beside,
-                *in_brackets(joined_phrases(row.remarks, "; ")),
-            )
-        )
+        remarks = in_brackets(joined_phrases(row.remarks, "; "))
+        return Bullet((Styled(NAME, row.name), ": ", *joined_phrases(row.said, "; "), beside, *remarks))
 
 
 class FormulaRow(Struct, frozen=True):
@@ -331,9 +324,7 @@ def carets(text: str, note: Note) -> tuple[str, ...]:
 class Page(Struct, frozen=True):
     """A page: its blocks for readers, and what it holds for programs. `spaced`: plain text has blank lines between its sections."""
 
-    @property
-    def spaced(self) -> bool:
-        return True
+    spaced: ClassVar[bool] = True
 
     def blocks(self) -> Iterator[PageBlock]:
         """What stands on it."""

@@ -53,12 +53,8 @@ def loosened(held: str, *, outer: bool) -> str:
     depth, result = 0, list(held)
     for index, letter in enumerate(held[:-1]):
         depth += (letter in "([") - (letter in ")]")
-        if (
-            letter == HELD
-            and held[index + 1] in SIGNS
-            and held[index + 2 : index + 3] == HELD
-            and not (outer and depth)
-        ):
+        before_sign = letter == HELD and held[index + 1] in SIGNS and held[index + 2 : index + 3] == HELD
+        if before_sign and not (outer and depth):
             result[index] = " "
     return "".join(result)
 
@@ -138,12 +134,10 @@ def row_lines(row: ColumnRow, indent: int, column: int, ends: int, width: int) -
     """The lines of one row: `column` is where the formula starts, `ends` where the remark does."""
     first = " " * indent + row.left
     middles = fold(row.middle, max(width - column, 20)) if row.middle else []
-    if middles and len(first) > column - GAP:
-        yield from (" " * indent + line for line in wrap(row.left, width - indent, 4))
-        first = ""
-    elif not middles:
-        *before, first = (" " * indent + line for line in wrap(row.left, width - indent, 4))
-        yield from before
+    if not middles or len(first) > column - GAP:
+        lines = [" " * indent + line for line in wrap(row.left, width - indent, 4)]
+        first = "" if middles else lines.pop()
+        yield from lines
     for number, middle in enumerate(middles):
         if number:
             yield first

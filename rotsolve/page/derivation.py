@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, ClassVar
 
 from rotsolve.core.derivation import Derivation, LawLine, Move, Section
 from rotsolve.page.blocks import (
@@ -28,10 +28,7 @@ class DerivationPage(Page, frozen=True):
     derivation: Derivation
     digits: int = 4
     file: str = ""
-
-    @property
-    def spaced(self) -> bool:
-        return False
+    spaced: ClassVar[bool] = False
 
     def blocks(self) -> Iterator[PageBlock]:
         derivation = self.derivation
@@ -69,10 +66,9 @@ def section_blocks(section: Section) -> Iterator[PageBlock]:
     """Forces, laws and algebra of one instant, phase or event."""
     level = 3 if section.title else 2
     if section.forces:
-        forces = section.forces
-        rows = [(line.body, line.forces, f"positive: {line.positive}" if line.positive else "") for line in forces]
-        listed = (Listed(*row, line.remarks) for row, line in zip(rows, forces, strict=True))
-        yield Listing("Forces", level, tuple(listed))
+        positive = [f"positive: {line.positive}" if line.positive else "" for line in section.forces]
+        rows = zip(section.forces, positive, strict=True)
+        yield Listing("Forces", level, tuple(Listed(line.body, line.forces, said, line.remarks) for line, said in rows))
     if section.remarks or section.laws:
         yield Formulas("Laws", level, section.remarks, tuple(map(law_row, section.laws)))
     if section.moves:

@@ -83,7 +83,7 @@ MATHEMATICS = {
 
 def latex_prose(text: str) -> str:
     """Prose as LaTeX; a letter that no font of plain LaTeX has becomes a question mark rather than an error."""
-    return "".join(_latex_letter(letter) for letter in text)
+    return "".join(map(_latex_letter, text))
 
 
 def _latex_letter(letter: str) -> str:
@@ -93,9 +93,8 @@ def _latex_letter(letter: str) -> str:
         return rf"\ensuremath{{{MATHEMATICS[letter]}}}"
     if letter.isspace():
         return " "
-    return (
-        letter if letter.isprintable() and ord(letter) < 0x180 else "?"
-    )  # Latin letters with accents are in every LaTeX
+    # Latin letters with accents are in every LaTeX
+    return letter if letter.isprintable() and ord(letter) < 0x180 else "?"
 
 
 def aligned(rows: Sequence[str]) -> Iterator[str]:

@@ -66,11 +66,9 @@ class TextRows:
 
     def title(self, block: blocks.Title, indent: int, width: int) -> Iterator[TextLine]:
         """A heading; that of the page has a blank line below it."""
-        first = block.level == 1
-        yield from paragraph_lines(
-            self.words(block.words), max(0, 2 * block.level - 4), width, "title" if first else "heading"
-        )
-        yield from [TextLine("")] if first else []
+        role = "title" if block.level == 1 else "heading"
+        yield from paragraph_lines(self.words(block.words), max(0, 2 * block.level - 4), width, role)
+        yield from [TextLine("")] if block.level == 1 else []
 
     def paragraph(self, block: blocks.Paragraph, indent: int, width: int) -> Iterator[TextLine]:
         yield from paragraph_lines(self.words(block.words), indent, width)

@@ -11,10 +11,10 @@ from typing import Any
 
 from msgspec.structs import replace
 
-from rotsolve.run.attempt import BAD, FileOutcome, SolveRequest, attempt, internal_error, piped, scenes
+from rotsolve.run.attempt import BAD, FileOutcome, SolveRequest, attempt, piped, scenes
 from rotsolve.run.delivery import deliver
 
-__all__ = ["SolveRequest", "internal_error", "solve_files"]
+__all__ = ["SolveRequest", "solve_files"]
 
 PATIENCE = 1.0  # seconds before a progress bar is worth its place
 
