@@ -176,6 +176,10 @@ class Configuration(Struct, frozen=True, dict=True):
         added = [item for event in self.events(state) for item in event.adds()]
         return (*[item for item in self.problem.connections if item.name not in gone], *added)
 
+    def connection(self, name: str, state: str) -> Connection | None:
+        """The connection of that name, where it acts at a state."""
+        return next((item for item in self.connections(state) if item.name == name), None)
+
     def events(self, state: str) -> list[Event]:
         """What has happened up to a state."""
         passed = self.timeline.intervals[: self.timeline.order[state]]

@@ -22,7 +22,6 @@ from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, a
 
 if TYPE_CHECKING:
     from rotsolve.motion.instant import Instant
-    from rotsolve.paths.inertias import OfInertias
 
 HALF = Number(Fraction(1, 2))
 
@@ -51,13 +50,10 @@ class OfBodies(AtInstant, frozen=True):
         return mass_of(body) if shape_of(body).tabled else self.spread(path, term)
 
     def spread(self, path: Path, term: Term | None) -> Meant:
-        """How the mass is spread: moment of inertia, radius of gyration, tensor, centre of mass."""
-        return self._inertias().meaning(path, term)
-
-    def _inertias(self) -> OfInertias:
+        """How the mass is spread: moment of inertia, radius of gyration, tensor, centre of mass, angular momentum in space."""
         from rotsolve.paths.inertias import OfInertias
 
-        return OfInertias(self.instant, self.facts)
+        return OfInertias(self.instant, self.facts).meaning(path, term)
 
     def instantaneous_centre(self, path: Path, term: Term | None) -> Meaning:
         """Where v + ω × r = 0, from the centre of mass: x = −v_y/ω, y = vₓ/ω."""
@@ -109,16 +105,12 @@ class OfBodies(AtInstant, frozen=True):
         """½ m v² + ½ I ω²; of a body joined to others, that of its own mass."""
         name, component = path.owner, path.component
         if self._joined(name) and component is None:
-            motion = self.instant.motion(name)
+            motion, mass = self.instant.motion(name), mass_of(self.instant.body(name))
+            turning = HALF * self._own_moment(name, about_axis=motion.kind == "axis") * square(motion.spin)
             if motion.kind == "axis":
-                own = HALF * self._own_moment(name) * square(motion.spin)
-                outward = HALF * mass_of(self.instant.body(name)) * square(self.instant.outward(name))
-                return total([part for part in (own, outward) if part != ZERO])
+                return total([turning, HALF * mass * square(self.instant.outward(name))])
             velocity = self.instant.velocity(PointRef(name, "cm"))
-            own = self._own_moment(name, about_axis=False)
-            return total(
-                [HALF * mass_of(self.instant.body(name)) * velocity.dot(velocity), HALF * own * square(motion.spin)]
-            )
+            return total([HALF * mass * velocity.dot(velocity), turning])
         body = self.body(name)
         terms = kinetic([body])
         if component == "rotational" and body.inertia is not None:
@@ -126,10 +118,8 @@ class OfBodies(AtInstant, frozen=True):
         if component == "translational":
             parts = body.centre_velocity.parts
             across = all((one - other).cos() == ZERO for (_, one), (_, other) in combinations(parts, 2))
-            squares = (
-                [square(size) for size, _ in parts] if across else [body.centre_velocity.dot(body.centre_velocity)]
-            )
-            terms = [HALF * body.mass * item for item in squares if item != ZERO]
+            whole = [body.centre_velocity.dot(body.centre_velocity)]
+            terms = [HALF * body.mass * item for item in ([square(size) for size, _ in parts] if across else whole)]
         return total(terms)
 
     def _joined(self, name: str) -> bool:
@@ -157,7 +147,7 @@ class OfBodies(AtInstant, frozen=True):
     def angular_momentum(self, path: Path, term: Term | None) -> Meant:
         """About the axis or a point; with a component, by the tensor; of a part of a body, its share."""
         if path.component is not None:
-            return self._inertias().angular_momentum(path, term)
+            return self.spread(path, term)
         return self._share(path) if path.point else self._spin_or_orbital(path.owner, term)
 
     def _spin_or_orbital(self, name: str, term: Term | None) -> Formula:
@@ -191,7 +181,7 @@ class OfBodies(AtInstant, frozen=True):
         place = body.cm - instant.point(about) if own else meeting_place(body.name, about, instant)
         spin = body.inertia.letter * body.motion.spin if body.inertia is not None else ZERO
         orbital = place.cross(body.centre_velocity.scaled(body.mass))
-        return total([signed(part, body.motion.sense) for part in (orbital, spin) if part != ZERO])
+        return total([signed(part, body.motion.sense) for part in (orbital, spin)])
 
     def momentum(self, path: Path, term: Term | None) -> Meant:
         """m v along the line of travel, a component of it, or its size."""
@@ -205,26 +195,20 @@ class OfBodies(AtInstant, frozen=True):
 
     def torque(self, path: Path, term: Term | None) -> Formula:
         """Net torque about the reference (I α), or that of the weight alone."""
-        body, component = self.body(path.owner), path.component
-        wanted = [force for force in body.forces if component != "gravity" or force.role.weighs]
-        torques = [signed(force.torque, body.motion.sense) for force in wanted]
-        if component != "gravity":
-            torques += [signed(couple.torque, body.motion.sense) for couple in body.couples]
-        return total([torque for torque in torques if torque != ZERO])
+        body, alone = self.body(path.owner), path.component == "gravity"
+        wanted = [force for force in body.forces if force.role.weighs] if alone else body.acting
+        return total([signed(item.torque, body.motion.sense) for item in wanted])
 
     def force(self, path: Path, term: Term | None) -> Meant:
         """Resultant of the forces on a body, m a: its size or a component; with `gravity` the weight alone."""
-        name, component = path.owner, path.component
+        name, component, dimension = path.owner, path.component, QUANTITIES["force"].dimension
         body = self.body(name)
         if component == "gravity":
             weight = Vector(tuple(part for force in body.forces if force.role.weighs for part in force.vector.parts))
             size = total([force.size for force in body.forces if force.role.weighs])
-            return Meaning(size, QUANTITIES["force"].dimension, tidy(weight))
-        vector = Vector()
-        for force in body.forces:
-            vector = vector + force.vector
+            return Meaning(size, dimension, tidy(weight))
         if component in ("x", "y"):
-            return vector.along(RIGHT if component == "x" else UP)
+            return sum((force.vector for force in body.forces), Vector()).along(RIGHT if component == "x" else UP)
         pull = body.centre_acceleration.scaled(body.mass)
         if component in NATURAL:
             if not body.cm.parts:
@@ -233,22 +217,15 @@ class OfBodies(AtInstant, frozen=True):
                     help="ask for `x` or `y`",
                 )
             part = about_centre(pull, body.cm, body.motion.sense, component or "")
-            return Meaning(
-                part, QUANTITIES["force"].dimension, label=f"{component} part of the resultant on {spoken(name)}"
-            )
-        return Meaning(
-            vector_size(pull), QUANTITIES["force"].dimension, pull, label=f"resultant force on {spoken(name)}"
-        )
+            return Meaning(part, dimension, label=f"{component} part of the resultant on {spoken(name)}")
+        return Meaning(vector_size(pull), dimension, pull, label=f"resultant force on {spoken(name)}")
 
     def power(self, path: Path, term: Term | None) -> Formula:
         """Σ F·v + Σ τ ω; with `gravity` that of the weight alone."""
-        body, component = self.body(path.owner), path.component
-        parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces]
-        if component == "gravity":
-            parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in body.forces if force.role.weighs]
-        else:
-            parts += [couple.torque * body.motion.spin for couple in body.couples]
-        return total([part for part in parts if part != ZERO])
+        body, alone = self.body(path.owner), path.component == "gravity"
+        forces = [force for force in body.forces if force.role.weighs or not alone]
+        parts = [force.vector.dot(body.motion.velocity_of(force.arm)) for force in forces]
+        return total(parts + [couple.torque * body.motion.spin for couple in body.couples if not alone])
 
 
 OF_BODIES: dict[str, Callable[[OfBodies, Path, Term | None], Meant]] = {  # what can be asked of a whole body

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 
 from msgspec.structs import replace
 
@@ -31,19 +30,15 @@ class OfInertias(AtInstant, frozen=True):
     """Reads paths about the spread of a body's mass."""
 
     def meaning(self, path: Path, term: Term | None) -> Meaning:
-        """The meaning of `inertia`, `gyration`, `inertia_tensor`, `cm` or `mass` of a body."""
-        told = self.refused(path, lambda: self._told(path, term))
+        """The meaning of `inertia`, `gyration`, `inertia_tensor`, `cm`, `mass` or a component of `angular_momentum` of a body."""
+        try:
+            told = self._told(path, term)
+        except (Unknown, NotSliced) as error:
+            raise NotYet(str(error)) from None
         dimension = QUANTITIES[path.quantity].dimension
         return Meaning(
             told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
         )
-
-    def refused(self, path: Path, told: Callable[[], Told]) -> Told:
-        """What is told, or the refusal in words."""
-        try:
-            return told()
-        except (Unknown, NotSliced) as error:
-            raise NotYet(str(error)) from None
 
     def is_flat(self, name: str, term: Term) -> bool:
         """Whether the centres of mass of all pieces lie at the height of the point about which is asked."""
@@ -53,6 +48,8 @@ class OfInertias(AtInstant, frozen=True):
         return all(is_zero(piece.height - height) for piece in self.instant.frame(name).pieces)
 
     def _told(self, path: Path, term: Term | None) -> Told:
+        if path.quantity == "angular_momentum":
+            return self._angular_momentum(path, term)
         if not shape_of(self.instant.body(path.owner)).rigid:
             raise NotYet(f"`{path.owner}` is no rigid body: it has no `{path.quantity}`")
         if path.quantity == "cm":
@@ -67,10 +64,7 @@ class OfInertias(AtInstant, frozen=True):
             known = inertia.perpendicular(spread) if entry == "zz" else None
             return known or inertia.by_symmetry(spread, entry) or inertia.moment(spread, entry)
         told = self._moment_of_inertia(path, term)
-        if path.quantity == "gyration":
-            spread = self._spread(path.owner, term)
-            return inertia.gyration(spread, told)
-        return told
+        return inertia.gyration(self._spread(path.owner, term), told) if path.quantity == "gyration" else told
 
     def _centre(self, path: Path, term: Term | None) -> Told:
         """A coordinate of the centre of mass, from where the coordinates of the body begin."""
@@ -89,29 +83,29 @@ class OfInertias(AtInstant, frozen=True):
         if along in (None, "z"):
             reference = self.instant.frame(path.owner).reference
             at_reference = not tidy(self._point(path.owner, term)[0] - reference).parts
-            plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or self._held(path.owner)
+            held = self.instant.configuration.pivot(path.owner, self.instant.state) is not None  # by a hinge or axle
+            plain = (len(spread.pieces) == 1 and spread.pieces[0].shape.tabled) or held
             if facts is not None and at_reference and plain and not spread.integrates:
                 return Told(facts.letter, "")
             return self._perpendicular(path, term, spread) or inertia.moment(spread, "zz")
-        if isinstance(along, str) and along not in ENTRY_OF:
+        if not isinstance(along, str):
+            return inertia.along(spread, heading(along or ZERO))
+        if along not in ENTRY_OF:
             raise NotYet(
                 f"`along {along}` is no axis of a moment of inertia", help="write `along x`, `y`, `z` or an angle"
             )
-        if isinstance(along, str):
-            return inertia.moment(spread, ENTRY_OF[along])
-        return inertia.along(spread, heading(along or ZERO))
-
-    def _held(self, name: str) -> bool:
-        """Whether a hinge or axle holds the body, so that the laws of the scene speak of its moment of inertia."""
-        return self.instant.configuration.pivot(name, self.instant.state) is not None
+        return inertia.moment(spread, ENTRY_OF[along])
 
     def _perpendicular(self, path: Path, term: Term | None, spread: Spread) -> Told | None:
         """I_z = I_x + I_y of a flat body where both are asked for about the same point."""
         if term is None or spread.integrates:
             return None
-        asked = {self._bare(other) for find in self.instant.configuration.problem.finds for other in find.terms}
-        across = {self._bare(replace(term, path=path, along=axis)) for axis in "xy"}
-        return inertia.perpendicular(spread) if across <= asked else None
+        across = {bare(replace(term, path=path, along=axis)) for axis in "xy"}
+        return inertia.perpendicular(spread) if across <= self._asked() else None
+
+    def _asked(self) -> set[Term]:
+        """What the scene asks for, wherever it does."""
+        return {bare(other) for find in self.instant.configuration.problem.finds for other in find.terms}
 
     def _spread(self, name: str, term: Term | None) -> Spread:
         """The pieces of a body and the point about which is asked."""
@@ -123,7 +117,7 @@ class OfInertias(AtInstant, frozen=True):
         facts = self.body(name).inertia if instant.host(name) == name else None
         centred = facts is not None and not own.cm.parts and len(own.pieces) == 1 and own.pieces[0].shape.tabled
         integrates = term is not None and term.by == "integration"
-        doubled = integrates and self._asked_twice(term)
+        doubled = term is not None and integrates and bare(replace(term, by=None)) in self._asked()
         return Spread(
             name,
             own.pieces,
@@ -141,19 +135,6 @@ class OfInertias(AtInstant, frozen=True):
             tuple((given.name, given.dimension) for given in instant.configuration.problem.givens),
         )
 
-    def _asked_twice(self, term: Term | None) -> bool:
-        """Whether the scene asks for the same without integration as well."""
-        assert term is not None
-        plain = self._bare(replace(term, by=None))
-        return any(
-            self._bare(other) == plain for find in self.instant.configuration.problem.finds for other in find.terms
-        )
-
-    def _bare(self, term: Term) -> Term:
-        """A term without the places in the file where it stands."""
-        about = None if term.about is None else replace(term.about, span=None)
-        return replace(term, path=replace(term.path, span=None, component=None), about=about)
-
     def _point(self, name: str, term: Term | None) -> tuple[Vector, Formula, PointRef | None]:
         """The point about which is asked, in the body's axes, and its height: the centre of mass where nothing is said."""
         instant = self.instant
@@ -161,24 +142,15 @@ class OfInertias(AtInstant, frozen=True):
         if about is None:
             own = instant.frame(name)
             return own.reference + own.cm, rise(instant.body(name), PointRef(name, "cm")), None
-        support = next(
-            (item for item in instant.configuration.connections(instant.state) if item.name == about.owner), None
-        )
+        support = instant.configuration.connection(about.owner, instant.state)
         ref = next((ref for ref in support.touches() if ref.owner == name), None) if support is not None else about
         if ref is None or ref.owner != name:
             raise NotYet(f"`{about.owner}` is no point of `{name}`", about.span)
         body = instant.body(name)
         return locate(body, ref), rise(body, ref), ref
 
-    def angular_momentum(self, path: Path, term: Term | None) -> Meaning:
-        """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
-        told = self.refused(path, lambda: self._angular_momentum(path, term))
-        dimension = QUANTITIES[path.quantity].dimension
-        return Meaning(
-            told.formula, dimension, label=told.label, said=told.said, definitions=told.definitions, law=told.law
-        )
-
     def _angular_momentum(self, path: Path, term: Term | None) -> Told:
+        """A component of L = Σ r × m v about a point of the axis: of a body that turns about z, (I_zx, I_yz, I_zz) ω."""
         motion = self.instant.motion(path.owner)
         if motion.kind != "axis":
             raise NotYet(f"`{path.owner}` turns about no fixed axis: its angular momentum in space is not solved yet")
@@ -195,7 +167,8 @@ class OfInertias(AtInstant, frozen=True):
         spin = motion.spin
         if all(piece.shape.pointlike for piece in spread.pieces):
             terms = [_orbital(arm_of(spread, piece), piece.mass, spin, axis) for piece in spread.pieces]
-            return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", _velocity(spin))
+            speed = ("v = ", negate(spin) if is_negative(spin) else spin, " × r, perpendicular to the axis")
+            return Told(total(flat(terms)), f"angular momentum, L = Σ r × m v, along {axis}", speed)
         told = inertia.moment(spread, {"x": "zx", "y": "yz", "z": "zz"}[axis])
         return Told(multiply(told.formula, spin), f"angular momentum along {axis}, I_{axis}z ω", (), told.definitions)
 
@@ -209,10 +182,10 @@ def _orbital(arm: Place, mass: Formula, spin: Formula, axis: str) -> Formula:
     return negate(lever)
 
 
-def _velocity(spin: Formula) -> tuple[str | Formula, ...]:
-    """How fast each part moves."""
-    size = negate(spin) if is_negative(spin) else spin
-    return ("v = ", size, " × r, perpendicular to the axis")
+def bare(term: Term) -> Term:
+    """A term without the places in the file where it stands."""
+    about = None if term.about is None else replace(term.about, span=None)
+    return replace(term, path=replace(term.path, span=None, component=None), about=about)
 
 
 def _index_of_point(ref: PointRef | None) -> str:

@@ -23,11 +23,11 @@ from rotsolve.language.problem import Path, Term
 from rotsolve.motion.rigid import tidy
 
 if TYPE_CHECKING:
-    from rotsolve.algebra.units.dimension import Dimension
-    from rotsolve.core.derivation import Words
     from rotsolve.core.faults import Span
-    from rotsolve.language.problem import Path, Term
     from rotsolve.motion.instant import Instant
+
+
+TWO = Number(Fraction(2))
 
 
 class NotYet(ValueError):
@@ -82,7 +82,7 @@ def absolute(size: Formula) -> Formula:
     plain = size.operand if hasattr(size, "operand") else size
     factors = plain.factors if isinstance(plain, Product) else (plain,)
     varying = [part for part in factors if has_quantities(part)]
-    inside = [part for part in varying if not is_square(part)]
+    inside = [part for part in varying if not (isinstance(part, Power) and part.exponent == TWO)]
     outside = [part for part in factors if part not in inside]
     if not inside:
         return Call("abs", (plain,)) if plain.symbols() and not varying else plain
@@ -90,10 +90,6 @@ def absolute(size: Formula) -> Formula:
     for part in reversed(outside):
         bars = part * bars
     return bars
-
-
-def is_square(value: Formula) -> bool:
-    return isinstance(value, Power) and value.exponent == Number(Fraction(2))
 
 
 def label_of(path: Path, term: Term | None) -> str:

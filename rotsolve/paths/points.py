@@ -30,13 +30,9 @@ class OfPoints(AtInstant, frozen=True):
 
     def at_point(self, path: Path) -> bool:
         """Whether the path speaks of a point: a named one, or the centre of mass of what turns about another point."""
-        return path.quantity in OF_POINTS and (
-            path.point is not None or path.component in NATURAL or not self._travels(path)
-        )
-
-    def _travels(self, path: Path) -> bool:
-        motion = self.instant.motion(path.owner)
-        return motion.kind == "line" and self.instant.host(path.owner) == path.owner
+        if path.quantity not in OF_POINTS or path.point is not None or path.component in NATURAL:
+            return path.quantity in OF_POINTS
+        return self.instant.motion(path.owner).kind != "line" or self.instant.host(path.owner) != path.owner
 
     def motion_of(self, path: Path) -> Meaning:
         """Velocity or acceleration of a point: as a vector with its size, or a component."""

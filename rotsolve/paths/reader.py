@@ -23,7 +23,6 @@ from rotsolve.paths.points import OF_POINTS, OfPoints
 
 if TYPE_CHECKING:
     from rotsolve.language.elements import Connection
-    from rotsolve.language.problem import Path
 
 
 class Acting(NamedTuple):
@@ -41,7 +40,8 @@ class OfElements(AtInstant, frozen=True):
         bodies = self.facts().bodies
         forces = [(body, force) for body in bodies for force in body.forces if force.owner == path.owner]
         couples = [(body, couple) for body in bodies for couple in body.couples if couple.owner == path.owner]
-        if not forces and not couples and path.quantity != "tension" and self._absent(path.owner):
+        acting = {item.name for item in self.instant.configuration.acting(self.instant.state)}
+        if not forces and not couples and path.quantity != "tension" and path.owner not in acting:
             raise NotYet(f"`{path.owner}` does not act{self._moment()}")
         reading = OF_ELEMENTS.get(path.quantity)
         found = None if reading is None else reading(self, path, Acting(forces, couples))
@@ -55,20 +55,20 @@ class OfElements(AtInstant, frozen=True):
         own = [(body, couple) for body, couple in acting.couples if body.name == last]
         parts = [signed(couple.torque, body.motion.sense) for body, couple in own[-1:]]
         parts += [signed(force.torque, body.motion.sense) for body, force in acting.forces]
-        return total([part for part in parts if part != ZERO])
+        return total(parts)
 
     def power(self, path: Path, acting: Acting) -> Formula:
         """Σ F·v + Σ τ ω; of a motor that is told by its power, just that."""
         if any(couple.role.powered for _, couple in acting.couples):
-            return self._given_power(path.owner)
+            actions = self.instant.configuration.actions(self.instant.state)
+            return next(item for item in actions if item.name == path.owner).now(self.instant)
         parts = [couple.torque * body.motion.spin for body, couple in acting.couples]
         parts += [force.vector.dot(body.motion.velocity_of(force.arm)) for body, force in acting.forces]
-        return total([_plain(part) for part in parts if part != ZERO])
+        return total([_plain(part) for part in parts])
 
     def elongation(self, path: Path, acting: Acting) -> Formula:
         stored = self._stored(path.owner)
-        placed = stored is not None and stored.placed
-        return stored.elongation if stored is not None and placed else self.instant.ask("elongation", path.owner)
+        return stored.elongation if stored is not None and stored.placed else self.instant.ask("elongation", path.owner)
 
     def length(self, path: Path, acting: Acting) -> Formula | None:
         """How long a rope is that hangs, whose weight stores energy by that."""
@@ -81,15 +81,17 @@ class OfElements(AtInstant, frozen=True):
         """Where on a curved surface a body is; else how the two bodies of a connection, or the one that it holds, turn."""
         if path.quantity == "angle" and (contact := self._contact(path.owner)) is not None:
             return contact.touching_angle(self.instant)
-        if path.quantity != "angle" and (pair := self._between(path.owner)):
-            return self._relative(path.quantity, *pair)
+        item = self._connection(path.owner)
+        if path.quantity != "angle" and item is not None and item.between():
+            return self._relative(path.quantity, *(self.instant.host(ref.owner) for ref in item.between()))
         name = self._turned_by(path.owner)
         return OfBodies(self.instant, self.facts).of_body(replace(path, owner=name), None) if name else None
 
     def contact_force(self, path: Path, acting: Acting) -> Meant:
         """The push of a surface or its friction, on the body that a contact names first."""
         rubs = path.quantity == "friction_force"
-        first = self._first_body(path.owner)
+        item = self._connection(path.owner)
+        first = self.instant.host(item.touches()[0].owner) if item is not None and item.touches() else ""
         forces = sorted(acting.forces, key=lambda pair: pair[0].name != first)
         force = next((force for _, force in forces if (force.role.rubs if rubs else force.role.presses)), None)
         if force is None:
@@ -100,22 +102,14 @@ class OfElements(AtInstant, frozen=True):
         """The energy that a spring or wire stores."""
         return next((item for item in self.facts().potentials if item.owner == owner), None)
 
-    def _given_power(self, owner: str) -> Formula:
-        """The power of a motor that is told by its power."""
-        item = next(item for item in self.instant.configuration.actions(self.instant.state) if item.name == owner)
-        return item.now(self.instant)
+    def _connection(self, owner: str) -> Connection | None:
+        return self.instant.configuration.connection(owner, self.instant.state)
 
     def _contact(self, owner: str) -> Connection | None:
         """The contact of a body with a curved surface that a path names."""
-        state = self.instant.state
-        item = next((item for item in self.instant.configuration.connections(state) if item.name == owner), None)
-        surface = item.surface(self.instant.configuration, state) if item is not None else None
+        item = self._connection(owner)
+        surface = item.surface(self.instant.configuration, self.instant.state) if item is not None else None
         return item if surface is not None and surface.curved else None
-
-    def _between(self, owner: str) -> tuple[str, ...]:
-        """The two bodies of a connection that turn against each other."""
-        items = self.instant.configuration.connections(self.instant.state)
-        return tuple(self.instant.host(ref.owner) for item in items if item.name == owner for ref in item.between())
 
     def _relative(self, word: str, first: str, last: str) -> Formula:
         """Angular velocity or acceleration of the last body less that of the first, along the last one's positive turn."""
@@ -123,20 +117,9 @@ class OfElements(AtInstant, frozen=True):
         way = instant.sense(first) * instant.sense(last)
         return instant.rate(word, last) - signed(instant.rate(word, first), way)
 
-    def _absent(self, owner: str) -> bool:
-        """Whether an action or connection has ended or been cut by this moment."""
-        configuration, state = self.instant.configuration, self.instant.state
-        acting = {item.name for item in configuration.connections(state)} | {
-            item.name for item in configuration.actions(state)
-        }
-        return owner not in acting
-
     def tension(self, path: Path, acting: Acting) -> Formula:
         """The tension of a string, or of the part that leaves the body that the path names."""
-        item = next(
-            (item for item in self.instant.configuration.connections(self.instant.state) if item.name == path.owner),
-            None,
-        )
+        item = self._connection(path.owner)
         tension = item.tension_at(path.point, self.instant) if item is not None and path.point else None
         if tension is not None:
             return tension
@@ -153,10 +136,8 @@ class OfElements(AtInstant, frozen=True):
         """The force on the last-named body: its components, or its size."""
         forces = acting.forces
         if not forces:
-            couplings = [
-                couple for body in self.facts().bodies for couple in body.couples if couple.owner == path.owner
-            ]
-            letters = of_kinds((name for couple in couplings for name in couple.torque.symbols()), ("force",))
+            torques = [couple.torque for _, couple in acting.couples]
+            letters = of_kinds((name for torque in torques for name in torque.symbols()), ("force",))
             if letters:
                 return Symbol(letters[0])
             raise NotYet(f"`{path.owner}` exerts no force{self._moment()}")
@@ -184,20 +165,12 @@ class OfElements(AtInstant, frozen=True):
             )
         return about_centre(vector, arm, body.motion.sense, component)
 
-    def _first_body(self, owner: str) -> str:
-        """The body that a connection names first: of two that touch, the one that lies on the other."""
-        items = (item for item in self.instant.configuration.connections(self.instant.state) if item.name == owner)
-        return next((self.instant.host(item.touches()[0].owner) for item in items if item.touches()), "")
-
     def _last_body(self, owner: str, bodies: list[str]) -> str:
         """Of the bodies on which it acts, the one that the connection names last."""
         instant = self.instant
-        item = next((item for item in instant.configuration.connections(instant.state) if item.name == owner), None)
-        named = (
-            [instant.host(ref.owner) for ref in item.touches() if ref.owner in instant.configuration.bodies]
-            if item
-            else []
-        )
+        item = self._connection(owner)
+        refs = [ref for ref in item.touches() if ref.owner in instant.configuration.bodies] if item else []
+        named = [instant.host(ref.owner) for ref in refs]
         return next((name for name in reversed(named) if name in bodies), bodies[-1])
 
 
@@ -282,7 +255,8 @@ class PathReader(AtInstant, frozen=True):
 
     def of_scene(self, path: Path) -> Meant:
         """A quantity of all bodies together."""
-        found = OF_SCENE[path.quantity](self, path) if path.quantity in OF_SCENE else None
+        reading = OF_SCENE.get(path.quantity)
+        found = reading(self, path) if reading is not None else None
         if found is None:
             raise NotYet(f"`{path.quantity}` of the whole scene is not solved yet")
         return found
