@@ -17,7 +17,8 @@ from rotsolve.core.facts import BodyFacts, Facts, signed
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import NEAR, REST, SymbolKey, is_quantity, key_of, of_kinds
 from rotsolve.core.writing import spoken
-from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving, rates_of_body
+from rotsolve.equations.states import rates_of_body
+from rotsolve.equations.swing import Swing, displacements, displacements_of_body, moving
 from rotsolve.language.problem import Term
 from rotsolve.laws import groups
 from rotsolve.motion.configuration import Configuration
@@ -42,7 +43,7 @@ def stable_angle(still: Facts, group: frozenset[str], signs: SignOracle) -> tupl
         raise NotYet("nothing drives these bodies back to an equilibrium: there are no swings")
     drive = balance[0] - balance[1]
     letters = of_kinds(drive.symbols(), PLACES)
-    if not any(inside_function(drive, name) for name in letters):
+    if not any(letter in node.symbols() for letter in letters for node in drive.walk(Call)):  # in a sine or cosine
         root = solve_linear(drive, letters[0]) if len(letters) == 1 else None
         return (letters[0], root) if isinstance(root, (Number, Symbol)) else None
     if len(letters) > 1:
@@ -73,11 +74,6 @@ def angle_rates(angle: str, body: BodyFacts) -> Iterator[Formula]:
         yield body.motion.spin
     elif bend is not None and angle in bend.outward.formula().symbols():
         yield body.motion.velocity.along(bend.outward.turned(90)) / bend.radius
-
-
-def inside_function(value: Formula, name: str) -> bool:
-    """Whether a letter stands in a sine or cosine."""
-    return any(isinstance(node, Call) and name in node.symbols() for node in value.walk(Call))
 
 
 class Moments(Struct, frozen=True):
@@ -116,9 +112,7 @@ class Placing(Struct, frozen=True):
 
     def named(self, state: str) -> Moments:
         """The moments about an equilibrium that is a state of the scene."""
-        rest = Instant(self.configuration, self.registry, state, False, self.modes)
-        still = free_bodies(moving(rest))
-        return Moments(rest, still, self.displaced(rest, still), {})
+        return self.moments(Instant(self.configuration, self.registry, state, False, self.modes), {})
 
     def found(self, state: str) -> Moments:
         """The moments about an equilibrium that is worked out: the angles of hinged bodies here, the rest by the laws."""
@@ -128,7 +122,7 @@ class Placing(Struct, frozen=True):
         for key, quantity in self.registry.quantities.items():
             if quantity.kind in PLACES and quantity.when == rest.when:
                 self.registry.quantities[key] = replace(quantity, letter=f"{quantity.letter}0")
-        troubles = {}
+        troubles: dict[frozenset[str], NotYet] = {}
         for group in groups_of(self.configuration, still, state):
             try:
                 root = stable_angle(still, group, self.configuration.signs)
@@ -137,15 +131,14 @@ class Placing(Struct, frozen=True):
                 continue
             if root is not None:
                 self.registry.known[root[0]] = root[1]
-        rest = self.moment(state, REST)
-        still = free_bodies(moving(rest))
-        return Moments(rest, still, self.displaced(rest, still), troubles)
+        return self.moments(self.moment(state, REST), troubles)
 
-    def displaced(self, rest: Instant, still: Facts) -> Instant:
-        """A moment of the swings about an equilibrium, velocities left out: they are small of second order."""
+    def moments(self, rest: Instant, troubles: Mapping[frozenset[str], NotYet]) -> Moments:
+        """All moments of the swings about an equilibrium, velocities left out: they are small of second order."""
+        still = free_bodies(moving(rest))
         self.hold(self.moment(rest.state, NEAR), ("velocity",))
         self.displace(rest, still, self.moment(rest.state, NEAR))
-        return self.moment(rest.state, NEAR)
+        return Moments(rest, still, self.moment(rest.state, NEAR), troubles)
 
     def moment(self, state: str, mark: str) -> Instant:
         """A moment of swings or of their equilibrium: contacts stick, since nothing moves far."""

@@ -73,13 +73,7 @@ class SceneEquations(Struct, dict=True):
         states = self.configuration.timeline.states
         if any(line.path is not None and line.path.owner in rubbing for state in states for line in state.conditions):
             return SceneEquations(self.configuration, modes)
-        other = SceneEquations(
-            self.configuration,
-            modes,
-            self.registry,
-            self.stated,
-            _moments={} if self._moments is None else self._moments,
-        )
+        other = SceneEquations(self.configuration, modes, self.registry, self.stated, _moments=self._moments)
         same = {state.name for state in states if self.modes_at(state.name) == other.modes_at(state.name)}
         other._instants.update((key, instant) for key, instant in self._instants.items() if key[0] in same)
         other._facts.update((key, facts) for key, facts in self._facts.items() if key[0] in same)
@@ -133,7 +127,9 @@ class SceneEquations(Struct, dict=True):
     @cached_property
     def swings(self) -> dict[str, Swing]:
         """The swings that questions speak of, by the section of the displaced bodies and the body that leads."""
-        spoken_of = (*self._swings_asked(), *self._swings_observed())
+        states = self.configuration.timeline.states
+        observations = [(line, term) for state in states for line, term in observed(state)]
+        spoken_of = (*self._swings_asked(), *((term, line.span) for line, term in observations))
         if not spoken_of:
             return {}
         from rotsolve.equations.equilibrium import Placing
@@ -146,11 +142,10 @@ class SceneEquations(Struct, dict=True):
                     found[question_of(term)] = placing.swing(term)
                 except NotYet as error:
                     raise NotYet(str(error), error.span or span, error.help) from None
-        for state in self.configuration.timeline.states:
-            for line, term in observed(state):
-                letter = found[question_of(term)].letters[term.path.quantity]
-                if isinstance(letter, Symbol) and line.value is not None:
-                    self.registry.known[letter.name] = line.value
+        for line, term in observations:
+            letter = found[question_of(term)].letters[term.path.quantity]
+            if isinstance(letter, Symbol) and line.value is not None:
+                self.registry.known[letter.name] = line.value
         return found
 
     def _swings_asked(self) -> Iterator[tuple[Term, Span | None]]:
@@ -159,11 +154,6 @@ class SceneEquations(Struct, dict=True):
             for term in (*find.terms, *([term_of(where)] if where is not None else [])):
                 if term.path.quantity in OSCILLATING:
                     yield term, find.span
-
-    def _swings_observed(self) -> Iterator[tuple[Term, Span | None]]:
-        for state in self.configuration.timeline.states:
-            for line, term in observed(state):
-                yield term, line.span
 
     @property
     def observed(self) -> list[Swing]:
@@ -190,8 +180,7 @@ class SceneEquations(Struct, dict=True):
 
     def _empty(self, equation: Equation) -> bool:
         """Whether an equation holds whatever happens (0 = 0 once rest is put in)."""
-        names = equation.symbols()
-        return not any(map(is_key, names)) and is_zero(equation.left - equation.right)
+        return not any(map(is_key, equation.symbols())) and is_zero(equation.left - equation.right)
 
     def _written(self) -> Iterator[Equation]:
         """All that the states say and the laws write, in the order of time within each kind."""
@@ -213,9 +202,8 @@ class SceneEquations(Struct, dict=True):
 
     def _held(self, state: State) -> Iterator[Rule]:
         """Contacts that a state says to roll or stick: their touching points are at rest then."""
-        said = {
-            line.path.owner for line in state.conditions if line.path is not None and line.word in ("rolls", "sticks")
-        }
+        lines = [line for line in state.conditions if line.word in ("rolls", "sticks")]
+        said = {line.path.owner for line in lines if line.path is not None}
         for item in self.configuration.connections(state.name):
             rule = item.grip_rule(self.instant(state.name)) if item.name in said else None
             if rule is not None:
@@ -231,16 +219,12 @@ class SceneEquations(Struct, dict=True):
         assert self._moments is not None
         key = (state.name, self.modes_at(state.name))
         if key not in self._moments:
-            self._moments[key] = list(self._at(state))
+            facts, virtual = self.facts(state.name), self.facts(state.name, virtual=True)
+            section = self.section(state.name)
+            written = self._moments[key] = list(equations_for(STATE, AtMoment(facts, section, state.name)))
+            for group in groups_of(self.configuration, facts, state.name):  # of all tied bodies together
+                written += equations_for(GROUP, OfGroup(facts, virtual, group, section))
         return self._moments[key]
-
-    def _at(self, state: State) -> Iterator[Equation]:
-        """What the laws say at a state, and there of all tied bodies together."""
-        facts, virtual = self.facts(state.name), self.facts(state.name, virtual=True)
-        section = self.section(state.name)
-        yield from equations_for(STATE, AtMoment(facts, section, state.name))
-        for group in groups_of(self.configuration, facts, state.name):
-            yield from equations_for(GROUP, OfGroup(facts, virtual, group, section))
 
     @cached_property
     def _phases(self) -> dict[str, OverPhase]:

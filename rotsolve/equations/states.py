@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from msgspec import Struct, field
 from msgspec.structs import replace
@@ -40,17 +40,16 @@ class Fixed(Struct, frozen=True):
         if is_quantity(letter) and letter != value:
             self.registry.known[letter.name] = value
 
-    def rates(self, instant: Instant, name: str) -> list[Formula]:
-        """The velocity letters of a body at an instant."""
-        motion, line = instant.motion(name), instant.line(name)
-        rates: list[Formula] = []
-        if motion.kind == "line":
-            rates.append(instant.travel("velocity", name, line[1] if line else ""))
-        elif motion.kind == "plane":
-            rates += [instant.component("velocity", name, axis) for axis in "xy"]
-        if motion.turns:
-            rates.append(instant.rate("angular_velocity", name))
-        return rates
+
+def rates_of_body(word: str, instant: Instant, name: str) -> Iterator[Formula]:
+    """Velocities or accelerations of a body: along its line or right and up, then of its turning."""
+    motion, line = instant.motion(name), instant.line(name)
+    if motion.kind == "line":
+        yield instant.travel(word, name, line[1] if line else "")
+    elif motion.kind == "plane":
+        yield from (instant.component(word, name, axis) for axis in "xy")
+    if motion.turns:
+        yield instant.rate(f"angular_{word}", name)
 
 
 def check_shafts(state: State, fixed: Fixed) -> None:
@@ -76,11 +75,10 @@ def fix_balance(state: str, fixed: Fixed) -> None:
     instant = fixed.instant(state)
     for body in fixed.configuration.present(state):
         motion = instant.motion(body.name)
-        rates = [size for size, _ in motion.acceleration.parts]
-        if motion.turns:
-            rates.append(instant.rate("angular_acceleration", body.name))
-        for rate in rates:
+        for rate, _ in motion.acceleration.parts:
             fixed.fix(rate, ZERO)
+        if motion.turns:
+            fixed.fix(instant.rate("angular_acceleration", body.name), ZERO)
 
 
 def prescribe(instant: Instant, fixed: Fixed, *, by_motion: bool = False) -> None:
@@ -117,7 +115,8 @@ def carry_over(state: State, fixed: Fixed) -> None:
     for body in fixed.configuration.present(state.name):
         keep_angle(body.name, last, fresh, fixed)
         if body.name not in touched and "all" not in touched:
-            for one, other in zip(fixed.rates(last, body.name), fixed.rates(fresh, body.name), strict=False):
+            rates = [rates_of_body("velocity", instant, body.name) for instant in (last, fresh)]
+            for one, other in zip(*rates, strict=False):
                 fixed.fix(other, one)
 
 
@@ -182,23 +181,23 @@ class Statements(Struct):
             check_shafts(state, self.fixed)
             carry_over(state, self.fixed)
             for condition in state.conditions:
-                self._fix(state, condition)
+                try:
+                    self._take(state, condition)
+                except NotYet as error:
+                    raise NotYet(str(error), error.span or condition.span, error.help) from None
             if state.balance or state.steady:
                 check_steady(state, self.fixed)
                 self._rest(state, Condition(None, rest=True, owner="all", span=state.span))
                 fix_balance(state.name, self.fixed)
-        self._as_drawn(self.fixed.instant(self.configuration.timeline.states[0].name))
+        first = self.fixed.instant(self.configuration.timeline.states[0].name)
+        for body in self.configuration.present(first.state):
+            angle = first.angle(body.name) if first.follows_marks(body.name) else None
+            if angle is not None:
+                self.fixed.fix(angle, ZERO)  # it stands as drawn at first, unless the scene says how it stands
         for state in self.configuration.timeline.states:
             for generic in (False, True):
                 prescribe(self.fixed.instant(state.name, generic=generic), self.fixed, by_motion=True)
         return self.stated
-
-    def _as_drawn(self, first: Instant) -> None:
-        """A body whose marks are followed stands as drawn at first, unless the scene says how it stands."""
-        for body in self.configuration.present(first.state):
-            angle = first.angle(body.name) if first.follows_marks(body.name) else None
-            if angle is not None:
-                self.fixed.fix(angle, ZERO)
 
     def _clock(self, state: State) -> None:
         """The clock starts at the first state; a state that says a time comes so long after the one before, an event takes none."""
@@ -214,33 +213,25 @@ class Statements(Struct):
                 self.fixed.fix(fresh.time(), simplify(last + line.value))
                 self.fixed.fix(fresh.ask("time", "", when=before.name), line.value)
 
-    def _fix(self, state: State, condition: Condition) -> None:
-        """Take a line of a state; one that can not be worked out is refused at its place."""
-        try:
-            self._take(state, condition)
-        except NotYet as error:
-            raise NotYet(str(error), error.span or condition.span, error.help) from None
-
     def _take(self, state: State, condition: Condition) -> None:
         """Take rest, a quantity with a value, or a word."""
+        path, value = condition.path, condition.value
         if is_own(condition, self.configuration.bodies):
             self._check_own(state, condition)  # the configuration has taken it
-            return
-        if condition.rest:
+        elif condition.rest:
             self._rest(state, condition)
-        elif condition.path is not None and condition.path.quantity in OSCILLATING:
+        elif path is None or path.quantity in OSCILLATING:
             return  # taken where the swings are placed
-        elif condition.path is not None and condition.word == "slack":
-            self.fixed.fix(self._letter(state.name, Path(condition.path.owner, "tension")), ZERO)
-        elif condition.path is not None and condition.word == "leaves":
-            self._leaves(state, condition, condition.path.owner)
-        elif condition.path is not None and condition.word in EXTREMES:
-            rate = RATE_OF.get(condition.path.quantity)
+        elif condition.word == "slack":
+            self.fixed.fix(self._letter(state.name, Path(path.owner, "tension")), ZERO)
+        elif condition.word == "leaves":
+            self._leaves(state, condition, path.owner)
+        elif condition.word in EXTREMES:
+            rate = RATE_OF.get(path.quantity)
             if rate is None:
-                raise NotYet(f"`{condition.word}` of `{condition.path.quantity}` is not solved yet")
-            self._claim(self._letter(state.name, replace(condition.path, quantity=rate)), ZERO, state.name, condition)
-        elif condition.path is not None and condition.value is not None and condition.path.quantity != "time":
-            path, value = condition.path, condition.value
+                raise NotYet(f"`{condition.word}` of `{path.quantity}` is not solved yet")
+            self._claim(self._letter(state.name, replace(path, quantity=rate)), ZERO, state.name, condition)
+        elif value is not None and path.quantity != "time":
             if path.quantity == "turns":
                 path, value = replace(path, quantity="rotation"), simplify(2 * PI * value)
             self._claim(self._letter(state.name, path), value, state.name, condition)
@@ -252,33 +243,37 @@ class Statements(Struct):
         elif letter != value:
             path = condition.path
             label = "given" if not letter.symbols() else self._label(path) if path is not None else "stated"
-            section = state
             before = self.configuration.timeline.before(state)
-            if condition.word in EXTREMES and condition.path is not None:
-                label = f"where the {spoken(condition.path.quantity)} is {condition.word}, its rate is zero"
-                section = before.name if before is not None else state  # it tells how long the phase takes
-            cost = 1 if isinstance(letter, Symbol) else 2
-            self.stated.append((STATED.equation(letter, value, section, cost=cost, words=label), condition))
+            if condition.word in EXTREMES and path is not None:
+                label = f"where the {spoken(path.quantity)} is {condition.word}, its rate is zero"
+                state = before.name if before is not None else state  # it tells how long the phase takes
+            self._state(letter, value, state, label, condition, cost=1 if isinstance(letter, Symbol) else 2)
+
+    def _state(
+        self, letter: Formula, value: Formula, section: str, label: str, condition: Condition, *, cost: int = 1
+    ) -> None:
+        """Write a line of a state as an equation."""
+        self.stated.append((STATED.equation(letter, value, section, cost=cost, words=label), condition))
 
     def _leaves(self, state: State, condition: Condition, contact: str) -> None:
         """A contact is lost where the surface no longer pushes: N = 0."""
         after = self.configuration.timeline.after(state.name)
         if after is not None:
             raise NotYet(f"what comes after `{contact}` leaves is not solved yet", help="let it be the last state")
-        item = next((item for item in self.configuration.connections(state.name) if item.name == contact), None)
+        item = self.configuration.connection(contact, state.name)
         surface = item.surface(self.configuration, state.name) if item is not None else None
         if surface is None or item is None:
             raise NotYet(f"`{contact}` does not hold a body on a surface at `{state.name}`")
         normal = self._letter(state.name, Path(contact, "normal_force"))
         label = f"{spoken(item.touches()[0].owner)} leaves the {spoken(surface.name)}"
         if not state.balance:
-            self.stated.append((STATED.equation(normal, ZERO, state.name, cost=1, words=label), condition))
+            self._state(normal, ZERO, state.name, label, condition)
             return
         self.fixed.fix(normal, ZERO)  # just about to leave: what no longer pushes is no force of the balance
         if item.grips():  # what rolls off something steep still grips as it leaves
             friction = self._letter(state.name, Path(contact, "friction_force"))
             label = f"no friction where the {spoken(surface.name)} does not push"
-            self.stated.append((STATED.equation(friction, ZERO, state.name, cost=1, words=label), condition))
+            self._state(friction, ZERO, state.name, label, condition)
 
     def _label(self, path: Path) -> str:
         """What a stated equation is called: of one body against another, which two."""
@@ -308,16 +303,19 @@ class Statements(Struct):
             before = self.configuration.timeline.before(state)
             if before is None:
                 return ZERO
-            if path.quantity == "displacement":
-                return displacement(instant.host(path.owner), before, instant)
-            return angle_turned(path.owner, before, instant)
+            way = path.quantity == "displacement"
+            return (
+                displacement(instant.host(path.owner), before, instant)
+                if way
+                else angle_turned(path.owner, before, instant)
+            )
         return PathReader(instant, lambda: free_bodies(instant)).meaning(path).formula
 
     def _rest(self, state: State, condition: Condition) -> None:
         instant = self.fixed.instant(state.name)
         for body in self.configuration.present(state.name):
             if condition.owner in ("all", "", body.name):
-                for rate in self.fixed.rates(instant, body.name):
+                for rate in rates_of_body("velocity", instant, body.name):
                     self._claim(rate, ZERO, state.name, condition)
         for item in self.configuration.rides(state.name):
             if condition.owner in ("all", "", item.rider.owner):

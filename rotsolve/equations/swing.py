@@ -17,6 +17,7 @@ from rotsolve.core.quantity import OSCILLATING
 from rotsolve.core.symbols import SymbolKey, has_quantities, key_of, of_kinds
 from rotsolve.core.vectors.heading import RIGHT, UP, heading, opposite
 from rotsolve.core.writing import spoken
+from rotsolve.equations.states import rates_of_body
 from rotsolve.laws.rules import rule_equation
 from rotsolve.laws.table import NEAR, REST, SWINGING, AtMoment, OfGroup, equations_for
 from rotsolve.motion.freebody import free_bodies
@@ -92,9 +93,9 @@ class Swing(Struct, frozen=True, dict=True):
         if weight is None or body.motion.kind != "axis" or not is_zero(weight.arm.along(RIGHT)):
             return ""
         height = simplify(weight.arm.along(UP))
-        return (
-            "" if height == ZERO else f" ({'hanging straight down' if isinstance(height, Negative) else 'straight up'})"
-        )
+        if height == ZERO:
+            return ""
+        return " (hanging straight down)" if isinstance(height, Negative) else " (straight up)"
 
     @property
     def place(self) -> str:
@@ -126,14 +127,9 @@ class Swing(Struct, frozen=True, dict=True):
         """Springs whose ends also move across them, which the laws leave out: they have to be long."""
         placed = {stored.owner for stored in self.still.potentials if stored.placed}
         pulls = ((body, force) for body in self.within(self.still).bodies for force in body.forces)
-        moving_across = (
-            force.owner
-            for body, force in pulls
-            if force.role.springs
-            and force.owner not in placed
-            and not is_zero(body.motion.velocity_of(force.arm).cross(force.direction))
-        )
-        return tuple(dict.fromkeys(moving_across))
+        springs = ((body, force) for body, force in pulls if force.role.springs and force.owner not in placed)
+        across = ((force, body.motion.velocity_of(force.arm).cross(force.direction)) for body, force in springs)
+        return tuple(dict.fromkeys(force.owner for force, speed in across if not is_zero(speed)))
 
     def amplitude(self) -> Formula:
         """The angle from the equilibrium at which a large swing starts, at rest."""
@@ -156,16 +152,12 @@ class Swing(Struct, frozen=True, dict=True):
         names = of_kinds({name for equation in self.equations() for name in equation.symbols()}, STRETCHES)
         return tuple(name for name in names if key_of(name).when == self.rest.when)
 
-    def balance(self) -> Iterator[Equation]:
-        """Σ F = 0 and Σ τ = 0 at an equilibrium that is no state of the scene."""
-        if self.found:
+    def equations(self) -> Iterator[Equation]:
+        """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
+        if self.found:  # Σ F = 0 and Σ τ = 0, where it is no state of the scene
             facts = self.within(free_bodies(self.rest))
             yield from equations_for(REST, AtMoment(facts, self.balanced, self.balanced))
             yield from equations_for(SWINGING, OfGroup(facts, self.still, self.group, self.balanced))
-
-    def equations(self) -> Iterator[Equation]:
-        """The laws at the equilibrium and near it, the rules to first order, and what the period has to do with them."""
-        yield from self.balance()
         facts, section = self.within(free_bodies(self.near)), self.section
         yield from equations_for(NEAR, AtMoment(facts, section, section))
         changes = displacements(self.rest, self.near)
@@ -198,17 +190,6 @@ def symbol_of(letter: Formula) -> Symbol:
     return letter
 
 
-def rates_of_body(word: str, instant: Instant, name: str) -> Iterator[Formula]:
-    """Velocities or accelerations of a body: along its line or right and up, then of its turning."""
-    motion, line = instant.motion(name), instant.line(name)
-    if motion.kind == "line":
-        yield instant.travel(word, name, line[1] if line else "")
-    elif motion.kind == "plane":
-        yield from (instant.component(word, name, axis) for axis in "xy")
-    if motion.turns:
-        yield instant.rate(f"angular_{word}", name)
-
-
 def displacements_of_body(instant: Instant, name: str) -> Iterator[Formula]:
     """Displacements of a body from its equilibrium, in the order of its rates."""
     motion, line = instant.motion(name), instant.line(name)
@@ -222,12 +203,8 @@ def displacements_of_body(instant: Instant, name: str) -> Iterator[Formula]:
 
 def displacements(rest: Instant, near: Instant) -> dict[str, Formula]:
     """Displacements by the names of the velocities that they come from, of any small motion from the equilibrium."""
-    virtual = moving(rest)
-    pairs = (
-        (rate, place)
-        for body in near.configuration.present(near.state)
-        for rate, place in zip(
-            rates_of_body("velocity", virtual, body.name), displacements_of_body(near, body.name), strict=True
-        )
-    )
-    return {rate.name: place for rate, place in pairs if isinstance(rate, Symbol)}
+    virtual, found = moving(rest), dict[str, Formula]()
+    for body in near.configuration.present(near.state):
+        rates, places = rates_of_body("velocity", virtual, body.name), displacements_of_body(near, body.name)
+        found |= {rate.name: place for rate, place in zip(rates, places, strict=True) if isinstance(rate, Symbol)}
+    return found

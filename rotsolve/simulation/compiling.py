@@ -22,8 +22,7 @@ from rotsolve.algebra.tape import BITS, ONE, ZERO, Exact, Unwritable
 from rotsolve.core.facts import Facts, signed
 from rotsolve.core.registry import Registry
 from rotsolve.core.symbols import COURSE, GENERIC, TIME, SymbolKey, is_key, is_quantity, key_of
-from rotsolve.equations.states import Fixed, prescribe
-from rotsolve.equations.swing import rates_of_body
+from rotsolve.equations.states import Fixed, prescribe, rates_of_body
 from rotsolve.laws.table import FOLLOWED, SPEEDS, AtMoment, equations_for
 from rotsolve.motion.configuration import Configuration
 from rotsolve.motion.freebody import free_bodies
