@@ -90,12 +90,9 @@ def in_parts(question: Asked) -> Asked:
     A vector of one part needs none: its size and its direction are seen at once.
     """
     vector = question.vector
-    if (
-        vector is None
-        or not question.resolves
-        or len(vector.parts) < 2
-        or ZERO in (vector.along(RIGHT), vector.along(UP))
-    ):
+    if vector is None or not question.resolves or len(vector.parts) < 2:
+        return question
+    if ZERO in (vector.along(RIGHT), vector.along(UP)):
         return question
     parts = tuple(component(question, vector, axis) for axis in "xy")
     headings = [heading for _, heading in vector.parts]
@@ -107,15 +104,12 @@ def in_parts(question: Asked) -> Asked:
 
 def component(question: Asked, vector: Vector, axis: str) -> Asked:
     """The question for one component of a vector."""
-    find = question.find
-    path = replace(find.terms[0].path, component=axis)
-    own = replace(find, name=f"{find.name}_{axis}", terms=(replace(find.terms[0], path=path),))
     formula = vector.along(RIGHT if axis == "x" else UP)
     direct = is_quantity(formula)
     letter = formula.name if isinstance(formula, Symbol) and direct else component_symbol(question.letter, axis)
     side, words = ("horizontally", ("right", "left")) if axis == "x" else ("vertically", ("up", "down"))
     return Asked(
-        own,
+        of_component(question.find, axis),
         formula,
         letter,
         question.dimension,
@@ -123,7 +117,7 @@ def component(question: Asked, vector: Vector, axis: str) -> Asked:
         law=question.law,
         section=question.section,
         words=words,
-        whole=find.name,
+        whole=question.find.name,
     )
 
 
@@ -177,15 +171,14 @@ def entries(find: Find, scene: SceneEquations) -> tuple[Find, ...]:
         return (find,)
     term = find.terms[0]
     names = components(term, scene)
-    return tuple(
-        replace(
-            find,
-            name=f"{find.name}_{name}",
-            terms=(replace(term, path=replace(term.path, component=name)),),
-            whole=find.name,
-        )
-        for name in names
-    ) or (find,)
+    return tuple(replace(of_component(find, name), whole=find.name) for name in names) or (find,)
+
+
+def of_component(find: Find, name: str) -> Find:
+    """The same line for one component of its only path: `v_x` with `ball.velocity.x`."""
+    term = find.terms[0]
+    path = replace(term.path, component=name)
+    return replace(find, name=f"{find.name}_{name}", terms=(replace(term, path=path),))
 
 
 def components(term: Term, scene: SceneEquations) -> tuple[str, ...]:
@@ -248,11 +241,12 @@ def quantity_asked(find: Find, scene: SceneEquations, earlier: Earlier, beside: 
         laws=tuple(law for meaning, _ in meanings for law in meaning.laws),
     )
     givens = {given.name: given for given in scene.configuration.problem.givens}
-    if isinstance(formula, Symbol) and (is_key(formula.name) or is_unknown(formula.name, scene)):
+    given = givens.get(formula.name) if isinstance(formula, Symbol) else None
+    if isinstance(formula, Symbol) and (is_key(formula.name) or (given is not None and given.asked)):
         question = replace(question, letter=formula.name)
         return question if own is None else replace(question, vector=own.vector, words=own.words)
-    if isinstance(formula, Symbol) and formula.name in givens:
-        note = conversion(find, givens[formula.name])
+    if given is not None:
+        note = conversion(find, given)
         return Asked(find, formula, question.letter, dimension, label="conversion of units" if note else "", said=note)
     return question if own is None else of_one_path(question, own)
 
@@ -279,11 +273,6 @@ def of_one_path(question: Asked, meaning: Meaning) -> Asked:
         said=meaning.said,
     )
     return in_parts(question) if modifier in ("", "mean", *DIFFERENCE) and whole else question
-
-
-def is_unknown(name: str, scene: SceneEquations) -> bool:
-    """Whether a letter of the scene is itself asked for."""
-    return any(given.name == name and given.asked for given in scene.configuration.problem.givens)
 
 
 def known_dimensions(

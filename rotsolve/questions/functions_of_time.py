@@ -16,8 +16,7 @@ from rotsolve.algebra.certified.rootfind import real_roots
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.exact.normal import degree, simplify
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import PI, ZERO, Formula, add
-from rotsolve.core.derivation import Words
+from rotsolve.algebra.formula import PI, ZERO, Formula, total
 from rotsolve.core.equation import REVERSAL, Equation
 from rotsolve.core.quantity import QUANTITIES, SPANNED
 from rotsolve.core.symbols import CONSTANT, TIME
@@ -164,15 +163,14 @@ def whole_way(term: Term, start: str, end: str, scene: SceneEquations, beside: B
         word, arm = "rotation", reach.parts[0][0] if len(reach.parts) == 1 else vector_size(reach)
     if word not in RATE or beside is None:
         raise NotYet(f"the total of `{path.quantity}` is not solved yet")
-    result: Formula = ZERO
+    pieces: list[Formula] = []
     laws: list[Equation] = []
     intervals = scene.configuration.timeline.between(start, end)
     for interval in intervals:
         if interval.event is None:
-            pieces, found = reversed_parts(word, name, path, interval, scene, beside)
-            laws += found
-            for piece in pieces:
-                result = add(result, piece)
+            found, reversals = reversed_parts(word, name, path, interval, scene, beside)
+            pieces, laws = pieces + found, laws + reversals
+    result = total(pieces)
     whole = "angle turned" if word == "rotation" else "way"
     label = f"whole {whole} of {spoken(name)}" + (", both ways added" if laws else "")
     if arm is not None:
@@ -229,28 +227,25 @@ class Reversal(Struct, frozen=True):
     moment: Formula
     come: Formula
 
-    def time(self, first: Instant) -> Formula:
-        when = f"{self.interval.name} reversal {self.number}".strip()
-        return first.ask("time", self.name, when=when, letter=f"t_r{self.number}")
+    @property
+    def when(self) -> str:
+        return f"{self.interval.name} reversal {self.number}".strip()
 
     def until(self, first: Instant) -> Formula:
         """The letter for the angle turned, or the way gone, until then."""
-        when = f"{self.interval.name} reversal {self.number}".strip()
         letter = ("phi" if self.word == "rotation" else "s") + self.number
-        return first.ask(self.word, self.name, when=when, letter=letter)
+        return first.ask(self.word, self.name, when=self.when, letter=letter)
 
     def laws(self, first: Instant) -> Iterator[Equation]:
         """The rate vanishes, and how far the body has come by then."""
         letter, way_ = ("ω", "angle turned") if self.word == "rotation" else ("v", "way")
-        body, time = spoken(self.name), self.time(first)
+        body, time = spoken(self.name), first.ask("time", self.name, when=self.when, letter=f"t_r{self.number}")
         plain = is_linear_in_time(self.speed)
         zero = (self.speed.substitute({TIME: time}), ZERO) if plain else (time, self.moment)
         remark = () if plain else (f"a zero of {letter} = ", self.speed)
-        yield self._law(zero, f"{body} reverses where {letter} = 0", remark)
-        yield self._law((self.until(first), self.come.substitute({TIME: time})), f"{way_} until {body} reverses", ())
-
-    def _law(self, sides: tuple[Formula, Formula], label: str, remark: Words) -> Equation:
-        return REVERSAL.equation(*sides, self.interval.name, (), remark, words=label)
+        phase, come = self.interval.name, self.come.substitute({TIME: time})
+        yield REVERSAL.equation(*zero, phase, (), remark, words=f"{body} reverses where {letter} = 0")
+        yield REVERSAL.equation(self.until(first), come, phase, words=f"{way_} until {body} reverses")
 
 
 class ExtremeValue(Struct, frozen=True):
@@ -292,10 +287,8 @@ def extreme_values(term: Term, interval: Interval, scene: SceneEquations, beside
     meaning = scene.reader(interval.start, generic=True).meaning(term.path, term)
     function = beside.settled(meaning.formula, term.path.quantity)
     times = [beside.settled(scene.instant(state).time(), "time") for state in (interval.start, interval.end)]
-    ends = [
-        ExtremeValue(function.substitute({TIME: time}), interval, state)
-        for state, time in zip((interval.start, interval.end), times, strict=True)
-    ]
+    values = [function.substitute({TIME: time}) for time in times]
+    ends = [ExtremeValue(values[0], interval, interval.start), ExtremeValue(values[1], interval, interval.end)]
     slope = simplify(differentiate(function, TIME))
     inside = beside.zeros(slope, times[0], times[1])
     return [*ends, *(ExtremeValue(function.substitute({TIME: at}), interval, "", at, function) for at in inside)]
@@ -309,14 +302,9 @@ def at_moment_of_extreme(term: Term, best: ExtremeValue, name: str, scene: Scene
     time = first.ask("time", term.path.owner, when=when, letter="t_m")
     assert best.moment is not None
     slope = in_powers(simplify(differentiate(best.function, TIME)), TIME)
-    zero: tuple[Formula, Formula] = (slope.substitute({TIME: time}), ZERO)
-    if not is_linear_in_time(slope):
-        zero = (time, best.moment)
+    zero = (slope.substitute({TIME: time}), ZERO) if is_linear_in_time(slope) else (time, best.moment)
     law = REVERSAL.equation(*zero, best.interval.name, words=f"{name}, {owner}: its rate is zero")
-    value = best.function.substitute({TIME: time})
-    meaning = scene.reader(best.interval.start, generic=True).meaning(term.path, term)
+    value, dimension = best.function.substitute({TIME: time}), QUANTITIES[term.path.quantity].dimension
+    known = scene.reader(best.interval.start, generic=True).meaning(term.path, term)
     label = f"{name} of {owner}"
-    result = Meaning(
-        value, QUANTITIES[term.path.quantity].dimension, label=label, law=meaning.law, words=meaning.words, laws=(law,)
-    )
-    return result, best.interval.name
+    return Meaning(value, dimension, label=label, law=known.law, words=known.words, laws=(law,)), best.interval.name

@@ -23,26 +23,22 @@ from rotsolve.motion.travels import angle_turned
 from rotsolve.paths.meaning import Meaning, NotYet, Unclear, label_of, spoken_point, vector_size, whole_vector
 
 
-def impulse(path: Path, interval: str, state: str, scene: SceneEquations) -> Formula:
+def impulse(path: Path, interval: str, scene: SceneEquations) -> Formula:
     """The impulse of a support or blow in an event, or of an action or connection over a phase."""
     encounter = scene.encounters.get(interval)
     if encounter is None and interval in scene.passages:
         return impulse_over(path, scene.passages[interval])
     if encounter is None:
         raise NotYet("an impulse is asked of an event or a phase")
-    blows = [blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner]
-    wanted = [blow for blow in blows if path.component is None or _axis(blow.size) == path.component]
     if path.quantity == "angular_impulse":
         return twist_of(path.owner, interval, scene)
-    sizes = list({blow.size: None for blow in wanted})
+    blows = (blow for meeting in encounter.meetings for blow in meeting.blows if blow.owner == path.owner)
+    every = list(dict.fromkeys(blow.size for blow in blows))
+    along = [size for size in every if isinstance(size, Symbol) and key_of(size.name).component == path.component]
+    sizes = every if path.component is None else along
     if not sizes:
         raise NotYet(f"`{path.owner}` gives no impulse in `{interval}`")
-    if len(sizes) == 1:
-        return sizes[0]
-    squares: Formula = ZERO
-    for size in sizes:
-        squares = add(squares, size**2)
-    return sqrt(squares)
+    return sizes[0] if len(sizes) == 1 else sqrt(total([size**2 for size in sizes]))
 
 
 def blow(path: Path, interval: str, scene: SceneEquations) -> Vector | None:
@@ -86,24 +82,23 @@ def last_named(owner: str, interval: str, scene: SceneEquations) -> str:
     found = scene.configuration.timeline.interval(interval)
     assert found is not None and found.event is not None
     instant = scene.instant(found.start)
-    items = [item for item in scene.configuration.connections(found.start) if item.name == owner]
-    refs = (
-        participants(found, scene.configuration) if found.event.name == owner else items[0].touches() if items else ()
-    )
+    item = scene.configuration.connection(owner, found.start)
+    refs = item.touches() if item is not None else ()
+    if found.event.name == owner:
+        refs = participants(found, scene.configuration)
     bodies = [ref.owner for ref in refs if ref.owner in scene.configuration.bodies]
     return instant.host(bodies[-1]) if bodies else ""
 
 
 def impulse_over(path: Path, passage: Passage) -> Formula:
     """F t or τ t of what stays the same in a phase, ∫ F dt or ∫ τ dt of what varies in time."""
-    result: Formula = ZERO
+    pairs: list[tuple[Formula, Formula]] = []
     for first, body in zip(passage.start.bodies, passage.midst.bodies, strict=True):
-        for one, effort in zip(efforts(path, first), efforts(path, body), strict=True):
-            if running(effort.symbols()):
-                raise NotYet(
-                    f"the {path.quantity.replace('_', ' ')} of `{path.owner}`, which varies with the motion, is not solved yet"
-                )
-            result = add(result, over_time(one, effort, passage))
+        pairs += zip(efforts(path, first), efforts(path, body), strict=True)
+    if any(running(effort.symbols()) for _, effort in pairs):
+        word = path.quantity.replace("_", " ")
+        raise NotYet(f"the {word} of `{path.owner}`, which varies with the motion, is not solved yet")
+    result = total([over_time(one, effort, passage) for one, effort in pairs])
     if result == ZERO:
         raise NotYet(f"`{path.owner}` gives no impulse in this phase")
     return result
@@ -125,23 +120,17 @@ def twist_of(owner: str, interval: str, scene: SceneEquations) -> Formula:
     return total([signed(torque, hit.body.motion.sense) for torque in torques])
 
 
-def _axis(size: Formula) -> str:
-    return key_of(size.name).component if isinstance(size, Symbol) else ""
-
-
 def work_of_weight(name: str, passage: Passage) -> Formula:
     """m g times the height lost."""
     heights = passage.heights.get(name)
     if heights is None:
         raise NotYet(f"how far `{name}` sinks is not told by the scene")
-    result: Formula = ZERO
+    levels: list[Formula] = []
     for facts, height, sign in ((passage.start, heights[0], 1), (passage.end, heights[1], -1)):
         body = facts.body(name)
-        for force in body.forces if body is not None else ():
-            if force.role.weighs:
-                level = force.size * (height + force.arm.along(UP))
-                result = add(result, level if sign > 0 else negate(level))
-    return result
+        weights = [force for force in body.forces if force.role.weighs] if body is not None else []
+        levels += [signed(force.size * (height + force.arm.along(UP)), sign) for force in weights]
+    return total(levels)
 
 
 def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
@@ -154,10 +143,7 @@ def work_done(path: Path, interval: str, scene: SceneEquations) -> Formula:
         return work_of_weight(path.owner, passage)
     if not works:
         raise NotYet(f"the work of `{path.owner}` alone can not be told in `{interval}`")
-    result: Formula = ZERO
-    for item in works:
-        result = add(result, item.amount)
-    return result
+    return total([work.amount for work in works])
 
 
 def potential_change(owner: str, passage: Passage) -> Formula:
@@ -165,14 +151,10 @@ def potential_change(owner: str, passage: Passage) -> Formula:
     groups = [group for group in passage.groups if not owner or owner in group] or list(passage.groups)
     if any(passage.heights.get(name) is None for group in groups for name in group if not owner or name == owner):
         raise NotYet("how high it is at both states is not told by the scene")
-    result: Formula = ZERO
     if owner and owner in {body.name for body in passage.start.bodies}:
         return negate(work_of_weight(owner, passage))
-    for group in groups:
-        for end, sign in ((1, 1), (0, -1)):
-            for term in potential(passage, group, end):
-                result = add(result, term if sign > 0 else negate(term))
-    return result
+    ends = [(group, end, sign) for group in groups for end, sign in ((1, 1), (0, -1))]
+    return total([signed(term, sign) for group, end, sign in ends for term in potential(passage, group, end)])
 
 
 STORED = ("potential_energy", "energy")
@@ -195,12 +177,9 @@ def change_or_loss(term: Term, start: str, end: str, scene: SceneEquations) -> t
 
 def stored_difference(term: Term, start: str, end: str, scene: SceneEquations) -> tuple[Meaning, str]:
     """Change or loss of potential energy (of one body: its weight's alone), or of kinetic and potential energy together."""
-    result: Formula = ZERO
     intervals = scene.configuration.timeline.between(start, end)
-    for interval in intervals:
-        passage = scene.passages.get(interval.name)
-        if passage is not None:
-            result = add(result, potential_change(term.path.owner, passage))
+    passages = [scene.passages[interval.name] for interval in intervals if interval.name in scene.passages]
+    result = total([potential_change(term.path.owner, passage) for passage in passages])
     if term.path.quantity == "energy":
         kinetic = replace(term.path, quantity="kinetic_energy")
         gained = [scene.reader(state).meaning(kinetic, term).formula for state in (start, end)]
@@ -234,7 +213,7 @@ def spanned(term: Term, start: str | None, end: str | None, scene: SceneEquation
 def over_interval(path: Path, interval: Interval, scene: SceneEquations) -> Formula:
     """What one phase or event adds to a quantity."""
     if path.quantity in ("impulse", "angular_impulse"):
-        return impulse(path, interval.name, interval.start, scene)
+        return impulse(path, interval.name, scene)
     if path.quantity not in ("displacement", "rotation", "turns"):
         return work_done(path, interval.name, scene)
     if interval.event is not None:
@@ -276,10 +255,7 @@ def span(term: Term, start: str | None, end: str | None, scene: SceneEquations) 
         start, end = names[max(0, names.index(term.at) - 1)], term.at
     start, end = start or names[0], end or names[-1]
     if names.index(start) >= names.index(end):
-        help = (
-            f"say `from … to …` with two of: {', '.join(names)}"
-            if len(names) > 1
-            else "give `states`, at least two of them"
-        )
+        listed = f"say `from … to …` with two of: {', '.join(names)}"
+        help = listed if len(names) > 1 else "give `states`, at least two of them"
         raise Unclear(f"`{term.path.quantity}` runs from one state to a later one", help=help)
     return start, end

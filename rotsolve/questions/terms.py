@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
 
 DIFFERENCE = ("change of", "lost")
+OF_A_MOMENT = ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
 SUMMED = {  # what the mean of a quantity is the mean of, over time
     "power": "work",
     "angular_velocity": "rotation",
@@ -47,7 +48,6 @@ def magnitude(formula: Formula) -> Formula:
 
 def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
     """The meaning of a term with its sign, whether or not its size is asked."""
-    timeline = scene.configuration.timeline
     if term.path.quantity in OSCILLATING:
         swing = scene.swing(term)
         return Meaning(swing.letters[term.path.quantity], QUANTITIES[term.path.quantity].dimension), swing.harmonic
@@ -57,7 +57,7 @@ def signed_meaning(term: Term, scene: SceneEquations, beside: Beside | None) -> 
 
         return meaning_at_any_time(term, scene)
     if term.during is not None:
-        interval = timeline.interval(term.during)
+        interval = scene.configuration.timeline.interval(term.during)
         if interval is None:
             raise Unclear(f"there is no phase or event `{term.during}`")
         start, end = interval.start, interval.end
@@ -115,12 +115,7 @@ def at_state(term: Term, scene: SceneEquations) -> tuple[Meaning, str]:
 def section_of_definition(path: Path, meaning: Meaning, state: str, scene: SceneEquations) -> str:
     """Where a definition is written: with the accelerations of a phase, or at its state."""
     moments = {key_of(name).when for name in meaning.formula.symbols() if is_key(name)}
-    if (
-        QUANTITIES[path.quantity].word in ("velocity", "speed", "kinetic_energy", "angular_momentum", "momentum")
-        or state in moments
-    ):
-        return state
-    return scene.section(state)
+    return state if path.quantity in OF_A_MOMENT or state in moments else scene.section(state)
 
 
 def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside | None) -> tuple[Meaning, str]:
@@ -131,16 +126,9 @@ def mean(term: Term, start: str, end: str, scene: SceneEquations, beside: Beside
     if summed is None:
         raise NotYet(f"the mean of `{term.path.quantity}` is not solved yet")
     duration, section = spanned(Term(Path("", "time")), start, end, scene)
-    other = replace(
-        term, path=replace(term.path, quantity=summed), modifier="change of" if summed.endswith("velocity") else ""
-    )
-    amount, _ = meaning_of(replace(other, start=start, end=end), scene, beside)
-    word = term.path.quantity.replace("_", " ")
+    path, modifier = replace(term.path, quantity=summed), "change of" if summed.endswith("velocity") else ""
+    amount, _ = meaning_of(replace(term, path=path, modifier=modifier, start=start, end=end), scene, beside)
+    kind, label = QUANTITIES[term.path.quantity], f"mean {term.path.quantity.replace('_', ' ')}"
     vector = None if amount.vector is None else amount.vector.times(ONE / duration.formula)
-    return Meaning(
-        amount.formula / duration.formula,
-        QUANTITIES[term.path.quantity].dimension,
-        vector,
-        label=f"mean {word}",
-        laws=amount.laws,
-    ), section
+    quotient = amount.formula / duration.formula
+    return Meaning(quotient, kind.dimension, vector, label=label, laws=amount.laws), section
