@@ -330,6 +330,5 @@ def signed(value: Formula, sense: int) -> Formula:
 def held_still(owner: str, name: str, motion: Motion) -> Rule:
     """A body that friction holds: ω = 0, α = 0."""
     label = f"friction holds {spoken(name)}"
-    rates = (signed(rate, motion.sense) for rate in (motion.spin, motion.spin_rate))
-    velocity, acceleration = ((rate, ZERO) for rate in rates)
+    velocity, acceleration = ((signed(rate, motion.sense), ZERO) for rate in (motion.spin, motion.spin_rate))
     return Rule(owner, label, (name,), velocity, acceleration)

@@ -113,14 +113,10 @@ def _numbered(pending: list[SceneQuantity], occupied: set[str]) -> dict[str, str
 
 
 def _join(*parts: str) -> str:
-    return "_".join(_as_index(part) for part in parts if part)
-
-
-def _as_index(part: str) -> str:
-    """An owner or a time as an index: words joined, no marks."""
+    """A letter with owners and times as its index: words joined, no marks."""
     for mark, word in SPOKEN.items():
-        part = part.replace(mark, word)
-    return "_".join(part.split())
+        parts = tuple(part.replace(mark, word) for part in parts)
+    return "_".join("_".join(part.split()) for part in parts if part)
 
 
 Index = Callable[[SceneQuantity], str]

@@ -72,30 +72,31 @@ def multiplied_out(term: Formula, positive: Collection[str] = ()) -> Formula:
 
 def positive_first(terms: Iterable[Formula]) -> Formula:
     """Σ terms with the positive ones first."""
+    forward, back = by_sign(terms)
+    return total([*forward, *back])
+
+
+def by_sign(terms: Iterable[Formula]) -> tuple[list[Formula], list[Formula]]:
+    """The single terms of a sum: those without a minus sign in front, and those with one."""
     single = flat(terms)
-    return total([term for term in single if not is_negative(term)] + [term for term in single if is_negative(term)])
+    return [term for term in single if not is_negative(term)], [term for term in single if is_negative(term)]
 
 
 def law(pushes: Sequence[Formula], response: Formula) -> tuple[Formula, Formula]:
     """Σ pushes = response; in equilibrium the positive ones on the left equal the others on the right."""
-    single = flat(pushes)
+    forward, back = by_sign(pushes)
+    turned = [negate(term) for term in back]
     if response != ZERO:
-        if single and all(is_negative(term) for term in single) and is_negative(response):
-            return total([negate(term) for term in single]), negate(response)
-        return positive_first(single), response
-    forward = [term for term in single if not is_negative(term)]
-    back = [negate(term) for term in single if is_negative(term)]
-    if not forward:
-        return total(back), ZERO
-    return total(forward), total(back)
+        if back and not forward and is_negative(response):
+            return total(turned), negate(response)
+        return total([*forward, *back]), response
+    return (total(forward), total(turned)) if forward else (total(turned), ZERO)
 
 
 def moved(left: Sequence[Formula], right: Sequence[Formula]) -> tuple[Formula, Formula]:
     """Σ left = Σ right with every negative term moved to the other side."""
-    here, there = flat(left), flat(right)
-    one = [term for term in here if not is_negative(term)] + [negate(term) for term in there if is_negative(term)]
-    other = [term for term in there if not is_negative(term)] + [negate(term) for term in here if is_negative(term)]
-    return total(one), total(other)
+    (here, from_here), (there, from_there) = by_sign(left), by_sign(right)
+    return total([*here, *map(negate, from_there)]), total([*there, *map(negate, from_here)])
 
 
 def spoken(name: str) -> str:

@@ -16,6 +16,15 @@ from rotsolve.language.keys import amount, key
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
+
+
+def aimed() -> Direction | None:
+    """The field of a direction, which may be that of a turn."""
+    words = f"{', '.join(DIRECTIONS)}, [x, y] or an angle"
+    declared: Direction | None = key("direction", words, default=None, choices=DIRECTIONS)
+    return declared
+
+
 SQUARE = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm
 
 
@@ -27,12 +36,7 @@ class AppliedForce(Action, frozen=True):
         "size; `unknown` asks for it", "force", "F", varies=True, required=True, example="20 N"
     )
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
-    direction: Direction | None = key(
-        "direction",
-        "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle",
-        default=None,
-        choices=DIRECTIONS,
-    )
+    direction: Direction | None = aimed()
     over: bool = key("flag", "the pull leaves the wheel at its top", default=False)
     under: bool = key("flag", "the pull leaves the wheel at its bottom", default=False)
 

@@ -8,7 +8,7 @@ from rotsolve.algebra.formula import ZERO, Formula, negate
 from rotsolve.core.facts import BLOW, CONTACT, BodyFacts, Couple, Force
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Heading, Vector, unit
-from rotsolve.elements.actions import DIRECTIONS, SQUARE, Direction, pointing, turn_sense
+from rotsolve.elements.actions import SQUARE, Direction, aimed, pointing, turn_sense
 from rotsolve.elements.connections.supports import Hinge
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
@@ -87,12 +87,7 @@ class Impulse(Event, frozen=True):
     quantities = ("impulse", "angular_impulse")
     impulse: Formula | None = amount("size; `unknown` asks for it", "impulse", "J", required=True)
     on: PointRef | None = key("point", "where it acts", required=True, example="rod.end")
-    direction: Direction | None = key(
-        "direction",
-        "right, left, up, down, tangential, clockwise, counterclockwise, [x, y] or an angle",
-        default=None,
-        choices=DIRECTIONS,
-    )
+    direction: Direction | None = aimed()
 
     def points(self, connections: Sequence[Connection]) -> tuple[PointRef, ...]:
         return (self.on,) if self.on is not None else ()

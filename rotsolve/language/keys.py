@@ -83,9 +83,5 @@ def keys_of(element: type[Element] | Element) -> Iterator[tuple[str, Key]]:
 
 def varying_values(element: Any) -> list[Formula]:
     """The values of an element under keys that may vary."""
-    found = []
-    for field in element.variable:
-        value = getattr(element, field)
-        if value is not None and isinstance(value, Formula):
-            found.append(value)
-    return found
+    values = (getattr(element, field) for field in element.variable)
+    return [value for value in values if isinstance(value, Formula)]

@@ -125,20 +125,9 @@ def line_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     initial = first.travel("acceleration", name, label)
     change = displacement(name, interval, first)
     running = so_far("displacement", name, middle) if first.configuration.mentions.runs else None
-    ends = (places[0], places[1], places[2])
+    ends = (places[0], places[1], places[2], initial)
     travel = Travel(
-        name,
-        "line",
-        before,
-        after,
-        acceleration,
-        change,
-        pace,
-        moving,
-        *ends,
-        initial,
-        given=given,
-        running=running,
+        name, "line", before, after, acceleration, change, pace, moving, *ends, given=given, running=running
     )
     orbits = [moment.orbit(name) for moment in (first, last, middle)]
     circle = orbits[0]
@@ -158,21 +147,9 @@ def component_travel(drive: Drive, interval: Interval, first: Instant, last: Ins
     places = [moment.component("position", name, axis) for moment in (first, last, middle)]
     change = displacement(name, interval, first, axis)
     running = so_far("displacement", name, middle, axis) if first.configuration.mentions.runs else None
-    ends = (places[0], places[1], places[2])
+    ends, pace, given = (places[0], places[1], places[2], initial), drive.pace, drive.order
     return Travel(
-        name,
-        "line",
-        before,
-        after,
-        acceleration,
-        change,
-        drive.pace,
-        moving,
-        *ends,
-        initial,
-        axis=axis,
-        given=drive.order,
-        running=running,
+        name, "line", before, after, acceleration, change, pace, moving, *ends, axis=axis, given=given, running=running
     )
 
 
@@ -190,21 +167,9 @@ def turn_travel(name: str, interval: Interval, pace: str, first: Instant, last: 
     initial = first.rate("angular_acceleration", name)
     given = drives[0].order if drives else None
     running = so_far("rotation", name, middle) if first.configuration.mentions.runs else None
-    ends = (start, end, angles[2])
+    ends = (start, end, angles[2], initial)
     return Travel(
-        name,
-        "turn",
-        before,
-        after,
-        acceleration,
-        change,
-        pace,
-        moving,
-        *ends,
-        initial,
-        sense,
-        given=given,
-        running=running,
+        name, "turn", before, after, acceleration, change, pace, moving, *ends, sense, given=given, running=running
     )
 
 
@@ -218,22 +183,14 @@ def led(travel: Travel, lead: Lead | None, rates: set[str]) -> Travel:
         return travel
     sense = 1 if lead.rate == travel.moving else -1
     start, end = signed(lead.start, sense), signed(lead.end, sense)
-    return replace(
-        travel,
-        coordinate=lead.letter,
-        start=start,
-        end=end,
-        sense=sense,
-        leads=True,
-        told=travel.start is None and lead.stored,
-    )
+    told = travel.start is None and lead.stored
+    return replace(travel, coordinate=lead.letter, start=start, end=end, sense=sense, leads=True, told=told)
 
 
 def displacement(name: str, interval: Interval, instant: Instant, component: str = "") -> Formula:
     """Displacement of a body along its line in a phase, counted along its positive sense; or a component of it."""
-    return instant.ask(
-        "displacement", name, when=interval.name, words=ways(name, instant, component), component=component
-    )
+    words = ways(name, instant, component)
+    return instant.ask("displacement", name, when=interval.name, words=words, component=component)
 
 
 def ways(name: str, instant: Instant, component: str) -> tuple[str, str]:

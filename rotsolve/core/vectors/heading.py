@@ -13,6 +13,7 @@ from msgspec import Struct
 
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import (
+    HALF,
     ONE,
     PI,
     ZERO,
@@ -30,7 +31,6 @@ from rotsolve.algebra.formula import (
 )
 
 ANGLES = 360  # of which the cosines are remembered
-HALF = Number(Fraction(1, 2))
 _COSINE = {  # exact cosines of the first quadrant, degrees
     Fraction(0): ONE,
     Fraction(30): sqrt(Number(Fraction(3))) / 2,
@@ -174,19 +174,11 @@ class Vector(Struct, frozen=True):
         return self + (-other)
 
     def times(self, factor: Formula) -> Vector:
-        return (
-            Vector(tuple((product(size, factor), direction) for size, direction in self.parts))
-            if factor != ZERO
-            else NOWHERE
-        )
+        return Vector(tuple((size * factor, direction) for size, direction in self.parts if factor != ZERO))
 
     def scaled(self, factor: Formula) -> Vector:
         """The vector with a factor in front of its sizes: m v."""
-        return (
-            Vector(tuple((product(factor, size), direction) for size, direction in self.parts))
-            if factor != ZERO
-            else NOWHERE
-        )
+        return Vector(tuple((factor * size, direction) for size, direction in self.parts if factor != ZERO))
 
     def rotated(self, by: Heading) -> Vector:
         return Vector(tuple((size, direction + by) for size, direction in self.parts))
@@ -206,20 +198,15 @@ class Vector(Struct, frozen=True):
         result: Formula = ZERO
         for size, own in self.parts:
             for other_size, other_own in other.parts:
-                result = add(result, product(other_size, size) * (other_own - own).sin())
+                result = add(result, other_size * size * (other_own - own).sin())
         return result
 
     def dot(self, other: Vector) -> Formula:
         result: Formula = ZERO
         for size, own in self.parts:
             for other_size, other_own in other.parts:
-                result = add(result, product(other_size, size) * (other_own - own).cos())
+                result = add(result, other_size * size * (other_own - own).cos())
         return result
-
-
-def product(left: Formula, right: Formula) -> Formula:
-    """left · right; a product with a sum in it is kept in brackets as it is."""
-    return left * right
 
 
 def vector(size: Formula, direction: Heading) -> Vector:
@@ -261,8 +248,5 @@ def opposite(words: str) -> str:
 
 
 def along_text(direction: Heading) -> str:
-    """A heading in words: right, up, left, down, or at its angle."""
-    names = {0: "right", 90: "up", 180: "left", 270: "down"}
-    if not direction.terms and direction.degrees % 360 in names:
-        return names[int(direction.degrees % 360)]
-    return ""
+    """A heading in words: right, up, left, down; nothing for one at an angle."""
+    return next((word for word, way in WORDS.items() if way == direction.turned(0)), "")

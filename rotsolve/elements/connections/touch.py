@@ -317,7 +317,7 @@ class Touch(Connection, frozen=True):
 
     def no_slip(self, label: str, arm: Vector, direction: Heading, instant: Moment, *, linear: bool) -> Rule:
         """The touching point does not move along a direction on what it touches: travel of the centre on the left."""
-        name, carrier = instant.host(self.pair()[0].owner), self.carrier(instant.configuration)
+        name, carrier = instant.host(self.lying()), self.carrier(instant.configuration)
         motion = instant.motion(name)
         turned, inward = arm.turned(90), arm.turned(180).times(square(motion.spin))
         turning = turned.times(motion.spin), turned.times(motion.spin_rate) + inward
@@ -363,8 +363,7 @@ class Touch(Connection, frozen=True):
         yield force
         carrier = self.carrier(instant.configuration)
         if carrier:
-            host, back = instant.host(carrier), -force.direction
-            place = f"of {spoken(of)}"
+            host, back, place = instant.host(carrier), -force.direction, f"of {spoken(of)}"
             yield replace(force, body=host, direction=back, arm=NOWHERE, noun=noun, way=way, place=place)
 
 
