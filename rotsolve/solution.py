@@ -150,17 +150,15 @@ class Solution(Struct, frozen=True, dict=True):
 
         Givens that are left out keep their values. Results are in the answers' units, NaN where a string would go slack, a contact
         open, or a sign on which the scene hangs be another. `certified` gives pairs of arrays, values and bounds on their errors. Where the
-        numbers of the scene have decided more
-        (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
+        numbers of the scene have decided more (what slips, which root is meant) it is refused, unless that is to stay `as_decided`.
         """
         from rotsolve.arrays import NotForMany, evaluate_many
 
         valid = None if self.trace.validity is None else self.trace.validity()
         if valid is None or (valid.decided and not as_decided):
             decided = "how the answers were found" if valid is None else " and ".join(valid.decided)
-            raise NotForMany(
-                f"the numbers of the scene have decided {decided}: solve it again for others, or say `as_decided`"
-            )
+            remedy = "solve it again for others, or say `as_decided`"
+            raise NotForMany(f"the numbers of the scene have decided {decided}: {remedy}")
         return evaluate_many(self.derivation.answers, self.problem.givens, valid, values, certified)
 
     @property

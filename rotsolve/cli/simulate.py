@@ -29,9 +29,8 @@ def refuse_wrong_outputs(plot: str | None, csv: bool, output: str | None) -> Non
     if plot is not None and csv:
         raise typer.BadParameter("either a picture or numbers; leave one out", param_hint="'--csv'")
     if output is not None and not csv:
-        raise typer.BadParameter(
-            "it is for numbers: say --csv too, or --plot FILE for a picture", param_hint="'--output'"
-        )
+        message = "it is for numbers: say --csv too, or --plot FILE for a picture"
+        raise typer.BadParameter(message, param_hint="'--output'")
 
 
 Scene = Annotated[str, typer.Argument(metavar="FILE", help="A scene; - reads one from standard input.")]

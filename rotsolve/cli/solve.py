@@ -25,14 +25,6 @@ def moment_checked(text: str | None) -> str | None:
         raise typer.BadParameter(str(error), param_hint="'--at'") from None
 
 
-def refuse_clashes(show: str | None, format: str | None, profile: bool, several: bool) -> None:
-    """A usage error where two options can't be meant together."""
-    if show and format not in (None, "text"):
-        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
-    if profile and several:
-        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
-
-
 def format_chosen(format: str | None, output: str | None, show: str | None) -> str:
     """The format that is asked for, by the name of the file where it is not said."""
     by_name = format_of_file(output) if output and not show else None
@@ -113,7 +105,10 @@ def solve_command(
     """
     from rotsolve.run import SolveRequest, solve_files
 
-    refuse_clashes(show, format, profile, jobs > 1 or bool(time_limit))
+    if show and format not in (None, "text"):
+        raise typer.BadParameter("a stage is printed as text; leave --format out", param_hint="'--show'")
+    if profile and (jobs > 1 or time_limit):
+        raise typer.BadParameter("it looks at one process; leave --jobs and --time-limit out", param_hint="'--profile'")
     page = (format_chosen(format, output, show), output, digits)
     request = SolveRequest(tuple(files), law, *page, read_settings(settings or []), show, width or page_width(output))
     moment = moment_checked(at)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
-from rotsolve.core.derivation import Derivation, LawLine, Move, Section
+from rotsolve.core.derivation import Derivation, Move, Section
 from rotsolve.page.blocks import (
     Answers,
     Checks,
@@ -70,14 +70,10 @@ def section_blocks(section: Section) -> Iterator[PageBlock]:
         rows = zip(section.forces, positive, strict=True)
         yield Listing("Forces", level, tuple(Listed(line.body, line.forces, said, line.remarks) for line, said in rows))
     if section.remarks or section.laws:
-        yield Formulas("Laws", level, section.remarks, tuple(map(law_row, section.laws)))
+        law_rows = (FormulaRow((law.law,), (law.equation,), law.number, law.remark, True) for law in section.laws)
+        yield Formulas("Laws", level, section.remarks, tuple(law_rows))
     if section.moves:
         yield Formulas("Solve", level, (), tuple(map(step_row, section.moves)))
-
-
-def law_row(law: LawLine) -> FormulaRow:
-    """A law with its number in front."""
-    return FormulaRow((law.law,), (law.equation,), law.number, law.remark, numbered=True)
 
 
 def step_row(move: Move) -> FormulaRow:

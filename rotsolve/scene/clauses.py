@@ -67,19 +67,18 @@ class Clauses:
             self.words[key] = getattr(self, f"read_{key}")(self.node.cut(rest[0].start, rest[-1].end))
 
     def state(self, part: Text) -> str | None:
-        return self.named(part, ("state",), "state", "states")
+        return self.named(part, "states", "state")
 
     read_start = read_end = state
 
     def read_at(self, part: Text) -> str | None:
         return ANY_TIME if part.value.split() == ANY_TIME.split() else self.state(part)
 
-    def named(self, part: Text, kinds: tuple[str, ...], what: str, plural: str) -> str | None:
-        word = part.value.strip()
-        if self.scope.kinds.get(word) in kinds:
+    def named(self, part: Text, plural: str, *kinds: str) -> str | None:
+        word, what = part.value.strip(), " or ".join(kinds)
+        kind, names = self.scope.kinds.get(word), self.scope.names(*kinds)
+        if kind in kinds:
             return word
-        kind = self.scope.kinds.get(word)
-        names = self.scope.names(*kinds)
         if not word.isidentifier():
             help = f"clauses stand at the end, or in brackets with their quantity: `(path at {(names or ['A'])[0]})/2`"
             self.scope.fault(part, f"{quoted(word)} is no {what}", help, "find")
@@ -90,10 +89,10 @@ class Clauses:
         return None
 
     def read_during(self, part: Text) -> str | None:
-        return self.named(part, ("phase", "event"), "phase or event", "phases and events")
+        return self.named(part, "phases and events", "phase", "event")
 
     def read_on(self, part: Text) -> str | None:
-        return self.named(part, ("body",), "body", "bodies")
+        return self.named(part, "bodies", "body")
 
     def read_about(self, part: Text) -> PointRef | None:
         return read_point(self.scope, part, "about", "about", ("body", "connection"))

@@ -42,16 +42,6 @@ def read_keys(scope: Scope, cls: type[Element], name: str, entries: dict[str, tu
     return result
 
 
-def missing_keys(
-    scope: Scope, cls: type[Element], place: Node, name: str, entries: dict[str, tuple[Text, Node]]
-) -> None:
-    """A fault for each required key that is not there."""
-    for word, declared in keys_of(cls):
-        if declared.required and word not in entries:
-            example = f": `{word}: {declared.example}`" if declared.example else f": {declared.help}"
-            scope.fault(place, f"`{name}` needs `{word}`", f"add it{example}", "missing")
-
-
 def read_value(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
     return READERS[key.kind](scope, key, node, label, owner)
 
@@ -148,12 +138,9 @@ def read_name(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any
     if word in scope.conflicts:
         return None
     if kind:
-        scope.fault(
-            node, f"`{label}` wants a {what}, but `{word}` is a {kind}", f"choose from: {', '.join(names)}", "kind"
-        )
-    else:
-        scope.unknown(node, word, what, names, "choose from")
-    return None
+        message = f"`{label}` wants a {what}, but `{word}` is a {kind}"
+        return scope.fault(node, message, f"choose from: {', '.join(names)}", "kind")
+    return scope.unknown(node, word, what, names, "choose from")
 
 
 def read_names(scope: Scope, key: Key, node: Node, label: str, owner: str) -> Any:
@@ -276,16 +263,17 @@ def read_element(scope: Scope, section: str, name: str, key: Text, node: Node) -
     entries = scope.entries(node, f"{kind} `{name}`", [word for word, _ in keys_of(cls)])
     if cls.later:
         scope.later(node.key(cls.word), cls.word)
-    missing_keys(scope, cls, key, name, {**entries, **{entry.value: (entry, value) for entry, value in node.entries}})
+    required = {word: declared for word, declared in keys_of(cls) if declared.required}
+    for word, declared in required.items():
+        if node.key(word) is None:
+            example = f": `{word}: {declared.example}`" if declared.example else f": {declared.help}"
+            scope.fault(key, f"`{name}` needs `{word}`", f"add it{example}", "missing")
     found = read_keys(scope, cls, name, entries)
-    element = cls(name, **found) if complete(cls, found) else None
-    if element is not None:
-        scope.touched[name] = tuple(point.owner for point in points_named(element) if point.owner)
+    if not all(word in found or f"{word}_" in found for word in required):
+        return None
+    element: Element = cls(name, **found)
+    scope.touched[name] = tuple(point.owner for point in points_named(element) if point.owner)
     return element
-
-
-def complete(cls: type[Element], found: dict[str, Any]) -> bool:
-    return all(word in found or f"{word}_" in found for word, declared in keys_of(cls) if declared.required)
 
 
 def plain_word(scope: Scope, kind: str, table: list[Any], name: str, node: Text) -> object | None:

@@ -144,14 +144,10 @@ def check_setting(scope: Scope, name: str, original: Text | None) -> None:
     text = original.value.strip() if original else ""
     new = scope.givens[name].dimension
     try:
-        old = (
-            parse_quantity(text).dimension if LITERAL.fullmatch(text) else parse_unit(text).dimension if text else None
-        )
+        found = parse_quantity(text) if LITERAL.fullmatch(text) else parse_unit(text) if text else None
     except UnitError:
         return
-    if old is not None and new is not None and not new.matches(old):
-        message = (
-            f"--set {name}: `{name}` is {dimension_in_words(old)} in the file, but this is {dimension_in_words(new)}"
-        )
-        scope.fault(None, message, kind="dimension")
-        scope.dimensions[name] = old  # no further faults from the same cause
+    if found is not None and new is not None and not new.matches(found.dimension):
+        before = f"`{name}` is {dimension_in_words(found.dimension)} in the file"
+        scope.fault(None, f"--set {name}: {before}, but this is {dimension_in_words(new)}", kind="dimension")
+        scope.dimensions[name] = found.dimension  # no further faults from the same cause

@@ -241,12 +241,8 @@ def dimension_holds(scope: Scope, node: Text, want: Want, found: Dimension, text
     label, shown_text = f"`{want.label}` wants {an(want.dimension)}", quoted(text)
     wanted = DIMENSIONS[want.dimension]
     number = text.rpartition("= ")[2]
-    bare = (
-        found == NUMBER
-        and want.dimension == "angle"
-        and re.search("pi|π|deg|rad|rev|°", number) is None
-        and LITERAL.fullmatch(number) is not None
-    )
+    bare = found == NUMBER and want.dimension == "angle" and LITERAL.fullmatch(number) is not None
+    bare = bare and re.search("pi|π|deg|rad|rev|°", number) is None
     if found.matches(wanted) and not bare:
         if want.dimension != "angular velocity" or "Hz" not in unit:
             return True

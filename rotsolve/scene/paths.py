@@ -94,11 +94,9 @@ def wrong_owner(scope: Scope, span: Span, name: str, label: str, kinds: tuple[st
     plural = " and ".join(KINDS[kind] for kind in kinds)
     names = scope.names(*kinds)
     kind = scope.kinds.get(name)
-    if name in scope.conflicts:
-        return
-    if kind:
+    if kind and name not in scope.conflicts:
         scope.fault(span, f"`{label}` wants a body, but `{name}` is a {kind}", f"{plural}: {', '.join(names)}", "kind")
-    else:
+    elif name not in scope.conflicts:
         scope.unknown(span, name, " or ".join(kinds), names, plural, f" in `{label}`")
 
 
@@ -166,24 +164,19 @@ def read_path(scope: Scope, node: Text, start: int, end: int) -> Path | None:
         return system_path(scope, node, first, span)
     kind = scope.kinds.get(first)
     if kind not in OWNERS:
-        owner_fault(scope, node, first, kind)
-        return None
+        if first in scope.conflicts:
+            return None
+        place, names = word_place(node, first), scope.names(*OWNERS)
+        if not kind:
+            return scope.unknown(place, first, "name", names, "names")
+        help = f"{PLURALS} have quantities: {', '.join(names)}"
+        return scope.fault(place, f"`{first}` is {an(kind)} and has no quantities", help, "kind")
     reader = body_path if kind == "body" else element_path
     return reader(scope, node, words, span)
 
 
 def word_place(node: Text, word: Segment) -> Span:
     return node.part(word.start, word.start + len(word))
-
-
-def owner_fault(scope: Scope, node: Text, word: Segment, kind: str | None) -> None:
-    if word in scope.conflicts:
-        return
-    if kind:
-        help = f"{PLURALS} have quantities: {', '.join(scope.names(*OWNERS))}"
-        scope.fault(word_place(node, word), f"`{word}` is {an(kind)} and has no quantities", help, "kind")
-    else:
-        scope.unknown(word_place(node, word), word, "name", scope.names(*OWNERS), "names")
 
 
 def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | None:
@@ -196,15 +189,13 @@ def system_path(scope: Scope, node: Text, word: Segment, span: Span) -> Path | N
         help = f"write `name.{word}`; names: {', '.join(scope.names(*OWNERS))}"
         if f"{word} of" in SWINGS:
             help = f"write `T: {word} of small swings`, and what is asked about it in a line of its own: `smallest T`"
-        scope.fault(span, f"`{word}` of what?", help, "path")
-    elif kind in OWNERS:
+        return scope.fault(span, f"`{word}` of what?", help, "path")
+    if kind in OWNERS:
         example = {"body": "angular_velocity", "connection": "force", "action": "work"}.get(str(kind), "impulse")
         help = f"write `{word}.quantity`, for example `{word}.{example}`"
-        scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", help, "path")
-    else:
-        known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
-        scope.unknown(span, word, "name", known, "givens, answers and quantities")
-    return None
+        return scope.fault(span, f"`{word}` is {an(str(kind))}, not a quantity", help, "path")
+    known = [*scope.names("given", "find"), *(item.word for item in QUANTITIES.values() if SYSTEM in item.owners)]
+    return scope.unknown(span, word, "name", known, "givens, answers and quantities")
 
 
 def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:
@@ -222,7 +213,7 @@ def body_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Pat
         point, rest = "at", rest[1:]
     elif is_point(scope, owner, rest):
         point, rest = str(rest[0]), rest[1:]
-    allowed = words_of(POINT if point else BODY)
+    allowed = [entry.word for entry in QUANTITIES.values() if (POINT if point else BODY) in entry.owners]
     if not rest:
         help = f"name a quantity: {', '.join(allowed)}"
         written = node.value[owner.start : owner.start + span.length]
@@ -237,10 +228,6 @@ def is_point(scope: Scope, owner: str, rest: list[Segment]) -> bool:
         return False
     entry = QUANTITIES.get(rest[0])
     return entry is None or (len(rest) > 1 and rest[1] not in entry.components)
-
-
-def words_of(kind: str) -> list[str]:
-    return [entry.word for entry in QUANTITIES.values() if kind in entry.owners]
 
 
 def element_path(scope: Scope, node: Text, words: list[Segment], span: Span) -> Path | None:

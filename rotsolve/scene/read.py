@@ -237,17 +237,15 @@ class Sections:
         own = self.entries("find")
         found = []
         for key, item in node.entries:
-            if isinstance(item, Text) and item.empty:
+            if (isinstance(item, Text) and item.empty) or not (key.value in own or self.asked(key.value)):
                 continue
-            if key.value in own or self.asked(key.value):
-                if isinstance(item, Map):
-                    from rotsolve.scene.comparisons import read_which_of
+            if isinstance(item, Map):
+                from rotsolve.scene.comparisons import read_which_of
 
-                    find = read_which_of(self.scope, key.value, key, item, asked)
-                else:
-                    find = read_find(self.scope, key.value, key, item, asked)
-                asked.setdefault(key.value, None)
-                found.append(find)
+                found.append(read_which_of(self.scope, key.value, key, item, asked))
+            else:
+                found.append(read_find(self.scope, key.value, key, item, asked))
+            asked.setdefault(key.value, None)
         return tuple(find for find in found if find is not None)
 
     def answers(self, asked: dict[str, Any]) -> tuple[Any, ...]:
@@ -342,6 +340,5 @@ def beyond_ends(problem: Problem, numbers: Mapping[str, float]) -> Iterator[Faul
             note(length - ref.argument)
         if place is not None and ref.point == "at" and place > lengths.get(ref.owner, place) * (1 + TOLERANCE):
             help = f"the rod is {lengths[ref.owner]:g} m long, and x is counted from its start"
-            yield Fault(
-                f"{quoted(ref.owner)} ends before this point, {place:g} m from its start", ref.span, help, "limits"
-            )
+            message = f"{quoted(ref.owner)} ends before this point, {place:g} m from its start"
+            yield Fault(message, ref.span, help, "limits")

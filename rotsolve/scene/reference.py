@@ -119,8 +119,9 @@ def quantity_row(entry: QuantityKind) -> str:
 
 
 SCALAR: dict[str, Any] = {"type": ["string", "number", "boolean"]}
-ANYTHING: dict[str, Any] = {}
+WORDS: dict[str, Any] = {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]}
 PLACE: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 3}
+EITHER: dict[str, Any] = {"anyOf": [SCALAR, PLACE]}
 LIMITS: dict[str, Any] = {"type": "array", "items": SCALAR, "minItems": 2, "maxItems": 2}
 POINT: dict[str, Any] = {"anyOf": [{"type": "string"}, PLACE]}
 TENSOR: dict[str, Any] = {"type": "array", "items": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]}}
@@ -189,7 +190,7 @@ def section_schema(name: str, key: Key) -> dict[str, Any]:
         "marking": named_map({"anyOf": [SCALAR, map_schema(MARKING)]}),
         "vary": named_map({"anyOf": [{"type": "string"}, {"type": "array", "items": SCALAR, "minItems": 1}]}),
         "assume": {"anyOf": [SCALAR, {"type": "array", "items": SCALAR}]},
-        "unknown": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
+        "unknown": WORDS,
     }
     return special.get(name) or value_schema(key)
 
@@ -223,17 +224,14 @@ def body_schema(more: dict[str, Key]) -> dict[str, Any]:
 def value_schema(key: Key) -> dict[str, Any]:
     """The schema of one value, by its kind."""
     kinds: dict[str, dict[str, Any]] = {
-        "text": SCALAR,
-        "quantity": SCALAR,
-        "gravity": SCALAR,
-        "density": SCALAR,
+        **dict.fromkeys(("text", "quantity", "gravity", "density", "marks", "tolerance", "deduction"), SCALAR),
+        **dict.fromkeys(("place", "spot", "vector"), PLACE),
+        **dict.fromkeys(("direction", "axis", "motion"), EITHER),
         "flag": {"enum": [True, False, "true", "false", "yes", "no"]},
         "choice": {"enum": list(key.choices)},
         "shape": {"enum": [shape.word for shape in SHAPES]},
         "name": {"type": "string"},
-        "names": {"anyOf": [{"type": "string"}, {"type": "array", "items": {"type": "string"}}]},
-        "place": PLACE,
-        "spot": PLACE,
+        "names": WORDS,
         "region": named_map(LIMITS),
         "profile": named_map({"anyOf": [SCALAR, LIMITS]}),
         "places": {"type": "array", "items": PLACE},
@@ -244,19 +242,12 @@ def value_schema(key: Key) -> dict[str, Any]:
         "points map": named_map(PLACE),
         "parts": named_map({"$ref": "#/$defs/part"}),
         "map of directions": {"type": "object", "additionalProperties": {"enum": list(key.choices)}},
-        "direction": {"anyOf": [SCALAR, PLACE]},
-        "vector": PLACE,
         "friction": FRICTION,
         "inertia": {"anyOf": [SCALAR, TENSOR, ABOUT]},
         "count": {"anyOf": [{"type": "integer", "minimum": 1}, {"type": "string"}]},
-        "axis": {"anyOf": [SCALAR, PLACE]},
-        "motion": {"anyOf": [SCALAR, PLACE]},
-        "marks": SCALAR,
-        "tolerance": SCALAR,
         "deductions": DEDUCTIONS,
-        "deduction": SCALAR,
     }
-    return kinds.get(key.kind, ANYTHING)
+    return kinds.get(key.kind, {})
 
 
 def points_schema(key: Key) -> dict[str, Any]:

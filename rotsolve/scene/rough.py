@@ -8,10 +8,6 @@ from collections.abc import Callable, Mapping
 from rotsolve.algebra.certified.ball import decided_by_size
 from rotsolve.algebra.formula import Call, Constant, Formula, Negative, Number, Power, Product, Quotient, Sum, Symbol
 
-CALLS: dict[str, Callable[[float], float]] = {}
-CALLS |= {"sqrt": math.sqrt, "sin": math.sin, "cos": math.cos, "tan": math.tan, "asin": math.asin, "acos": math.acos}
-CALLS |= {"atan": math.atan, "exp": math.exp, "log": math.log, "abs": math.fabs}
-
 
 def elliptic(m: float) -> float:
     """K(m) = π/(2 M(1, √(1 − m))) by the arithmetic-geometric mean M."""
@@ -21,7 +17,8 @@ def elliptic(m: float) -> float:
     return math.pi / (2 * one)
 
 
-CALLS["ellipk"] = elliptic
+CALLS: dict[str, Callable[[float], float]] = {"log": math.log, "abs": math.fabs, "ellipk": elliptic}
+CALLS |= {name: getattr(math, name) for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp")}
 
 
 def rough(formula: Formula, numbers: Mapping[str, float]) -> float | None:

@@ -116,14 +116,14 @@ class Scope:
                 help = f"the first is in line {result[word][0].span.line}; YAML would keep only one of them"
                 self.fault(key, f"{quoted(word)} stands twice in {what}", help, "duplicate")
             elif isinstance(value, Text) and value.empty:
-                self.missing_value(key, value, node, what, names)
+                self.missing_value(key, node)
             elif names is not None and word not in names:
                 self.fault(key, f"unknown key {quoted(word)} in {what}", hint(word, names, "keys"), "key")
             else:
                 result[word] = (key, value)
         return result
 
-    def missing_value(self, key: Text, value: Text, node: Map, what: str, names: list[str] | None) -> None:
+    def missing_value(self, key: Text, node: Map) -> None:
         from rotsolve.scene.traps import null_fault
 
         position = [entry[0] for entry in node.entries].index(key)

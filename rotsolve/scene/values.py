@@ -67,23 +67,17 @@ def expression(scope: Scope, node: Text, want: Want, paths: PathReader | None) -
             text.append(replaced)
     try:
         formula = parse("".join(text), {*names, *stand_ins}).substitute(stand_ins)
-        return None if divides_by_zero(scope, node, formula) else formula
+        for part in formula.walk():
+            if isinstance(part, Quotient):
+                note(part.denominator)
+                if size(part.denominator, scope.numbers) == 0:
+                    return scope.fault(node, f"{quoted(node.value)} divides by zero", kind="formula")
+        return formula
     except FormulaError as error:
         formula_fault(scope, node, error, want, names, "".join(text), stand_ins)
     except (ValueError, ZeroDivisionError, RecursionError) as error:
         scope.fault(node, f"{quoted(node.value)} is no formula: {error}", kind="formula")
     return None
-
-
-def divides_by_zero(scope: Scope, node: Text, formula: Formula) -> bool:
-    for part in formula.walk():
-        if not isinstance(part, Quotient):
-            continue
-        note(part.denominator)
-        if size(part.denominator, scope.numbers) == 0:
-            scope.fault(node, f"{quoted(node.value)} divides by zero", kind="formula")
-            return True
-    return False
 
 
 def replacement(
@@ -107,14 +101,11 @@ def replacement(
             return paths(node, piece)
         scope.fault(place, f"a path such as {quoted(piece.text)} can't stand here", "use givens and numbers", "formula")
         return None
-    if piece.kind == "name" and paths is not None and piece.text not in names and is_path_word(scope, piece.text):
-        return paths(node, piece)
+    if piece.kind == "name" and paths is not None and piece.text not in names:
+        owns = scope.kinds.get(piece.text) in ("body", "connection", "action", "event")
+        if owns or piece.text in QUANTITIES:  # a path without its quantity; `kinetic_energy` of the whole scene
+            return paths(node, piece)
     return piece.text
-
-
-def is_path_word(scope: Scope, word: str) -> bool:
-    """Whether the word alone is a quantity of the whole scene (`kinetic_energy`), or was meant as a path."""
-    return word in QUANTITIES or scope.kinds.get(word) in ("body", "connection", "action", "event")
 
 
 def formula_fault(
@@ -203,9 +194,8 @@ def agreed_dimension(
 ) -> Dimension | None:
     """The dimension of a formula; None, with a fault, where its parts don't agree or that of a letter is not known."""
     try:
-        return dimension_of(
-            formula, {name: found for name in formula.symbols() if (found := known.get(name)) is not None}
-        )
+        found = {name: own for name in formula.symbols() if (own := known.get(name)) is not None}
+        return dimension_of(formula, found)
     except DimensionError as error:
         message = as_written(scope, formula, error.message)
         return scope.fault(node, f"the dimensions in {quoted(node.value)} don't agree: {message}", help, "dimension")
