@@ -14,17 +14,9 @@ from typing import Any
 from msgspec import Struct
 
 FUNCTIONS = {  # name -> number of arguments
-    "sqrt": 1,
-    "sin": 1,
-    "cos": 1,
-    "tan": 1,
-    "asin": 1,
-    "acos": 1,
-    "atan": 1,
+    **dict.fromkeys(("sqrt", "sin", "cos", "tan", "asin", "acos", "atan"), 1),
     "atan2": 2,
-    "exp": 1,
-    "log": 1,
-    "abs": 1,
+    **dict.fromkeys(("exp", "log", "abs"), 1),
     "ellipk": 1,  # K(m) = ∫ dφ/√(1 − m sin²φ) over a quarter turn, the complete elliptic integral of the first kind
 }
 

@@ -13,13 +13,7 @@ from rotsolve.algebra.tape import Operation
 from rotsolve.arrays import NotForMany, Program
 
 PIECE = 16_384  # values worked on at a time
-WORDS: dict[str, Any] = {
-    "asin": np.arcsin,
-    "acos": np.arccos,
-    "atan": np.arctan,
-    "atan2": np.arctan2,
-    "raised": np.power,
-}
+RENAMED = {"asin": "arcsin", "acos": "arccos", "atan": "arctan", "atan2": "arctan2"}  # to NumPy's names
 PLAIN = ("add", "subtract", "multiply", "divide", "negative", "power", "sqrt", "sin", "cos", "tan", "exp", "log", "abs")
 
 
@@ -103,8 +97,6 @@ def write_piece(results: Sequence[Any], piece: slice, found: Sequence[Any]) -> N
 
 def numpy_function(word: str) -> Any:
     """NumPy's function for an operation."""
-    if word in WORDS:
-        return WORDS[word]
-    if word not in PLAIN:
+    if word not in PLAIN and word not in RENAMED:
         raise NotForMany(f"NumPy has no function {word}; ask for certified values")
-    return getattr(np, word)
+    return getattr(np, RENAMED.get(word, word))

@@ -132,12 +132,8 @@ def energy_balance(system: System) -> Iterator[Balance]:
     if any(body.sweep is not None for body in bodies):
         return
     kinetic = energy.kinetic(list(bodies))
-    heights = [
-        force.size * (risen(body, system) + force.arm.along(UP))
-        for body in bodies
-        for force in body.forces
-        if force.role.weighs
-    ]
+    weights = ((body, force) for body in bodies for force in body.forces if force.role.weighs)
+    heights = [force.size * (risen(body, system) + force.arm.along(UP)) for body, force in weights]
     stored = [item.energy for item in system.facts.potentials]
     holders = {item.owner for item in system.facts.potentials}
     powers: list[Formula] = []

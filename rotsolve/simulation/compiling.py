@@ -87,12 +87,8 @@ class Compiler(Struct, dict=True):
             places = list(self._places(bodies, moment, facts))
             free = self._speeds(bodies, moment, facts)
             self._forces(moment, facts)
-            rising = {
-                speed.name: rate
-                for name in bodies
-                for speed, rate in self._pairs(moment, name)
-                if isinstance(speed, Symbol)
-            }
+            pairs = (pair for name in bodies for pair in self._pairs(moment, name))
+            rising = {speed.name: rate for speed, rate in pairs if isinstance(speed, Symbol)}
             lines = [*places, *((path_name(name), name, rising[name]) for name in free)]
             variables = tuple(self._variables(lines))
             moving = {item.letter for item in variables}
@@ -121,12 +117,9 @@ class Compiler(Struct, dict=True):
         for letter, rate in idle.items():
             if letter in ever or not moving:
                 if self.unnumbered:
-                    raise NotYet(
-                        f"`{self.unnumbered}` has no number", help=f"give it one, or say --set {self.unnumbered}=…"
-                    )
-                raise NotYet(
-                    f"the laws do not tell the {named_in_text(next(iter(rate.symbols()), letter), self.registry)}"
-                )
+                    raise refusal(Unwritable("", self.unnumbered), self.registry)
+                untold = named_in_text(next(iter(rate.symbols()), letter), self.registry)
+                raise NotYet(f"the laws do not tell the {untold}")
         yield from moving
 
     def _followed(self, variables: tuple[Variable, ...]) -> tuple[Variable, ...]:
@@ -218,11 +211,9 @@ class Compiler(Struct, dict=True):
                 yield f"{name}.rotation", turned, signed(motion.spin, motion.sense)
         for stored in facts.potentials:
             letter = next(iter(stored.elongation.symbols()), "")
-            if (
-                stored.elongation == Symbol(letter)
-                and letter not in self.letters
-                and letter in self.registry.quantities
-            ):
+            if letter in self.letters or stored.elongation != Symbol(letter):
+                continue
+            if letter in self.registry.quantities:
                 word = self.registry.quantities[letter].kind
                 self._enter(letter, self._at_first(partial(self.start.place, word, stored.owner)))
                 yield f"{stored.owner}.{word}", letter, stored.rate
@@ -240,11 +231,9 @@ class Compiler(Struct, dict=True):
             self._enter(letter, NOTHING)
             yield f"{name}.position.{axis}", letter, moment.component("velocity", name, axis)
 
-    def _pairs(self, moment: Instant, name: str) -> list[tuple[Formula, Formula]]:
+    def _pairs(self, moment: Instant, name: str) -> Iterator[tuple[Formula, Formula]]:
         """The speeds of a body with their accelerations."""
-        return list(
-            zip(rates_of_body("velocity", moment, name), rates_of_body("acceleration", moment, name), strict=True)
-        )
+        return zip(rates_of_body("velocity", moment, name), rates_of_body("acceleration", moment, name), strict=True)
 
     def _speeds(self, bodies: list[str], moment: Instant, facts: Facts) -> list[str]:
         """Tells all speeds by a few that are free, enters these with their first values, and returns them."""
@@ -272,10 +261,8 @@ class Compiler(Struct, dict=True):
         start = self.start.instant
         letters: dict[str, Formula] = {}
         for name in bodies:
-            for now, then in zip(
-                rates_of_body("velocity", moment, name), rates_of_body("velocity", start, name), strict=True
-            ):
-                letters.update({now.name: then} if isinstance(now, Symbol) else {})
+            both = zip(rates_of_body("velocity", moment, name), rates_of_body("velocity", start, name), strict=True)
+            letters.update({now.name: then for now, then in both if isinstance(now, Symbol)})
         unknown = {name for then in letters.values() for name in then.symbols() if is_key(name)}
         rows = self._rows((item.left - item.right for item in self.start.speeds()), unknown)
         zero = self.tape.number(ZERO)
@@ -301,11 +288,8 @@ class Compiler(Struct, dict=True):
             for name in body.inertia.letter.symbols()
             if name not in self.letters
         }
-        self.inertias = {
-            name: self.tape.formula(formula, self.letters)
-            for name, formula in inertias.items()
-            if formula.symbols() <= set(self.letters)
-        }
+        told = {name: formula for name, formula in inertias.items() if formula.symbols() <= set(self.letters)}
+        self.inertias = {name: self.tape.formula(formula, self.letters) for name, formula in told.items()}
         laws = []
         for law in equations_for(FOLLOWED, AtMoment(facts, "", "")):
             formula = (law.left - law.right).substitute(inertias)

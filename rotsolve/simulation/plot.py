@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import cycle
 from typing import Any
 
 from rotsolve.simulation.report import columns_of, quantity_unit, quantity_word
@@ -31,16 +32,13 @@ def plot_run(run: Run, path: str) -> None:
     axes: Any = figure.subplots(len(panels), 1, sharex=True, squeeze=False)[:, 0]
     times = [run.end * k / (POINTS - 1) for k in range(POINTS)]
     found = [run.at(time, names) for time in times]
-    colours = {
-        owner: COLOURS[k % len(COLOURS)] for k, owner in enumerate(dict.fromkeys(n.partition(".")[0] for n in names))
-    }
+    colours = dict(zip(dict.fromkeys(name.partition(".")[0] for name in names), cycle(COLOURS), strict=False))
     for axis, (unit, held) in zip(axes, panels.items(), strict=True):
         for name in held:
             style = "--" if name.endswith(".y") else "-"
             values = [row[name][0] if name in row else float("nan") for row in found]
-            axis.plot(
-                times, values, style, color=colours[name.partition(".")[0]], linewidth=1.6, label=curve_label(name)
-            )
+            colour = colours[name.partition(".")[0]]
+            axis.plot(times, values, style, color=colour, linewidth=1.6, label=curve_label(name))
         dress(axis, unit, len(held))
     mark_events(axes, run)
     axes[-1].set_xlabel("t in s", color=INK)
@@ -78,16 +76,7 @@ def mark_events(axes: Any, run: Run) -> None:
     for event in run.events:
         for axis in axes:
             axis.axvline(event.time, color=INK, linewidth=0.7, linestyle=":", alpha=0.6)
+    place = {"xycoords": ("data", "axes fraction"), "xytext": (3, -3), "textcoords": "offset points"}
+    look = {"fontsize": 8, "color": INK, "rotation": 90, "va": "top", "ha": "left"}
     for event in run.events if len(run.events) <= MOST_MARKS else ():
-        axes[0].annotate(
-            event.state or event.what,
-            (event.time, 1.0),
-            xycoords=("data", "axes fraction"),
-            xytext=(3, -3),
-            textcoords="offset points",
-            fontsize=8,
-            color=INK,
-            rotation=90,
-            va="top",
-            ha="left",
-        )
+        axes[0].annotate(event.state or event.what, (event.time, 1.0), **place, **look)

@@ -163,8 +163,8 @@ def bounds_sentence(run: Run, names: Sequence[str]) -> str:
     if not found or is_at_rest(run, names):
         return STANDS
     name = max(found, key=lambda name: found[name][1])
-    wide = decimal_text(arb(found[name][1]).mid(), digits=2) if found[name][1] else "0"
-    return f"Every digit shown is settled by the bound of its number; the widest is {wide} {quantity_unit(name)}, of {name} at the end."
+    wide = f"{bound_text(found[name][1], 2)} {quantity_unit(name)}, of {name} at the end"
+    return f"Every digit shown is settled by the bound of its number; the widest is {wide}."
 
 
 def is_at_rest(run: Run, names: Sequence[str]) -> bool:
@@ -178,15 +178,15 @@ def balances_sentence(run: Run) -> str:
     """How well energy and momentum hold."""
     pairs = (("energy", run.drift.energy, "kinetic energy"), ("momentum", run.drift.momentum, "momentum"))
     told = [
-        f"{name} agrees with the {'work' if name == 'energy' else 'impulse'} of the forces to {bound_text(value)} of the largest {of}"
+        f"{name} agrees with the {'work' if name == 'energy' else 'impulse'} of the forces to {bound_text(value, 1)} of the largest {of}"
         for name, value, of in pairs
         if value is not None
     ]
     return f"The {'; '.join(told)}." if told else "Its forces do not tell an energy or a momentum that is kept."
 
 
-def bound_text(value: float) -> str:
-    return decimal_text(arb(value).mid(), digits=1) if value else "0"
+def bound_text(value: float, digits: int) -> str:
+    return decimal_text(arb(value).mid(), digits=digits) if value else "0"
 
 
 def csv_lines(run: Run, times: Iterable[float]) -> Iterator[str]:

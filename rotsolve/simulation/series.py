@@ -21,19 +21,11 @@ Lists = Mapping[int, Series]  # by the places of their values on the tape
 # what begins a series, and appends to it; None for a constant's
 Made = tuple[Callable[[], None], Callable[[int], None] | None]
 Functions = Mapping[str, Callable[[Scalar], Scalar]]
-OF_FLOAT: Functions = {
-    "sin": math.sin,
-    "cos": math.cos,
-    "exp": math.exp,
-    "log": math.log,
-    "atan": math.atan,
-    "asin": math.asin,
-    "acos": math.acos,
-    "abs": abs,
-}
+NAMES = ("sin", "cos", "exp", "log", "atan", "asin", "acos", "abs")
+OF_FLOAT: Functions = {name: getattr(math, name, abs) for name in NAMES}
+OF_BALL: Functions = {name: getattr(arb, name, abs) for name in NAMES}
 COARSE = 2.0**-51  # the relative error of what is rounded more coarsely on purpose
 EXACTLY = 256  # bits that tell whether a constant is a float
-OF_BALL: Functions = {name: getattr(arb, name, abs) for name in OF_FLOAT}
 
 
 class Arithmetic(Struct, frozen=True):
@@ -250,10 +242,9 @@ OPERATIONS: Mapping[str, Callable[..., Made]] = {
 def rough_value(tape: SeriesTape, place: int, letters: Mapping[str, Exact]) -> float:
     """About how large a value is where the letters have these values."""
     expansion = Expansion(tape, [place], FLOATS)
-    names = {
-        where: tape.operations[where].name for where in expansion.places if tape.operations[where].kind == "letter"
-    }
-    expansion.begin({where: nearest_float(letters.get(name, ZERO)) for where, name in names.items()})
+    found = [(where, tape.operations[where]) for where in expansion.places]
+    starts = {where: letters.get(item.name, ZERO) for where, item in found if item.kind == "letter"}
+    expansion.begin({where: nearest_float(start) for where, start in starts.items()})
     return float(expansion.lists[place][0])
 
 

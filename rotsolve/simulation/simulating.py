@@ -79,7 +79,9 @@ def follow(configuration: Configuration, until: float, accuracy: float, tell: Ca
 
     When the time for that is over, as of chaotic motion, the run ends where its bounds still are as asked.
     """
-    tolerances, best, going_on = first_tolerances(accuracy), None, patient(tell)
+    tolerances, best, going_on = Tolerances(max(FINEST, AIM * accuracy)), None, patient(tell)
+    if accuracy < OF_FLOATS:
+        tolerances = in_balls(AIM * accuracy)
     excess, idle = math.inf, 0
     while True:
         try:
@@ -134,13 +136,6 @@ def patient(tell: Callable[[float], None] | None) -> Callable[[float], None]:
     return going_on
 
 
-def first_tolerances(accuracy: float) -> Tolerances:
-    """What is tried first: floats, where they can give what is asked at all."""
-    if accuracy < OF_FLOATS:
-        return in_balls(AIM * accuracy)
-    return Tolerances(max(FINEST, AIM * accuracy))
-
-
 def in_balls(tolerance: float) -> Tolerances:
     """A tolerance, with as many bits as it takes."""
     return Tolerances(tolerance, max(96, 40 + math.ceil(-math.log2(tolerance))))
@@ -181,6 +176,4 @@ def settled_until(regimes: Sequence[Regime], accuracy: float) -> float:
 def finer(tolerances: Tolerances, excess: float) -> Tolerances:
     """A finer tolerance; beyond what floats can carry, balls of as many bits as it takes."""
     main = tolerances.main / (10 * excess)
-    if main >= FINEST and tolerances.bits == FLOAT_BITS:
-        return Tolerances(main)
-    return in_balls(main)
+    return Tolerances(main) if main >= FINEST and tolerances.bits == FLOAT_BITS else in_balls(main)

@@ -167,12 +167,8 @@ class SeriesTape(Tape):
 
     def unknowns_of(self, name: str) -> list[int]:
         """The places of the unknowns of a block, in their order."""
-        found = [
-            (int(item.numbers[0].p), place)
-            for place, item in enumerate(self.operations)
-            if (item.kind, item.name) == ("unknown", name)
-        ]
-        return [place for _, place in sorted(found)]
+        own = [place for place, item in enumerate(self.operations) if (item.kind, item.name) == ("unknown", name)]
+        return sorted(own, key=lambda place: int(self.operations[place].numbers[0].p))
 
     def needed(self, wanted: Iterable[int]) -> list[int]:
         """All places on which the wanted values rest, in order; a sine comes with its cosine, an unknown with all of its block."""

@@ -109,13 +109,8 @@ class Item(Struct):
 
 def inner(item: Item) -> set[str]:
     """Letters inside integrals, where a bound variable hides nothing."""
-    return {
-        name
-        for side in (item.left, item.right)
-        for node in side.walk(Integral)
-        if isinstance(node, Integral)
-        for name in node.integrand.symbols()
-    }
+    nodes = (node for side in (item.left, item.right) for node in side.walk(Integral))
+    return {name for node in nodes if isinstance(node, Integral) for name in node.integrand.symbols()}
 
 
 def isolated(item: Item, name: str) -> Formula | None:

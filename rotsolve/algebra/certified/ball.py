@@ -60,8 +60,6 @@ def decided_by_size() -> None:
         witness.by_size = True
 
 
-__all__ = ["Ball", "Certified", "Undefined", "decimal_text", "evaluate"]
-
 BITS_PER_DIGIT = 3.3219280948873626
 INTEGRAL_LIMIT = 400  # bits: beyond this an integral costs more than it is worth
 ROUNDS = 8  # times that the precision is doubled for the digits of one number

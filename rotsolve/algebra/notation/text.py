@@ -26,8 +26,6 @@ from rotsolve.algebra.formula import (
 )
 from rotsolve.algebra.notation.letters import GLYPHS, PRIME, name_to_text, superscripted
 
-__all__ = ["name_to_text", "number_to_text", "to_text"]
-
 # How tightly a text binds. A call without brackets (`sin θ`, `√x`) may be a factor, but is no base of a power.
 SUM, NEGATIVE, PRODUCT, QUOTIENT, CALL, POWER, ATOM = range(7)
 

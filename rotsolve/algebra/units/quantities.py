@@ -22,8 +22,6 @@ from rotsolve.algebra.notation.tokens import NUMBER, FormulaError, read_number, 
 from rotsolve.algebra.units.dimension import NONE, Dimension, Exponent, base_unit_text, kind_of, product_of_units
 from rotsolve.algebra.units.unit_table import AMBIGUOUS, MEANT, ONE_UNIT, UNITS, Unit, power_of_pi
 
-__all__ = ["Unit", "UnitError", "UnitValue", "number_in_unit", "parse_quantity", "parse_unit", "unit_for"]
-
 MAX_LENGTH = 200
 MAX_UNIT_POWER = 12
 

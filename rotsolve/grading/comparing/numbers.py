@@ -11,7 +11,8 @@ from fractions import Fraction
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, Precision, Undefined, ends, evaluate, rounded
+from rotsolve.algebra.certified.ball import Certified, Precision, ends, evaluate, rounded
+from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import Formula, Number
 from rotsolve.algebra.notation.limits import rational

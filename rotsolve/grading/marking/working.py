@@ -10,8 +10,8 @@ from collections.abc import Iterator
 from functools import cached_property
 from itertools import pairwise
 
-from rotsolve.algebra.certified.ball import Certified, Undefined, evaluate
-from rotsolve.algebra.certified.balls import RealBalls
+from rotsolve.algebra.certified.ball import Certified, evaluate
+from rotsolve.algebra.certified.balls import RealBalls, Undefined
 from rotsolve.algebra.exact.normal import equal
 from rotsolve.algebra.flints import arb
 from rotsolve.algebra.formula import ZERO, Formula, Negative, Sum, negate
