@@ -53,9 +53,8 @@ class Yardstick:
         reference = _with_letters(reference, lambda call: found.setdefault(call, Symbol(f"#{len(found)}")))
         atoms = [node for node in reference.walk(*TRIG) if isinstance(node, Call) and node.function in TRIG]
         self.field = Field([*atoms, PI, *(Symbol(name) for name in letters), *found.values()])
-        self.calls: list[tuple[str, list[Ratio], Symbol]] = []
-        for call, symbol in found.items():  # inner ones come first
-            self.calls.append((call.function, self._arguments(call), symbol))
+        calls = found.items()  # inner ones come first
+        self.calls = [(call.function, self._arguments(call), symbol) for call, symbol in calls]
         self.signs = PolynomialSigns(self.field, positive)
         self.steps = list(self.field.gens)  # each letter of a rank as the one below it and a positive step
         for ranked in ranks:

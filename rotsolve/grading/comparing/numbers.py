@@ -156,26 +156,20 @@ def certified_number(value: Formula, values: Mapping[str, Formula]) -> Certified
 # units
 
 
-class Measured(Struct, frozen=True):
-    """The unit in which a typed number is meant; or the remark on a unit that does not measure what is asked."""
-
-    unit: Unit | None = None
-    fault: Remark | None = None
-
-
-def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = False) -> Measured:
-    """How a number in the typed unit is to be taken; `turns` says that a pure number counts turns."""
+def measured_unit(typed: Unit, wanted: Unit, dimension: Dimension, turns: bool = False) -> Unit | Remark:
+    """The unit in which a number in the typed one is meant, or the remark that it does not measure what is asked; `turns` says that a
+    pure number counts turns."""
     if not typed.dimension.matches(dimension):
-        return Measured(fault=Remark("dimension", (other_dimension(typed, dimension),)))
+        return Remark("dimension", (other_dimension(typed, dimension),))
     if dimension.matches(FREQUENCY):
         return measured_rate(typed, wanted, dimension)
     if is_hertz(typed) and dimension.angle:
-        return Measured(fault=Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",)))
+        return Remark("unit", (f"{typed.text} counts turns, {wanted.text} radians",))
     if turns and typed.dimension == ANGLE:
         if counts_turns(typed):
-            return Measured(ONE_UNIT)
-        return Measured(fault=Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",)))
-    return Measured(typed)
+            return ONE_UNIT
+        return Remark("unit", (f"a number of turns is asked for, not an angle in {typed.text}",))
+    return typed
 
 
 def other_dimension(typed: Unit, dimension: Dimension) -> str:
@@ -185,17 +179,17 @@ def other_dimension(typed: Unit, dimension: Dimension) -> str:
     return f"{typed.text} {here}, but {asked} is asked for"
 
 
-def measured_rate(typed: Unit, wanted: Unit, dimension: Dimension) -> Measured:
+def measured_rate(typed: Unit, wanted: Unit, dimension: Dimension) -> Unit | Remark:
     """Hz beside rad/s: revolutions in a second are a frequency too, radians are not, and Hz is no angular velocity."""
     if dimension.angle and is_hertz(typed):
         said = f"{typed.text} counts turns: it measures a frequency, and ω = 2π f is in rad/s"
-        return Measured(fault=Remark("unit", (said,)))
+        return Remark("unit", (said,))
     if is_hertz(wanted) and typed.dimension.angle:
         if counts_turns(typed):
-            return Measured(Unit(typed.text, typed.scale / 2, typed.pi_power - 1, FREQUENCY))
+            return Unit(typed.text, typed.scale / 2, typed.pi_power - 1, FREQUENCY)
         said = f"{typed.text} measures an angular frequency: f = ω/(2π) is in Hz"
-        return Measured(fault=Remark("unit", (said,)))
-    return Measured(typed)
+        return Remark("unit", (said,))
+    return typed
 
 
 def is_hertz(unit: Unit) -> bool:

@@ -25,8 +25,8 @@ def scalar_judged(reading: LineReading, asked: Scalar) -> Finding:
         return number_judged(Typed(reading.formula, reading.figures, reading.unit), reading.direction, asked)
     if reading.kind == FORMULA and reading.formula is not None:
         meant = None if reading.unit is None else measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
-        if meant is not None and meant.fault is not None:
-            return Finding(WRONG, (meant.fault,))
+        if isinstance(meant, Remark):
+            return Finding(WRONG, (meant,))
         return formula_judged(reading.formula, asked, measured=meant is not None)
     return found(WRONG, "form", f"{'a formula' if asked.value is None else 'a number or a formula'} is asked for")
 

@@ -89,10 +89,9 @@ def number_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:
     if typed.unit is None:
         return unitless_judged(typed, direction, asked)
     meant = measured_unit(typed.unit, asked.unit, asked.dimension, asked.turns)
-    if meant.unit is None:
-        assert meant.fault is not None
-        return Finding(WRONG, (meant.fault,))
-    return value_judged(typed, meant.unit, direction, asked) or slip(typed, meant.unit, asked)
+    if isinstance(meant, Remark):
+        return Finding(WRONG, (meant,))
+    return value_judged(typed, meant, direction, asked) or slip(typed, meant, asked)
 
 
 def unitless_judged(typed: Typed, direction: str, asked: Scalar) -> Finding:

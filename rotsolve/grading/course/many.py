@@ -68,8 +68,7 @@ def marked_course(request: CheckRequest, judges: Judges) -> MarkedClass:
         for done, (place, marked) in enumerate(mark_papers(papers, judges.judge), 1):
             found[place] = marked
             tell(done / len(papers))
-    rows = zip(handed.entries, papers, found, strict=True)
-    results = tuple(result_of_row(*row) for row in rows)
+    results = tuple(map(result_of_row, handed.entries, papers, found))
     seed = judges.seed if judges.problem.vary is not None else None
     return MarkedClass(task, handed.columns, results, handed.byte_order_mark, seed)
 

@@ -5,13 +5,11 @@ Rounded too early are g = 10 m/s², π = 3.14, or a given to fewer figures.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from functools import cached_property, partial
 from itertools import islice
 from typing import TYPE_CHECKING
-
-from msgspec import Struct
 
 from rotsolve.algebra.certified.ball import Certified, rounded, value_of
 from rotsolve.algebra.formula import ONE, PI, Constant, Formula, Negative, Number, Sum, Symbol, negate
@@ -44,29 +42,7 @@ LEAST_FOR_MISTAKE = 2  # figures of a number that may name a mistake
 MOST_TERMS = 12  # of a formula whose signs are turned
 ENOUGH = 3  # figures of a number that may be the answer to another question
 Wrong = Callable[[], "WrongAnswers"]
-
-
-class Rounded(Struct, frozen=True):
-    """The answer with one number rounded, in SI units, and what was rounded in words."""
-
-    value: Certified
-    words: Words
-
-
-def rounded_answers(closed: Formula, values: Mapping[str, Formula], givens: Mapping[str, Given]) -> tuple[Rounded, ...]:
-    """The answers that come of one number rounded too early."""
-    found = []
-    for name in sorted(closed.symbols() & values.keys()):
-        for number, text in fewer_figures(givens[name]):
-            value = certified_number(closed, {**values, name: number})
-            if value is not None:
-                found.append(Rounded(value, (Symbol(name), f" = {text}")))
-    if closed.holds(Constant):
-        for text in PIS:
-            value = certified_number(closed.transform(partial(node_replaced, PI, Number(Fraction(text)))), values)
-            if value is not None:
-                found.append(Rounded(value, (PI, f" = {text}")))
-    return tuple(found)
+Rounded = tuple[Certified, Words]  # the answer with one number rounded, in SI units, and what was rounded in words
 
 
 def fewer_figures(given: Given) -> Iterator[tuple[Formula, str]]:
@@ -90,20 +66,8 @@ def rounded_early(typed: Typed, factor: Formula, answers: tuple[Rounded, ...]) -
     if typed.figures is not None and (half is None or typed.figures < LEAST_ROUNDED):
         return None
     number, margin = Typed(typed.value * factor), None if half is None else half * factor
-    near = (answer.words for answer in answers if is_near(number, answer.value, share=EXACTLY, margin=margin))
+    near = (words for value, words in answers if is_near(number, value, share=EXACTLY, margin=margin))
     return next(near, None)
-
-
-def rounding_spread(closed: Formula, values: Mapping[str, Formula]) -> float:
-    """How far the answer may be off, as a share of it, where every number in it is rounded to about two figures: Σ |Δf|/|f|."""
-    exact = certified_number(closed, values)
-    if exact is None or not exact.float:
-        return 0.0
-    moved = [
-        certified_number(closed, {**values, name: (1 + TWO_FIGURES) * values[name]})
-        for name in closed.symbols() & values.keys()
-    ]
-    return sum(abs(other.float / exact.float - 1) for other in moved if other is not None)
 
 
 # mistakes
@@ -145,12 +109,20 @@ class Explaining:
 
     @remembered
     def roundings(self, asked: Scalar) -> tuple[Rounded, ...]:
-        """The answer with one number rounded too early."""
-        closed = asked.closed
-        if closed is None or not closed.symbols() <= asked.values.keys():
+        """The answers that come of one number rounded too early."""
+        closed, values = asked.closed, asked.values
+        if closed is None or not closed.symbols() <= values.keys():
             return ()
         givens = {given.name: given for given in self.letters.problem.givens}
-        return rounded_answers(closed, asked.values, givens)
+        found: list[tuple[Certified | None, Words]] = [
+            (certified_number(closed, {**values, name: number}), (Symbol(name), f" = {text}"))
+            for name in sorted(closed.symbols())
+            for number, text in fewer_figures(givens[name])
+        ]
+        for text in PIS if closed.holds(Constant) else ():
+            other = closed.transform(partial(node_replaced, PI, Number(Fraction(text))))
+            found.append((certified_number(other, values), (PI, f" = {text}")))
+        return tuple((value, words) for value, words in found if value is not None)
 
     def mistake_of_number(self, name: str, typed: Typed, asked: Scalar) -> Finding | None:
         """The mistake that gives a number."""
@@ -182,8 +154,14 @@ class Explaining:
 
     @remembered
     def spread(self, asked: Scalar) -> Fraction:
-        """How far the answer may be off where every number in it is rounded to about two figures."""
-        return Fraction(rounding_spread(asked.closed, asked.values)) if asked.closed is not None else Fraction(0)
+        """How far the answer may be off, as a share of it, where every number in it is rounded to about two figures: Σ |Δf|/|f|."""
+        closed, values = asked.closed, asked.values
+        exact = None if closed is None else certified_number(closed, values)
+        if closed is None or exact is None or not exact.float:
+            return Fraction(0)
+        letters = closed.symbols() & values.keys()
+        moved = [certified_number(closed, {**values, name: (1 + TWO_FIGURES) * values[name]}) for name in letters]
+        return Fraction(sum(abs(other.float / exact.float - 1) for other in moved if other is not None))
 
     def formula(self, name: str, formula: Formula, asked: Scalar) -> Finding | None:
         """What a wrong formula comes of; None where nothing tells."""

@@ -103,10 +103,7 @@ class Following:
         side = (law.left - law.right).substitute(constants)
         if not side.symbols() - {letter} <= set(known):
             return None
-        try:
-            return solve_linear(side, letter)
-        except (ValueError, ArithmeticError):
-            return None
+        return linear_root(side, letter)
 
     def _put(self, law: Equality, inner: Collection[str], forms: Mapping[str, list[Formula]]) -> Iterator[Equality]:
         """A law with every choice of forms for its inner letters; nothing where one has none."""
@@ -121,18 +118,17 @@ class Following:
         """An answer by others and the rest of the givens, where that is half as long as its closed form: what is longer nobody uses."""
         closed = self.letters.closed
         whole = [closed[one] for one in (name, *others) if one in closed]
-        fits = len(whole) == 1 + len(others) and all(length(form) <= LONGEST for form in whole)
-        return tuple(dict.fromkeys(self._short(name, others))) if fits else ()
-
-    def _short(self, name: str, others: tuple[str, ...]) -> Iterator[Formula]:
-        closed = self.letters.closed
+        if len(whole) != 1 + len(others) or any(length(form) > LONGEST for form in whole):
+            return ()
+        found = []
         for form in dict.fromkeys(self._eliminate(closed[name], [(other, closed[other]) for other in others])):
             try:
                 short = simplify(form, positive=self.letters.positive)
             except (ValueError, ArithmeticError):
                 continue
             if 2 * length(short) <= length(closed[name]) and short.symbols() >= set(others):
-                yield short
+                found.append(short)
+        return tuple(dict.fromkeys(found))
 
     def _eliminate(self, wanted: Formula, others: list[tuple[str, Formula]]) -> Iterator[Formula]:
         """A formula with a given eliminated for each of the others, whichever it can be."""
@@ -150,14 +146,8 @@ class Following:
 
     def _solved(self, other: str, known: Formula, given: str) -> Formula | None:
         """A given by an answer: of a speed by its square, since the given stands within a root."""
-        for power in (1, 2):
-            try:
-                value = solve_linear(known**power - Symbol(other) ** power, given)
-            except (ValueError, ArithmeticError):
-                continue
-            if value is not None:
-                return value
-        return None
+        tried = (linear_root(known**power - Symbol(other) ** power, given) for power in (1, 2))
+        return next((value for value in tried if value is not None), None)
 
     # whether a relation holds with what the student wrote
 
@@ -193,9 +183,8 @@ class Following:
             half = certified_number(one.half, {}) if one.half is not None else None
             middle, reach = numbers[other].float, 0.0 if half is None else half.float  # type: ignore[union-attr]
             sides.append((middle - reach, middle + reach))
-        residue = self._with_true(
-            relation.left - relation.right, {letter: Symbol(letter) for letter in (name, *earlier)}
-        )
+        own = {letter: Symbol(letter) for letter in (name, *earlier)}
+        residue = self._with_true(relation.left - relation.right, own)
         signs = set()
         for corner in product(*sides):
             bound = dict(zip((name, *earlier), map(arb, corner), strict=True))
@@ -216,6 +205,14 @@ class Following:
             amount = certified_number(tolerance.amount, {})
             return 0.0 if amount is None else amount.float
         return float(HALF) * 10.0 ** (floor(log10(abs(number))) - (tolerance.figures or 1) + 1)
+
+
+def linear_root(residue: Formula, letter: str) -> Formula | None:
+    """The letter for which a residue is zero; None where it is not linear in it, or too hard."""
+    try:
+        return solve_linear(residue, letter)
+    except (ValueError, ArithmeticError):
+        return None
 
 
 def relation_letters(relation: Equality) -> frozenset[str]:

@@ -21,7 +21,7 @@ from rotsolve.grading.marking.target import SceneLetters, Target, targets_of
 from rotsolve.grading.marking.texts import CHAIN, JudgedText, Texts
 from rotsolve.grading.marking.working import WorkingJudge
 from rotsolve.grading.reading.records import FORMULA, NUMBER
-from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Verdict, found, listed_letters
+from rotsolve.grading.verdict import WRONG, JudgedPart, Marked, Paper, Remark, Verdict, found, listed_letters
 from rotsolve.language import marks
 from rotsolve.solution import Solution
 
@@ -117,11 +117,11 @@ class Judge:
         if any(remark.kind in ("dimension", "form") for remark in one.finding.remarks):
             return None
         if reading.kind == NUMBER:
-            unit: Unit | None = asked.unit
+            unit: Unit | Remark = asked.unit
             if reading.unit is not None:
-                unit = measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns).unit
+                unit = measured_unit(reading.unit, asked.unit, asked.dimension, asked.turns)
             typed = Typed(reading.formula, reading.figures, reading.unit)
-            return None if unit is None or typed.rational == 0 else own_number(typed, unit.factor)
+            return None if not isinstance(unit, Unit) or typed.rational == 0 else own_number(typed, unit.factor)
         formula = self.letters.meant(reading.formula)
         return None if reading.kind != FORMULA or self.same(formula, ZERO) is not False else Own(formula)
 

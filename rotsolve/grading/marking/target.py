@@ -171,9 +171,8 @@ def targets_of(letters: SceneLetters, same: Same, close: Close) -> Iterator[Targ
         told = entry is not None and entry.formula is None and not (entry.value or entry.values or entry.formulas)
         rows = answer.rows
         entries = [part for row in rows for part in row] or answer.components
-        parts = tuple(
-            scalar_of(part, marking, letters, (same, close), directed=not rows or len(rows) == 1) for part in entries
-        )
+        one_row = not rows or len(rows) == 1
+        parts = tuple(scalar_of(part, marking, letters, (same, close), one_row) for part in entries)
         directed = letters.meanings.directed(answer.name)
         turns = [term.path.quantity for term in find.terms] == ["turns"]
         whole = None if rows else scalar_of(answer, marking, letters, (same, close), directed, turns)

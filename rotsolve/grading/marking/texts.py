@@ -166,13 +166,10 @@ def without_letter(text: str) -> str:
 
 def word_judged(text: str, target: Target) -> Finding:
     """The finding for a label, or several in any order."""
-    typed, wanted = (
-        frozenset(folded(part) for part in words.split(",")) for words in (without_letter(text), target.word)
-    )
+    typed, wanted = (set(map(folded, words.split(","))) for words in (without_letter(text), target.word))
     if typed == wanted or folded(text) == folded(target.word):
         return Finding(RIGHT)
-    known = {folded(label) for label in (*target.options, "none")}
-    if typed <= known:
+    if typed <= set(map(folded, (*target.options, "none"))):
         return Finding(WRONG)
     return found(WRONG, "reading", f"choose from: {', '.join(target.options)}")
 

@@ -40,6 +40,10 @@ def pulled_bodies(scene: Scene, role: Role) -> Iterator[str]:
     return (body.name for body in scene.bodies.values() if any(force.role == role for force in body.forces))
 
 
+def goes_straight(body: BodyFacts) -> bool:
+    return body.motion.kind == "line" and not body.motion.turns
+
+
 def reversed_force(role: Role) -> Callable[[Force, BodyFacts], Force]:
     """A force of some role the other way."""
     return lambda force, body: replace(force, size=negate(force.size)) if force.role == role else force
@@ -54,11 +58,7 @@ def gravity_sign(scene: Scene) -> Made:
 
 def tension_sign(scene: Scene) -> Made:
     """−T for T in the law of what hangs from a string."""
-    motions = {name: body.motion for name, body in scene.bodies.items()}
-    hanging = (
-        name for name in pulled_bodies(scene, TENSION) if motions[name].kind == "line" and not motions[name].turns
-    )
-    for name in each(hanging):
+    for name in each(name for name in pulled_bodies(scene, TENSION) if goes_straight(scene.bodies[name])):
         words = f"the tension on the {spoken(name)} was given the wrong sign"
         yield words, Change(altered=of_forces((name,), reversed_force(TENSION)), aside=(ENERGY,))
 
@@ -68,7 +68,7 @@ def tension_as_weight(scene: Scene) -> Made:
     for name, body in scene.bodies.items():
         pulls = [force.size for force in body.forces if force.role.pulls]
         weights = [force.size for force in body.forces if force.role.weighs]
-        if body.motion.kind == "line" and not body.motion.turns and len(pulls) == len(weights) == 1:
+        if goes_straight(body) and len(pulls) == len(weights) == 1:
             words = f"the tension was taken as the weight of the {spoken(name)}"
             altered = in_place_of(SECOND_LAW, name, pulls[0], weights[0])
             yield words, Change(altered=altered, aside=(ENERGY,))
@@ -199,12 +199,8 @@ def rubbed_by_weight(force: Force, body: BodyFacts) -> Force:
 
 def no_radius(scene: Scene) -> Made:
     """T for T R."""
-    turning = (
-        body.name
-        for body in scene.bodies.values()
-        if body.motion.turns and any(force.arm.parts for force in body.forces)
-    )
-    for names, who in each_and_all(turning):
+    turning = (body for body in scene.bodies.values() if body.motion.turns)
+    for names, who in each_and_all(body.name for body in turning if any(force.arm.parts for force in body.forces)):
         words = f"the radius was left out of the torque on {who}"
         yield words, Change(altered=of_forces(names, armless), aside=(ENERGY,))
 

@@ -80,11 +80,8 @@ def rotational_energy(scene: Scene) -> Made:
 
 def hinged_bodies(scene: Scene) -> Iterator[str]:
     """The bodies that turn about an axis which is not that through their centre of mass."""
-    return (
-        body.name
-        for body in scene.bodies.values()
-        if body.motion.kind == "axis" and has_inertia(body) and body.cm.parts
-    )
+    turning = (body for body in scene.bodies.values() if body.motion.kind == "axis" and has_inertia(body))
+    return (body.name for body in turning if body.cm.parts)
 
 
 def parallel_axes(scene: Scene) -> Made:

@@ -187,15 +187,10 @@ def with_turned(turn: Turn) -> Callable[[Problem], Problem]:
         return replace(item, value=turn(item.value)) if tells_angle(item) and item.value is not None else item
 
     def changed(problem: Problem) -> Problem:
-        states = tuple(
-            replace(state, conditions=tuple(line(item) for item in state.conditions)) for state in problem.states
-        )
-        return replace(
-            problem,
-            surfaces=tuple(element(item) for item in problem.surfaces),
-            connections=tuple(element(item) for item in problem.connections),
-            actions=tuple(element(item) for item in problem.actions),
-            states=states,
-        )
+        states = tuple(replace(state, conditions=tuple(map(line, state.conditions))) for state in problem.states)
+        elements = {
+            name: tuple(map(element, getattr(problem, name))) for name in ("surfaces", "connections", "actions")
+        }
+        return replace(problem, states=states, **elements)
 
     return changed

@@ -92,10 +92,11 @@ class Scene(Struct, frozen=True, dict=True):
         self, mistake: Mistake, answers: Mapping[str, Answer], values: Mapping[str, Formula]
     ) -> Mapping[str, Answer] | None:
         """The answers that a mistake changes, from those for the numbers of the scene, for other numbers; nothing is solved again."""
-        right = {name: reread(one, {}, values) for name, one in self.answers.items()}
         if mistake.change.reread:
-            return self._wrong(self._reread(mistake.change, values), right, values)
-        return self._wrong({name: reread(one, {}, values) for name, one in answers.items()}, right, values)
+            given = self._reread(mistake.change, values)
+        else:
+            given = {name: reread(one, {}, values) for name, one in answers.items()}
+        return self._wrong(given, self._reread(Change(), values), values)
 
     def _wrong(
         self, given: Mapping[str, Answer], right: Mapping[str, Answer], values: Mapping[str, Formula]
@@ -105,7 +106,7 @@ class Scene(Struct, frozen=True, dict=True):
         pairs = ((name, differing.left_of(one, right[name])) for name, one in given.items() if name in right)
         return {name: wrong for name, wrong in pairs if wrong is not None} or None
 
-    def _reread(self, change: Change, values: Mapping[str, Formula]) -> Mapping[str, Answer]:
+    def _reread(self, change: Change, values: Mapping[str, Formula]) -> dict[str, Answer]:
         """The right answers with other letters and numbers in them."""
         wrong = {name: values[name] * factor for name, factor in change.factors.items() if name in values}
         return {name: reread(one, change.letters, {**values, **wrong}) for name, one in self.answers.items()}
