@@ -23,10 +23,8 @@ BESIDE = re.compile(
 )
 WHERE = re.compile(r"\b(?:(?:round|around|on|in|of|about)\s+)?(?:the|a|an)\s+\w+")
 
-Directions = frozenset[str]
 
-
-def plain_directions(words: str) -> Directions:
+def plain_directions(words: str) -> frozenset[str]:
     """A direction in words as a set of plain ones: "up and to the left" is up, left; where it is ("the slope") goes unsaid."""
     plain = WHERE.sub(" ", BESIDE.sub(" ", words.lower()))
     return frozenset(SYNONYMS.get(word, word) for word in plain.split())

@@ -6,7 +6,7 @@ import os
 import re
 from collections.abc import Callable, Iterator, Sequence
 from functools import cached_property
-from typing import TYPE_CHECKING, Protocol, TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from msgspec.structs import replace
 
@@ -20,6 +20,7 @@ from rotsolve.scene.read import read_source
 
 if TYPE_CHECKING:
     from rotsolve.grading.marking.explaining import Wrong
+    from rotsolve.grading.marking.judge import Judge
     from rotsolve.grading.mistakes.table import WrongAnswers
     from rotsolve.keys.variants import Variant
     from rotsolve.keys.working import Worked
@@ -31,17 +32,11 @@ Given = TypeVar("Given")
 Done = TypeVar("Done")
 
 
-class Marker(Protocol):
-    """What marks the papers of one variant."""
-
-    def mark(self, paper: Paper) -> Marked: ...
-
-
 class NotMarked(ValueError):
     """Why a paper can't be marked."""
 
 
-def mark_papers(papers: Sequence[Paper | None], judge: Callable[[int], Marker]) -> Iterator[tuple[int, Marked | str]]:
+def mark_papers(papers: Sequence[Paper | None], judge: Callable[[int], Judge]) -> Iterator[tuple[int, Marked | str]]:
     """The place of each paper with its marks, or why it has none; variant by variant, so that one judge is held at a time.
 
     `judge` is asked for the numbers of the variants in rising order, 0 for the scene as it stands.
@@ -100,7 +95,7 @@ class Judges:
         answers = self.solution.derivation.answers
         return Task(self.problem.title, {answer.name: answer.symbol for answer in answers})
 
-    def judge(self, number: int) -> Marker:
+    def judge(self, number: int) -> Judge:
         """The judge of a variant, 0 for the scene as it stands; the numbers are asked for in rising order."""
         if number == 0:
             return marker_of(self.solution)
@@ -151,7 +146,7 @@ class Judges:
         return replace(worked.like, problem=problem, derivation=derivation)
 
 
-def marker_of(solution: Solution, wrong: Wrong | None = None) -> Marker:
+def marker_of(solution: Solution, wrong: Wrong | None = None) -> Judge:
     """What marks answers to a solved scene."""
     from rotsolve.grading.marking.judge import Judge
 

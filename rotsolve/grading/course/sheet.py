@@ -106,7 +106,7 @@ def read_sheet(text: str, file: str, asked: Sequence[str]) -> Paper:
     text = text.removeprefix(MARK)
     lines = text.split("\n")
     if not text.strip():
-        raise HandedInError([Fault("nothing is handed in", None, f"write `{asked[0]} = …`", "file")], (), file)
+        raise file_error("nothing is handed in", f"write `{asked[0]} = …`", file)
     if len(lines) > LINES or len(text) > LONGEST:
         message = f"more than {LINES} lines or {LONGEST} characters"
         raise HandedInError([Fault(message, None, "hand in one student's answers; a class is a .csv")], (), file)

@@ -16,7 +16,7 @@ from msgspec.structs import replace
 from rotsolve.algebra.notation.tokens import FormulaError
 from rotsolve.algebra.units.quantities import parse_unit
 from rotsolve.core.faults import Fault, Span
-from rotsolve.grading.course.sheet import MARK, HandedInError, meant_answer
+from rotsolve.grading.course.sheet import MARK, HandedInError, file_error, meant_answer
 from rotsolve.grading.verdict import Paper
 from rotsolve.language.words import hint, quoted
 
@@ -168,12 +168,12 @@ def read_table(text: str, file: str, asked: Sequence[str]) -> Handed:
     lines = plain.split("\n")
     start = next((number for number, line in enumerate(lines) if line.strip() and not TOLD.match(line)), None)
     if start is None:
-        raise HandedInError([Fault("the table is empty", None, "its first line names the columns", "file")], (), file)
+        raise file_error("the table is empty", "its first line names the columns", file)
     header = first_row(lines, start)
     found = read_columns(header, start + 1, file, asked)
     entries = list(islice(table_entries(lines, start + len(header), found), ROWS + 1))
     if not entries:
-        raise HandedInError([Fault("the table has no row below its first line", None, "", "file")], (), file)
+        raise file_error("the table has no row below its first line", "", file)
     if len(entries) > ROWS:
         raise HandedInError([Fault(f"the table has more than {ROWS} rows", None, "split the class")], (), file)
     return Handed(found, tuple(with_name_remarks(entries)), plain is not text)

@@ -64,11 +64,6 @@ def closing_bracket(tokens: list[Token]) -> int:
     return -1
 
 
-def unit_if_any(text: str, tokens: list[Token], forks: Forks) -> Unit | None:
-    """The unit that the tokens are, the last of which is an `end`; None for nothing at all."""
-    return read_unit(text, tokens, forks) if len(tokens) > 1 else None
-
-
 def list_components(tokens: list[Token], forks: Forks) -> list[list[Token]]:
     """What stands in the brackets of a list: its components, each with an `end`; one alone where it is no list.
 
@@ -110,7 +105,7 @@ def read_list(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
         return None
     if len(inside) > MOST_COMPONENTS:
         raise FormulaError("a vector has two or three components", tokens[0].start, tokens[last].end)
-    unit = unit_if_any(text, behind, forks)
+    unit = read_unit(text, behind, forks) if len(behind) > 1 else None
     parts = []
     for component in inside:
         if len(component) == 1:
@@ -170,7 +165,7 @@ def read_axes(text: str, tokens: list[Token], forks: Forks, read: ReadValue) -> 
         final = max(index for index, token in enumerate(tokens) if token.kind == "axis")
         behind = tokens[final + 1 :] if looks_like_unit(tokens[final + 1 :]) else tokens[-1:]
         tokens = [*tokens[: len(tokens) - len(behind)], end_at(behind[0])]
-    unit = unit_if_any(text, behind, forks)
+    unit = read_unit(text, behind, forks) if len(behind) > 1 else None
     found: dict[str, LineReading] = {}
     for term in axis_terms(tokens):
         axis, coefficient = axis_and_coefficient(term)
