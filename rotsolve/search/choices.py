@@ -6,7 +6,6 @@ from collections.abc import Callable, Sequence
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.certified.ball import Certified
 from rotsolve.algebra.units.dimension import NONE
 from rotsolve.language.problem import Find, WhichOf
 from rotsolve.paths.meaning import NotYet
@@ -32,12 +31,8 @@ def choose(find: Find, choice: WhichOf, search: Search, answer: Callable[[Find],
     if choice.test in ("largest", "smallest"):
         return Chosen(find, extremes(choice.test, [(label, sides[0]) for label, sides in options], search))
     signs = [option.signs or (BOUND[choice.test],) for option in choice.options]
-    return Chosen(
-        find,
-        tuple(
-            verdict(label, [*sides, *bound], own, search) for (label, sides), own in zip(options, signs, strict=True)
-        ),
-    )
+    pairs = zip(options, signs, strict=True)
+    return Chosen(find, tuple(verdict(label, [*sides, *bound], own, search) for (label, sides), own in pairs))
 
 
 def side_answer(side: Find, whole: str, search: Search, answer: Callable[[Find], Answered]) -> Answered:
@@ -90,13 +85,9 @@ def comparison_sign(left: Answered, right: Answered, search: Search) -> int:
     """The sign of left − right, exactly or by balls; refused where it can not be told."""
     sign = difference_sign(left.found, right.found, search)
     if sign is None:
-        lacking = sorted(
-            name
-            for found in (left.found, right.found)
-            for name in (found.formula.symbols() if found.formula is not None else ())
-            if name not in search.values
-        )
-        names = ", ".join(f"`{name}`" for name in dict.fromkeys(lacking))
+        formulas = [side.found.formula for side in (left, right) if side.found.formula is not None]
+        lacking = {name for formula in formulas for name in formula.symbols() if name not in search.values}
+        names = ", ".join(f"`{name}`" for name in sorted(lacking))
         help = f"give a number to {names}" if lacking else ""
         raise NotYet(f"whether `{left.find.text}` exceeds `{right.find.text}` can not be decided", help=help)
     return sign
@@ -105,14 +96,10 @@ def comparison_sign(left: Answered, right: Answered, search: Search) -> int:
 def difference_sign(left: Found, right: Found, search: Search) -> int | None:
     """−1, 0 or 1 as left is smaller, equal or larger; None where nothing tells."""
     if left.formula is None or right.formula is None:
-        balls = [
-            number.refine(DIGITS) for found in (left, right) if (number := certified_answer(found, search)) is not None
+        numbers = [
+            found.number if found.formula is None else search.signs.number(found.formula) for found in (left, right)
         ]
+        balls = [number.refine(DIGITS) for number in numbers if number is not None]
         gap = balls[0] - balls[1] if len(balls) == 2 else None
         return None if gap is None or gap.contains(0) else 1 if gap > 0 else -1
     return search.signs.sign(left.formula - right.formula)
-
-
-def certified_answer(found: Found, search: Search) -> Certified | None:
-    """A quantity as a certified number."""
-    return found.number if found.formula is None else search.signs.number(found.formula)

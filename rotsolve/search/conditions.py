@@ -68,10 +68,7 @@ def with_equation(search: Search, find: Find) -> None:
 
 def over_letter(search: Search, find: Find, letter: str, phrase: Find, value: Formula) -> None:
     """The value of a letter at which a quantity, found first as a function of it, has a given value."""
-    quantity = as_function_of(search, phrase, letter)
-    curve = quantity.found.formula
-    if curve is None or letter not in curve.symbols():
-        raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
+    quantity, curve = as_function_of(search, phrase, letter)
     given = search.givens[letter]
     own = Symbol(letter if given.asked else asked_symbol(find.name))
     said = f"{name_to_text(quantity.asked.find.name)} = {to_text(value)}"

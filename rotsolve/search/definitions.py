@@ -30,14 +30,11 @@ class Definitions(Struct):
         """Define the letter of a question, once."""
         if asked.direct or asked.letter in self.places:
             return
-        section = asked.section or section_of_answers(asked.formula, earlier)
+        made_of = [item.asked.section for item in earlier if item.asked.letter in asked.formula.symbols()]
+        section = asked.section or (made_of[-1] if made_of else "")
         label, remark = asked.label or "definition", asked.said or ((asked.remark,) if asked.remark else ())
         definition = asked.law.equation(Symbol(asked.letter), asked.formula, section, (), remark, cost=1, words=label)
         self.places[asked.letter] = self.planner.extend(definition)
-
-    def place(self, letter: str) -> int | None:
-        """Where in the pool a letter is defined."""
-        return self.places.get(letter)
 
     def formula(self, letter: str) -> Formula | None:
         """What an asked letter was defined to stand for."""
@@ -51,7 +48,8 @@ class Definitions(Struct):
         place = self.places.get(asked.letter)
         if place is None:
             return set()
-        if asked.whole or not self._leads_back(asked.formula) or turned_round(place, steps):
+        turned_round = any(step.target == ("law", place) and step.sources == () for step in steps)
+        if asked.whole or turned_round or not self._leads_back(asked.formula):
             return {place}
         self.planner.dear.add(place)
         return set()
@@ -60,17 +58,6 @@ class Definitions(Struct):
         """Whether a definition may tell what it is made of: a single unknown, in proportion or with a sum, as in φ = θ + π/2."""
         names = {name for name in meaning.symbols() if name not in self.givens or self.givens[name].asked}
         return len(names) == 1 and degree(meaning, names.pop()) == 1
-
-
-def section_of_answers(formula: Formula, earlier: Sequence[Answered]) -> str:
-    """Where what is made of earlier answers is written: with the last of them."""
-    sections = [item.asked.section for item in earlier if item.asked.letter in formula.symbols()]
-    return sections[-1] if sections else ""
-
-
-def turned_round(place: int, steps: Sequence[Step]) -> bool:
-    """Whether a step solved a definition for what it is made of, so that it need not be done again."""
-    return any(step.target == ("law", place) and step.sources == () for step in steps)
 
 
 class Stepwise(Struct):

@@ -78,29 +78,19 @@ def no_answer(error: NoAnswer, search: Search, find: Find) -> Unsolvable:
     if error.shortage is None or not missing:
         help = suggestion((), search.scene)
         return unsolvable(problem, f"too little is known to find `{find.name}`{alone}", find.span, help)
-    laws = [index for index in error.shortage.equations if is_scene_law(search.planner.pool[index])]
+    pool = [search.planner.pool[index] for index in error.shortage.equations]
+    laws = [law for law in pool if law.law.words and not any(key_of(name).kind == ASKED for name in law.symbols())]
     counted = f"{plural(len(laws), 'equation')} for {plural(len(missing), 'unknown')}"
     counted = counted if len(laws) < len(missing) else "nothing settles"
     message = f"too little is known to find `{find.name}`{alone}: {counted}: {unknowns_listed(missing, search.scene)}"
     return unsolvable(problem, message, find.span, suggestion(missing, search.scene, error.shortage.asked))
 
 
-def is_scene_law(equation: Equation) -> bool:
-    """Whether an equation is of the scene, and not what a question means."""
-    return bool(equation.law.words) and not any(key_of(name).kind == ASKED for name in equation.symbols())
-
-
 def open_quantities(names: Iterable[str], scene: SceneEquations) -> list[SceneQuantity | str]:
     """The unknowns that the scene has words for: quantities of the laws, and letters that it asks for."""
     quantities = scene.registry.quantities
     asked = {given.name for given in scene.configuration.problem.givens if given.asked}
-    found: dict[SceneQuantity | str, None] = {}
-    for name in names:
-        if name in quantities:
-            found[quantities[name]] = None
-        elif name in asked:
-            found[name] = None
-    return list(found)
+    return list(dict.fromkeys(quantities.get(name, name) for name in names if name in quantities or name in asked))
 
 
 def unknowns_listed(missing: Sequence[SceneQuantity | str], scene: SceneEquations) -> str:
@@ -129,11 +119,9 @@ def when_words(when: str, scene: SceneEquations) -> str:
     interval = timeline.interval(name)
     if interval is None:
         return f" at {spoken(name)}" if name else ""
-    return (
-        f" in {spoken(name)}"
-        if interval.event is not None
-        else f" from {spoken(interval.start)} to {spoken(interval.end)}"
-    )
+    if interval.event is not None:
+        return f" in {spoken(name)}"
+    return f" from {spoken(interval.start)} to {spoken(interval.end)}"
 
 
 def suggestion(missing: Sequence[SceneQuantity | str], scene: SceneEquations, asked: str = "") -> str:
@@ -172,9 +160,8 @@ def state_of(when: str, scene: SceneEquations) -> str:
     """The state at which a quantity can be said: its own, or the end of its phase; "now" where the scene has no states."""
     timeline = scene.configuration.timeline
     interval = timeline.interval(when)
-    return (
-        interval.end if interval is not None else when if when in timeline.order else timeline.states[0].name
-    ) or "now"
+    own = when if when in timeline.order else timeline.states[0].name
+    return (interval.end if interval is not None else own) or "now"
 
 
 def unreached(scene: SceneEquations) -> str:
@@ -190,12 +177,8 @@ def unreached(scene: SceneEquations) -> str:
 def without_angle(scene: SceneEquations) -> tuple[str, str] | None:
     """A body whose angle some state gives, and the first state, where no other one says it."""
     timeline = scene.configuration.timeline
-    said = {
-        (state.name, line.path.owner)
-        for state in timeline.states
-        for line in state.conditions
-        if line.path and line.path.quantity == "angle"
-    }
+    lines = [(state.name, line.path) for state in timeline.states for line in state.conditions]
+    said = {(state, path.owner) for state, path in lines if path is not None and path.quantity == "angle"}
     first, after = timeline.states[0], timeline.after(timeline.states[0].name)
     said |= {(first.name, owner) for owner in on_unknown_profile(scene.configuration, first.name)}
     for _, owner in sorted(said):

@@ -12,7 +12,7 @@ from rotsolve.algebra.calculus.separable import has_root
 from rotsolve.algebra.exact.field import PolynomialSigns
 from rotsolve.algebra.exact.normal import Fractions, is_zero
 from rotsolve.algebra.exact.roots import solve_polynomial, solve_trig
-from rotsolve.algebra.formula import ONE, ZERO, Call, Formula, Number, Symbol
+from rotsolve.algebra.formula import ZERO, Call, Formula, Symbol
 from rotsolve.algebra.notation.letters import name_to_text
 from rotsolve.core.derivation import Equality, Words
 from rotsolve.core.equation import FOUND
@@ -42,14 +42,6 @@ def by_condition(
     chain = (line.equation, Equality(Symbol(question.letter), value))
     steps = add_step(search, question, ("words", line.said), (ref_of(quantity, search),), chain, line.reason)
     return remember_answer(search, Answered(question, Found(question.letter, value), (), steps, aside=aside))
-
-
-def by_answers(
-    search: Search, asked: Asked, found: Found, line: Sequence[Equality], sources: Sequence[Answered]
-) -> None:
-    """An answer that puts answers before into the first of them."""
-    refs = [ref_of(source, search) for source in sources]
-    remember_answer(search, Answered(asked, found, (), add_step(search, asked, refs[0], refs[1:], line, ())))
 
 
 def add_step(
@@ -103,9 +95,6 @@ def domain_of(letter: str, search: Search) -> Domain:
             return Domain(ZERO, length)
     given = search.givens[letter]
     return Domain(None if given.dimension is None or is_angle(given) else ZERO, None)
-
-
-TWO = Number(ONE.value * 2)
 
 
 class Curve(Struct, frozen=True):
@@ -195,10 +184,7 @@ def check_smooth(course: Curve, domain: Domain, search: Search) -> None:
     problem = Fractions([course.curve], positive=positive)
     _, bottom = problem.field.cancel(problem.ratio())
     signs = PolynomialSigns(problem.field, positive)
-    kinked = any(
-        isinstance(node, Call) and node.function == "abs" and course.letter in node.symbols()
-        for node in course.curve.walk("abs")
-    )
+    kinked = any(course.letter in node.symbols() for node in course.curve.walk("abs"))
     if kinked or not (signs.nonnegative(bottom) or signs.nonnegative(-bottom)):
         raise NotYet(f"an extremum of what jumps or bends sharply as `{course.letter}` changes is not solved yet")
 
@@ -221,8 +207,8 @@ def check_open_ends(
 def probe(root: Formula, towards: int, domain: Domain) -> Formula:
     """A place beyond the only root, on its lower or upper side."""
     if domain.low == ZERO:
-        return root * TWO if towards > 0 else root / TWO
-    return root + Number(ONE.value * towards)
+        return root * 2 if towards > 0 else root / 2
+    return root + towards
 
 
 def why_best(course: Curve, valued: list[tuple[Formula, Formula]], best: tuple[Formula, Formula], word: str) -> Words:
@@ -261,7 +247,7 @@ def extreme_value(search: Search, find: Find) -> None:
     if letters[0] in search.solver.solved:
         at_settled_place(search, phrase, letters[0], word)
         return
-    quantity = as_function_of(search, phrase, letters[0])
+    quantity = answer_over(search, phrase, letters[0])
     place = search.extrema.get((quantity.asked.formula, letters[0], word))
     if place is None:
         name = fresh(f"{letters[0]}_{'max' if word == 'largest' else 'min'}", search)
@@ -274,7 +260,8 @@ def extreme_value(search: Search, find: Find) -> None:
     value = search.solver.simplify(curve.substitute({letters[0]: at}))
     question = Asked(find, letter, letter.name, quantity.asked.dimension, section=quantity.asked.section)
     line = (Equality(letter, curve.substitute({letters[0]: at})), Equality(letter, value))
-    by_answers(search, question, Found(letter.name, value), line, (quantity, place))
+    steps = add_step(search, question, ref_of(quantity, search), (ref_of(place, search),), line, ())
+    remember_answer(search, Answered(question, Found(letter.name, value), (), steps))
 
 
 def at_settled_place(search: Search, phrase: Find, letter: str, word: str) -> None:
@@ -295,18 +282,14 @@ def place_of_extremum(search: Search, find: Find, *, aside: bool = False) -> Ans
             "an extremum is over a letter of the scene that has no value",
             help="write `x where Q is largest`, with `x: unknown` or `x: m` under `given`",
         )
-    quantity = as_function_of(search, condition.phrase, letter)
-    curve = quantity.found.formula
-    if curve is None or letter not in curve.symbols():
-        raise NotYet(f"`{condition.phrase.text.strip()}` is no function of `{letter}` in closed form")
+    quantity, curve = as_function_of(search, condition.phrase, letter)
     slope = search.solver.simplify(differentiate(curve, letter))
     said, shown = flatness(name_to_text(quantity.asked.find.name), curve, letter, slope, search)
     given = search.givens[letter]
     own = letter if given.asked else asked_symbol(find.name)
     at, reason = best_place(Curve(letter, Symbol(quantity.asked.letter), curve, slope), condition.word, search)
-    flat = is_zero(
-        shown.substitute({letter: at}), search.solver.positive
-    )  # else it is at an end, where nothing needs to vanish
+    # else it is at an end, where nothing needs to vanish
+    flat = is_zero(shown.substitute({letter: at}), search.solver.positive)
     equation = Equality(shown.substitute({letter: Symbol(own)}) if flat else shown, ZERO)
     question = Asked(find, Symbol(own), own, given.dimension, section=quantity.asked.section)
     answered = by_condition(search, question, at, Conclusion(said, equation, reason), quantity, aside=aside)
@@ -324,14 +307,21 @@ def flatness(name: str, curve: Formula, letter: str, slope: Formula, search: Sea
     return f"d{name}/d{name_to_text(letter)} = 0", slope
 
 
-def as_function_of(search: Search, phrase: Find, letter: str) -> Answered:
-    """The quantity of a phrase as a function of a letter, settled on the way where no question asks for it."""
+def as_function_of(search: Search, phrase: Find, letter: str) -> tuple[Answered, Formula]:
+    """The quantity of a phrase, and its closed form as a function of a letter."""
+    quantity = answer_over(search, phrase, letter)
+    curve = quantity.found.formula
+    if curve is None or letter not in curve.symbols():
+        raise NotYet(f"`{phrase.text.strip()}` is no function of `{letter}` in closed form")
+    return quantity, curve
+
+
+def answer_over(search: Search, phrase: Find, letter: str) -> Answered:
+    """The quantity of a phrase while a letter has no value, settled on the way where no question asks for it."""
     question = question_for(phrase, search.scene, search.letters())
-    known = next(
-        (item for item in search.answered if question.formula in (item.asked.formula, Symbol(item.asked.letter))), None
-    )
-    if known is not None:
-        return known
+    for item in search.answered:
+        if question.formula in (item.asked.formula, Symbol(item.asked.letter)):
+            return item
     word = QUANTITIES[phrase.terms[0].path.quantity].letter if len(phrase.terms) == 1 else "Q"
     find = replace(phrase, name=fresh(word, search))
     question = question_for(find, search.scene, search.letters())

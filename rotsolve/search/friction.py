@@ -12,7 +12,7 @@ from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.formula import ONE, ZERO, Formula, call, negate
 from rotsolve.core.derivation import Trial, Words
 from rotsolve.core.equation import NEWTON, POINT_OF_SLIPPING, Equation
-from rotsolve.core.facts import Force
+from rotsolve.core.facts import Force, signed
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import RATES, has_quantities, of_kinds, rub_key, rub_of
 from rotsolve.core.writing import spoken
@@ -77,9 +77,8 @@ class Trials:
         for group in self.moving_together([rub for rub in rubbing if rub.key not in self.modes]):
             contact = group[0].contact
             if len(group) > 1 or contact is None or not self.tried(group[0], contact):
-                stacked = len(group) > 1 and any(
-                    rub.contact and rub.contact.carrier(self.configuration) for rub in group
-                )
+                carried = any(rub.contact and rub.contact.carrier(self.configuration) for rub in group)
+                stacked = len(group) > 1 and carried
                 self.modes.update((self.by_trial if stacked else self.by_motion)(group))
         modes = {key: mode for key, mode in self.modes.items() if mode not in ("", STICKS)}
         return Decision(modes, self.scene.where(modes), tuple(self.made), tuple(self.slipping))
@@ -110,7 +109,7 @@ class Trials:
         speed = rub.rate(self.scene.instant(rub.state))
         if speed is None:
             return 0
-        if is_known(speed):
+        if not has_quantities(speed):
             return self.sense_of(rub, speed)
         first = rub.state == self.configuration.timeline.states[0].name
         return 0 if rub.contact is not None and first else self.sense_left(rub, speed)
@@ -119,7 +118,7 @@ class Trials:
         """The sense in which an event or an earlier phase leaves it moving: taken to slip, so that no rule of sticking settles it."""
         for sense in (1, -1):
             found = self.search({**self.modes, rub.key: rub.mode(sense)}, families_for(None)).settled(speed)
-            if found is not None and is_known(found) and self.sense_of(rub, found) == sense:
+            if found is not None and not has_quantities(found) and self.sense_of(rub, found) == sense:
                 return sense
         return 0
 
@@ -169,12 +168,8 @@ class Trials:
             known = all(number is not None for number in numbers)
             holds = all(number is not None and number > 0 for number in numbers)
             why = "it speeds up that way" if holds else "it does not speed up that way"
-            self.note(
-                moving,
-                [words for _, words in gains],
-                holds if known else None,
-                why if known else "the numbers do not tell",
-            )
+            why = why if known else "the numbers do not tell"
+            self.note(moving, [words for _, words in gains], holds if known else None, why)
             if holds:
                 return moving
             told = told or known
@@ -197,12 +192,8 @@ class Trials:
             holds, words = self.holds(rub, trial, sense)
             found.append(words)
             if not holds:
-                self.note(
-                    trial,
-                    found,
-                    False,
-                    f"{spoken(rub.name)} {'does not speed up that way' if sense else 'lacks friction'}",
-                )
+                why = "does not speed up that way" if sense else "lacks friction"
+                self.note(trial, found, False, f"{spoken(rub.name)} {why}")
                 return False
         self.note(trial, found, True, "what sticks has friction enough, and what slips speeds up that way")
         return True
@@ -235,9 +226,8 @@ class Trials:
         for rub in group:
             slip, speed, signs = rub.rate(instant), speeds[rub.key], self.configuration.signs
             if slip is not None and simplify(slip.substitute(allowed)) == ZERO and not smooth(rub, signs):
-                senses[rub.key] = (
-                    0  # the rules keep it at rest whichever way the rest moves: how much it grips stays open
-                )
+                # the rules keep it at rest whichever way the rest moves: how much it grips stays open
+                senses[rub.key] = 0
                 continue
             value = speed.substitute(allowed) if speed is not None else ONE
             rate = value.substitute(dict.fromkeys(of_kinds(value.symbols(), RATES), ONE))
@@ -251,9 +241,7 @@ class Trials:
         search = self.search({**self.modes, **trial})
         value = search.settled(rate) if rate is not None else None
         number = search.number(value) if value is not None else None
-        words: Words = (
-            () if value is None else (f"{spoken(rub.name)} speeds up by ", value if sense > 0 else negate(value))
-        )
+        words: Words = () if value is None else (f"{spoken(rub.name)} speeds up by ", signed(value, sense))
         return None if number is None else number * sense, words
 
 
@@ -277,11 +265,6 @@ def greatest_friction(contact: Connection, normal: Answered) -> Formula | None:
     return None if static is None or normal.found.formula is None else static * normal.found.formula
 
 
-def is_known(speed: Formula) -> bool:
-    """Whether a speed holds givens alone."""
-    return not has_quantities(speed)
-
-
 def smooth(rub: Rub, signs: SignOracle) -> bool:
     """Whether a contact's coefficient is 0, so that it gives no friction even at rest."""
     static = rub.contact.static() if rub.contact is not None else None
@@ -290,20 +273,14 @@ def smooth(rub: Rub, signs: SignOracle) -> bool:
 
 def limiting(scene: SceneEquations, contact: str, state: str) -> list[tuple[Equation, Formula]]:
     """|f| = μₛ N of a contact on the point of slipping, for either direction, each with the normal force that must not be negative."""
-    found = []
-    facts = scene.facts(state)
-    item = next((item for item in scene.configuration.connections(state) if item.name == contact), None)
+    item, bodies = scene.configuration.connection(contact, state), scene.facts(state).bodies
     static = item.static() if item is not None else None
-    if static is None:
+    rubbing, pressing = contact_forces(contact, [force for body in bodies for force in body.forces])
+    if static is None or rubbing is None or pressing is None:
         return []
-    rubbing, pressing = contact_forces(contact, [force for body in facts.bodies for force in body.forces])
-    if rubbing is None or pressing is None:
-        return []
-    most = static * pressing.size
-    for side in (most, negate(most)):
-        limit = POINT_OF_SLIPPING.equation(rubbing.size, side, scene.section(state))
-        found.append((limit, pressing.size))
-    return found
+    most, section = static * pressing.size, scene.section(state)
+    limits = [POINT_OF_SLIPPING.equation(rubbing.size, side, section) for side in (most, negate(most))]
+    return [(limit, pressing.size) for limit in limits]
 
 
 def contact_forces(contact: str, forces: Iterable[Force]) -> tuple[Force | None, Force | None]:
@@ -327,19 +304,13 @@ def said_otherwise(configuration: Configuration, modes: Mapping[str, str]) -> It
         contacts = {item.name: item for item in configuration.connections(state.name)}
         for line in state.conditions if configuration.phase_start(state.name) == state.name else ():
             contact = contacts.get(line.path.owner) if line.path is not None else None
-            if contact is None or not contact.rubs() or not is_numbered(contact.static(), numbered):
+            static = contact.static() if contact is not None and contact.rubs() else None
+            if contact is None or static is None or not static.symbols() <= numbered:
                 continue
             slips = modes.get(rub_key(contact.name, state.name), "sticks").startswith("slips")
             if line.word in ("sticks", "rolls") and slips:
-                yield unsolvable(
-                    problem, f"`{contact.name}` slips at `{state.name}`: friction is too weak to hold it", line.span
-                )
+                message = f"`{contact.name}` slips at `{state.name}`: friction is too weak to hold it"
+                yield unsolvable(problem, message, line.span)
             elif line.word == "slips" and not slips:
-                yield unsolvable(
-                    problem, f"`{contact.name}` does not slip at `{state.name}`: friction is strong enough", line.span
-                )
-
-
-def is_numbered(value: Formula | None, numbered: Collection[str]) -> bool:
-    """Whether a value is there, with all its letters."""
-    return value is not None and value.symbols() <= set(numbered)
+                message = f"`{contact.name}` does not slip at `{state.name}`: friction is strong enough"
+                yield unsolvable(problem, message, line.span)

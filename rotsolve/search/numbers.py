@@ -8,7 +8,7 @@ from math import floor
 
 from msgspec import Struct
 
-from rotsolve.algebra.certified.ball import Certified, decided_by_size, ends
+from rotsolve.algebra.certified.ball import decided_by_size, ends
 from rotsolve.algebra.certified.sign import SignOracle
 from rotsolve.algebra.formula import Formula
 from rotsolve.core.symbols import is_quantity
@@ -22,10 +22,6 @@ class Numbers(Struct, frozen=True):
     signs: SignOracle
     with_answers: Callable[[Formula], Formula]
     aside: Callable[[str], Formula | None]
-
-    def certified(self, value: Formula) -> Certified | None:
-        """The number itself; None where it is not real or a given has no number."""
-        return self.signs.number(value)
 
     def of(self, value: Formula) -> float | None:
         """A rough value, 0 where no precision tells it from 0; None where it is not real or a given has no number."""
@@ -44,7 +40,7 @@ class Numbers(Struct, frozen=True):
     def whole(self, value: Formula) -> int | None:
         """The greatest whole number that is not greater than a value; None where the numbers do not tell."""
         decided_by_size()
-        number = self.certified(value)
+        number = self.signs.number(value)
         if number is None:
             return None
         for figures in FIGURES:

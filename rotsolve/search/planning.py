@@ -40,32 +40,26 @@ class LawChoice(Struct, frozen=True, dict=True):
     known: Collection[str]
     families: tuple[str, ...]
     spare: bool  # whether second-choice equations may be used from the start
-    barred: Collection[int]  # pool indices of equations that may not be used
+    allowed: list[int]  # pool indices of the equations that may be used
     forces_asked: bool = False  # whether the scene asks for forces, so that Newton's laws are needed anyway
 
     def best(self) -> Plan | Shortage:
         """The cheapest plan by the laws chosen; second-choice equations only where the first ones do not do."""
         if self.momentary and NEWTON in self.families and not self.spare:
-            laws = self._of_families(self._first_choice(self._allowed), ("", NEWTON))
+            laws = self._of_families(self._first_choice(), ("", NEWTON))
             plan = self._from(laws)
             if plan is not None:
                 return plan if self.forces_asked else self._leaner(plan, laws)
-        first = self._allowed if self.spare else self._first_choice(self._allowed)
+        first = self.allowed if self.spare else self._first_choice()
         settled = self._settled((*self._starts(first), *self._differentiated(first)))
         if settled:
             sound = [plan for plan in settled if not self._crowded(plan)] or self._with_few_times(first)
             return min(sound or settled, key=lambda plan: plan.cost)
-        return self.planner.plan(self.letter, self.known, self._allowed)
-
-    @cached_property
-    def _allowed(self) -> list[int]:
-        """The equations of the laws chosen, definitions and rules among them."""
-        indices = [index for index in range(len(self.planner.pool)) if index not in self.barred]
-        return self._of_families(indices, ("", *self.families))
+        return self.planner.plan(self.letter, self.known, self.allowed)
 
     @cached_property
     def _unknowns(self) -> dict[int, tuple[str, ...]]:
-        return self.planner.unknowns(self.known, self._allowed)
+        return self.planner.unknowns(self.known, self.allowed)
 
     def _from(self, indices: Iterable[int]) -> Plan | None:
         """The cheapest plan with some equations."""
@@ -78,8 +72,8 @@ class LawChoice(Struct, frozen=True, dict=True):
     def _of_families(self, indices: Iterable[int], families: Collection[str]) -> list[int]:
         return [index for index in indices if self.planner.pool[index].family in families]
 
-    def _first_choice(self, indices: Iterable[int]) -> list[int]:
-        return [index for index in indices if self.planner.pool[index].cost < SECOND_CHOICE]
+    def _first_choice(self) -> list[int]:
+        return [index for index in self.allowed if self.planner.pool[index].cost < SECOND_CHOICE]
 
     def _starts(self, allowed: list[int]) -> list[list[int]]:
         """All laws together, then each alone: a search that starts from one law finds plans that leaving out step by step does not."""
@@ -93,7 +87,7 @@ class LawChoice(Struct, frozen=True, dict=True):
     def _differentiated(self, allowed: list[int]) -> Iterator[list[int]]:
         """Some equations with the derivative of the energy of a linkage instead of one of Newton's laws, which together imply it."""
         pool = self.planner.pool
-        for index in self._allowed:
+        for index in self.allowed:
             energy = pool[index]
             if energy.law.condenses and index not in allowed:
                 laws = [law for law in self._of_families(allowed, (NEWTON,)) if pool[law].section == energy.section]

@@ -75,12 +75,10 @@ class Expected(Struct, frozen=True):
         if travel is None:
             return 0, ()
         change = travel.end - travel.start if travel.start is not None and travel.end is not None else None
-        rest = (
-            ()
-            if first
-            else (travel.change if change is None else None, travel.before, self.numbers.push(travel.initial))
-        )
-        sign = self.numbers.sign((change, *rest))
+        told = [change]
+        if not first:
+            told += [travel.change if change is None else None, travel.before, self.numbers.push(travel.initial)]
+        sign = self.numbers.sign(told)
         return self._told(kind, owner, name, sign) if sign else (0, ())
 
     def _travel(self, interval: str, owner: str, kind: str) -> Travel | None:
@@ -165,9 +163,8 @@ class FirstReached(Struct, frozen=True):
                 ways = [self._way_to(k, root, (root - shift) / scale, *begin) for k, root in roots]
                 first = min(ways, key=cmp_to_key(self._compared))
                 words: Words = ("the first place on the way where this holds",)
-                return PickedRoot(
-                    first.root, words, first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
-                )
+                turns = first.turns * Fraction(self.numbers.of(scale) or 1).limit_denominator(1000)
+                return PickedRoot(first.root, words, turns)
         return None
 
     def _compared(self, one: WayToRoot, other: WayToRoot) -> int:
@@ -190,12 +187,9 @@ class FirstReached(Struct, frozen=True):
             circle = self.scene.instant(phase.end).orbit(travel.body)
             start = self._entry(travel.body, circle, phase.start) if circle and circle.owner == place.owner else None
             return None if circle is None or start is None else (start, circle.way * (self._onset(travel) or 1))
-        if (
-            travel.kind == "turn"
-            and travel.start is not None
-            and travel.end in (Symbol(letter), negate(Symbol(letter)))
-        ):
-            side = 1 if travel.end == Symbol(letter) else -1
+        ends = (Symbol(letter), negate(Symbol(letter)))
+        if travel.kind == "turn" and travel.start is not None and travel.end in ends:
+            side = 1 if travel.end == ends[0] else -1
             start = self._known(travel.start)
             return None if start is None else (start * Number(Fraction(side)), side * self._onset(travel))
         return None
@@ -259,31 +253,30 @@ class RootChoice(Struct, frozen=True):
         real = [(index, number) for index, root in enumerate(roots) if (number := self.numbers.of(root)) is not None]
         if not real:
             return self._unnumbered(name, roots) if any(map(self._lacks_numbers, roots)) else None
-        later = self._first_moment(name, [(index, roots[index]) for index, _ in real], period)
+        numbered = [(index, roots[index]) for index, _ in real]
+        later = self._first_moment(name, numbered, period)
         if later is not None:
             return later
         moved = [entry for entry in real if entry[1]]
         dropped: Words = ()
         if len(moved) < len(real) and moved and self._is_change(name):
             real, dropped = moved, ("the root 0 is the start itself",)
+            numbered = [(index, roots[index]) for index, _ in real]
         if len(real) == 1:
             return PickedRoot(real[0][0], dropped)
-        if all(self.numbers.side(roots[index] - roots[real[0][0]]) == 0 for index, _ in real[1:]):
+        if all(self.numbers.side(root - numbered[0][1]) == 0 for _, root in numbered[1:]):
             return PickedRoot(real[0][0], ("the roots coincide: it is only just reached",))
-        stable = self._stable(name, [roots[index] for index, _ in real])
+        stable = self._stable(name, [root for _, root in numbered])
         if stable:
             found = nearest_to_zero([real[place] for place in stable])
             return PickedRoot(found, ("the stable one: a body displaced from it comes back",))
-        reached = FirstReached(self.scene, self.numbers, self.definition).choose(
-            name, [(index, roots[index]) for index, _ in real]
-        )
+        reached = FirstReached(self.scene, self.numbers, self.definition).choose(name, numbered)
         if reached is not None:
             return reached
         sign, words = Expected(self.scene, self.givens, self.numbers).sign(name)
-        if sign:
-            fitting = [entry for entry in real if entry[1] * sign > 0]
-            if fitting:
-                return PickedRoot(smallest(fitting), words)
+        fitting = [entry for entry in real if entry[1] * sign > 0]
+        if fitting:
+            return PickedRoot(smallest(fitting), words)
         if self._is_angle(name):
             return PickedRoot(smallest(real), ("the smallest angle",))
         positive = [entry for entry in real if entry[1] >= 0]

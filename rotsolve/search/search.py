@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from msgspec import Struct, field
@@ -139,21 +139,16 @@ class Search(Struct, dict=True):
         """Settle one question, and remember it for the next; `limit` holds for this question alone ("on the point of slipping")."""
         passing = [self.planner.extend(limit)] if limit is not None else []
         try:
-            if not (asked.swings or self.scene.observed):
-                return self._answer(asked, aside)
-            return self._answer_swinging(asked, passing, aside)
-        finally:
-            self.retired.update(passing)
+            if asked.swings or self.scene.observed:
+                from rotsolve.search.swings import settle_swings
 
-    def _answer_swinging(self, asked: Asked, passing: list[int], aside: bool) -> Answered:
-        """Settle one question after all that is to be told of swings; what holds for it alone is `passing`."""
-        from rotsolve.search.swings import forget_displacements, settle_swings
-
-        try:
-            passing += settle_swings(asked, self)
+                passing += settle_swings(asked, self)
             return self._answer(asked, aside)
         finally:
-            forget_displacements(asked, self)
+            self.retired.update(passing)
+            for swing, _ in asked.swings:  # what depends on the displacement serves no other question
+                self.known -= {swing.coordinate.name, swing.acceleration.name}
+                self.solver.solved.pop(swing.acceleration.name, None)
 
     def _answer(self, asked: Asked, aside: bool = False) -> Answered:
         """Settle one question, a vector after its components; what is not a letter of the laws is first given one by a definition."""
@@ -186,9 +181,9 @@ class Search(Struct, dict=True):
         self._enter(asked)
         return self._plan(asked.letter, banned)
 
-    def allowed(self, letter: str) -> list[int]:
-        """The equations with which a letter may be planned."""
-        barred, laws = self.retired | self.stepwise.foreign(letter), ("", *self.families)
+    def allowed(self, letter: str, banned: Collection[int] = ()) -> list[int]:
+        """The equations with which a letter may be planned, definitions and rules among them, without some."""
+        barred, laws = self.retired | self.stepwise.foreign(letter) | set(banned), ("", *self.families)
         return [index for index, law in enumerate(self.planner.pool) if index not in barred and law.family in laws]
 
     def accept(self, answered: Answered, plan: Plan) -> None:
@@ -201,8 +196,7 @@ class Search(Struct, dict=True):
 
     def step(self, letter: str) -> Found:
         """Settle a letter on the way to an answer, with a derivation of its own."""
-        first = len(self.solver.steps)
-        asked = Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
+        first, asked = len(self.solver.steps), asked_letter(letter)
         found, used = self._settle(asked)
         self.answered.append(Answered(asked, found, used, (first, len(self.solver.steps)), aside=True))
         self.known.add(letter)
@@ -263,22 +257,18 @@ class Search(Struct, dict=True):
     def _hardest(self, plan: Plan) -> int:
         """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
 
-        def hardness(index: int) -> tuple[bool, int]:
-            equation = self.planner.pool[index]
-            return has_calls(equation.left) or has_calls(equation.right), equation.cost
-
-        return max(plan.equations, key=hardness)
+        pool = self.planner.pool
+        return max(plan.equations, key=lambda index: (has_calls(pool[index]), pool[index].cost))
 
     @staged("plan")
     def _plan(self, letter: str, banned: set[int]) -> Plan | Shortage:
         """The plan that the question's own steps make, else the cheapest one by the laws chosen."""
-        stepwise = self.stepwise.plan(letter, self.known, self.definitions.place(letter), banned)
+        stepwise = self.stepwise.plan(letter, self.known, self.definitions.places.get(letter), banned)
         if stepwise is not None:
             return stepwise
-        barred = banned | self.retired | self.stepwise.foreign(letter)
-        momentary = self._of_one_moment(letter)
+        momentary, allowed = self._of_one_moment(letter), self.allowed(letter, banned)
         return LawChoice(
-            self.planner, letter, momentary, self.known, self.families, self.spare, barred, self.forces_asked
+            self.planner, letter, momentary, self.known, self.families, self.spare, allowed, self.forces_asked
         ).best()
 
     def _of_one_moment(self, letter: str) -> bool:
@@ -327,8 +317,12 @@ class Search(Struct, dict=True):
 
     def value_of(self, letter: str) -> Formula | None:
         """The closed form of a letter, without a derivation."""
-        find = Find(letter, Symbol(letter), ())
-        return self.answer(Asked(find, Symbol(letter), letter, None)).found.formula
+        return self.answer(asked_letter(letter)).found.formula
+
+
+def asked_letter(letter: str) -> Asked:
+    """A letter of the laws as a question."""
+    return Asked(Find(letter, Symbol(letter), ()), Symbol(letter), letter, None)
 
 
 def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
@@ -340,6 +334,6 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
     return {name for name in names if key_of(name).running}
 
 
-def has_calls(value: Formula) -> bool:
+def has_calls(equation: Equation) -> bool:
     """Whether a letter of the laws stands inside a function."""
-    return any(isinstance(node, Call) and has_quantities(node) for node in value.walk(Call))
+    return any(has_quantities(node) for side in (equation.left, equation.right) for node in side.walk(Call))

@@ -62,13 +62,6 @@ def settle_swings(asked: Asked, search: Stepping) -> list[int]:
     return [index for swing, word in asked.swings for index in settle_swing(swing, word, search, asked.letter)]
 
 
-def forget_displacements(asked: Asked, search: Stepping) -> None:
-    """Forget what depends on the displacement: it serves no other question."""
-    for swing, _ in asked.swings:
-        search.known -= {swing.coordinate.name, swing.acceleration.name}
-        search.solver.solved.pop(swing.acceleration.name, None)
-
-
 def settle_swing(swing: Swing, word: str, search: Stepping, asked: str) -> list[int]:
     """Everything that comes before the `asked` letter: the equilibrium, the acceleration near it, ω₀, the period (`word`).
 
@@ -132,19 +125,14 @@ def large_motion(swing: Swing, exact: Formula, slope: Formula, search: Stepping)
         search.planner.extend(equation)
 
 
-def settle_equilibrium(swing: Swing, search: Stepping) -> None:
-    """How far springs and wires are stretched; what balance does not tell stays a letter, which has to drop out."""
-    for place in swing.unsettled:
-        try:
-            search.step(place)
-        except NoAnswer:
-            search.known.add(place)
-
-
 def acceleration_of(swing: Swing, search: Stepping) -> Formula:
     """The acceleration as a function of the displacement; found once."""
     if swing.acceleration.name not in search.displaced:
-        settle_equilibrium(swing, search)
+        for place in swing.unsettled:
+            try:
+                search.step(place)
+            except NoAnswer:
+                search.known.add(place)  # what balance does not tell stays a letter, which has to drop out
         search.known.add(swing.coordinate.name)
         found = search.step(swing.acceleration.name).formula
         if found is None:
