@@ -12,7 +12,7 @@ from rotsolve.core.equation import FAMILIES
 from rotsolve.core.symbols import POSITION
 from rotsolve.core.writing import spoken
 from rotsolve.derivation.consistency import KnownBalls
-from rotsolve.derivation.letters import Letters
+from rotsolve.derivation.letters import Letters, listed
 from rotsolve.derivation.requirements import requirements
 from rotsolve.derivation.second_law import second_law_checks
 from rotsolve.search.search import Search
@@ -101,9 +101,5 @@ def checks(search: Search, letters: Letters, balls: KnownBalls) -> tuple[Check, 
 def alone(search: Search) -> Iterator[Check]:
     """Which answers took more than the law that was asked for."""
     if search.helped:
-        names: list[str | Formula] = []
-        for name in search.helped:
-            names += [", ", Symbol(name)] if names else [Symbol(name)]
-        yield Check(
-            (f"{FAMILIES[search.families[0]].words} alone does not give ", *names, ": Newton's laws were used as well")
-        )
+        law = FAMILIES[search.families[0]].words
+        yield Check((f"{law} alone does not give ", *listed(search.helped), ": Newton's laws were used as well"))

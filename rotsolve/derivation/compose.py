@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator
 from fractions import Fraction
 
+from msgspec.structs import replace
+
 from rotsolve.algebra.exact.normal import simplify
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import PI, Call, Formula, Number, Symbol
@@ -95,20 +97,15 @@ def comparisons(chosen: Chosen, results: Results) -> Iterator[Move]:
         name = verdict.label if alone else f"{verdict.label} ({name_to_text(chosen.find.name)})"
         for item in verdict.compared:
             numbers = (*results.amount(item.left), f" {item.relation} ", *results.amount(item.right))
-            chain = (
-                Equality(compared_formula(item.left, results), compared_formula(item.right, results), item.relation),
-            )
-            yield Move(name, chain, None, numbers if all_text(numbers) else ())
+            left, right = (compared_formula(side, results) for side in (item.left, item.right))
+            told = all(isinstance(word, str) for word in numbers)
+            yield Move(name, (Equality(left, right, item.relation),), None, numbers if told else ())
 
 
 def compared_formula(answered: Answered, results: Results) -> Formula:
     """A compared quantity as the derivation writes it: by its letter, or the givens that it is made of."""
     asked = answered.asked
     return results.letters.printed(asked.formula if asked.of_givens else Symbol(asked.letter))
-
-
-def all_text(numbers: Words) -> bool:
-    return all(isinstance(word, str) for word in numbers)
 
 
 SENTENCES = (ENERGY, ANGULAR_MOMENTUM)  # the remarks of these laws are sentences of their own
@@ -135,13 +132,12 @@ class DerivationComposer:
         """The whole derivation; `before` are sections that decide something first, such as stick or slip."""
         sections = [*before, *(self._section(draft) for draft in self.drafts)]
         if len(sections) == 1:
-            sections = [Section("", sections[0].forces, sections[0].remarks, sections[0].laws, sections[0].moves)]
+            sections = [replace(sections[0], title="")]
+        numbered = [given for given in self.problem.givens if given.value is not None]
         return Derivation(
             title=self.problem.title,
             source=self.problem.source,
-            givens=tuple(
-                given for given in self.problem.givens if given.value is not None and self.letters.tells(given.name)
-            ),
+            givens=tuple(given for given in numbered if self.letters.tells(given.name)),
             finds=tuple(dict.fromkeys((Symbol(item.find.group),) for item in self.search.in_order())),
             states=tuple(state_words(state, self._reached(state.name)) for state in self.problem.states),
             conventions=self._conventions(),
@@ -225,12 +221,8 @@ class DerivationComposer:
 
     def _remarks(self, draft: Draft) -> tuple[Words, ...]:
         """Why what is conserved is conserved, as sentences."""
-        remarks = {
-            self.pool[index].remark: None
-            for index in draft.laws
-            if self.pool[index].family in SENTENCES and self.pool[index].remark
-        }
-        return tuple(self.letters.words(remark) for remark in remarks)
+        laws = [law for law in map(self.pool.__getitem__, draft.laws) if law.family in SENTENCES and law.remark]
+        return tuple(map(self.letters.words, dict.fromkeys(law.remark for law in laws)))
 
     # head
 
@@ -240,9 +232,8 @@ class DerivationComposer:
         configuration = self.scene.configuration
         if configuration.mentions.functions:
             first = configuration.timeline.states[0].name
-            said.append(
-                (self.letters.printed(Symbol(TIME)), f" = 0 at {spoken(first)}" if first else " is the running time")
-            )
+            start = f" = 0 at {spoken(first)}" if first else " is the running time"
+            said.append((self.letters.printed(Symbol(TIME)), start))
         for swing in self.scene.swings.values():
             what = "angle turned" if swing.turns else "displacement"
             said.append((self.letters.printed(swing.coordinate), f": {what} from the equilibrium"))

@@ -115,17 +115,13 @@ def homes_of(search: Search, order: Mapping[str, int], needs: Sequence[set[int]]
 
 def laws_of(answered: Answered, search: Search) -> list[int]:
     """The equations behind an answer that are printed as laws."""
-    return [index for index in answered.used if is_printed_law(index, search)]
+    # neither a result, nor a question that just names a quantity
+    return [index for index in answered.used if search.refs.get(index, ("law", index))[0] == "law"]
 
 
 def latest(letters: Collection[str], homes: Mapping[str, str], order: Mapping[str, int]) -> str:
     """The last of the sections in which letters are found: where something made of them belongs."""
     return max((homes[letter] for letter in sorted(letters)), key=lambda key: order.get(key, -1), default="")
-
-
-def is_printed_law(index: int, search: Search) -> bool:
-    """Whether an equation of the pool is printed as a law: not a result, nor a question that just names a quantity."""
-    return search.refs.get(index, ("law", index))[0] == "law"
 
 
 def law_order(index: int, search: Search) -> tuple[int, bool, int]:
@@ -232,7 +228,7 @@ class Diagrams(Struct, frozen=True):
                 silent.append(item)
                 continue
             if size == ZERO:
-                spoken_of.append(absent_force(item))
+                spoken_of.append((f"no {item.noun} at {spoken(item.owner)}",))  # which a state tells to be nothing
                 continue
             letters = {letter for letter in size.symbols() if is_key(letter)}
             if letters <= in_use:
@@ -240,7 +236,8 @@ class Diagrams(Struct, frozen=True):
             elif not item.role.unseen:
                 spoken_of.append(nameless(item))
         if silent and not spoken_of:
-            return ForceLine(spoken(body.name), (only_at_support(silent),), body.positive)
+            alone = f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}"
+            return ForceLine(spoken(body.name), ((alone,),), body.positive)
         return ForceLine(spoken(body.name), tuple(spoken_of), body.positive, without_torque(silent))
 
     def _pushed(self, body: BodyFacts, draft: Draft) -> bool:
@@ -259,11 +256,6 @@ def nameless(item: Force | Couple) -> Words:
     return (f"{item.noun}{' ' if item.place else ''}{item.place}{', ' if item.way else ''}{item.way}",)
 
 
-def absent_force(item: Force | Couple) -> Words:
-    """What is said of a force that a state tells to be nothing: "no normal force at base"."""
-    return (f"no {item.noun} at {spoken(item.owner)}",)
-
-
 def without_torque(silent: list[Force | Couple]) -> tuple[Words, ...]:
     """Which forces on a body on an axis act at that axis."""
     if not silent:
@@ -271,11 +263,6 @@ def without_torque(silent: list[Force | Couple]) -> tuple[Words, ...]:
     names = nouns(silent)
     verb = "act" if len(names) > 1 else "acts"
     return ((f"{joined_names(names)} {verb} at the {support_of(silent)}: no torque about it",),)
-
-
-def only_at_support(silent: list[Force | Couple]) -> Words:
-    """What is said of a body on an axis on which nothing else acts."""
-    return (f"{joined_names(nouns(silent))}: no torque about the {support_of(silent)}",)
 
 
 def joined_names(names: list[str]) -> str:

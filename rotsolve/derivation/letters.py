@@ -159,6 +159,11 @@ def own_indices(bodies: Iterable[Body]) -> dict[str, str]:
     return {name: index for name, index in found.items() if list(found.values()).count(index) == 1}
 
 
+def listed(names: Iterable[str]) -> Words:
+    """Names of answers with commas between."""
+    return tuple(part for name in names for part in (", ", Symbol(name)))[1:]
+
+
 def in_printed_letters(formula: Formula, names: Mapping[str, str]) -> Formula:
     """A formula with its letters renamed, the variables of integration too."""
 

@@ -79,9 +79,8 @@ def requirements_by_state(search: Search) -> Iterator[tuple[str, tuple[Requireme
 
 def concerns(need: Requirement, search: Search) -> bool:
     """Whether the body that the requirement is about takes part in the derivation."""
-    used = {
-        name for answered in search.answered for index in answered.used for name in search.planner.pool[index].bodies
-    }
+    laws = [search.planner.pool[index] for answered in search.answered for index in answered.used]
+    used = {name for law in laws for name in law.bodies}
     item = next((item for item in search.scene.configuration.problem.connections if item.name == need.owner), None)
     return item is None or any(ref.owner in used for ref in item.touches())
 

@@ -11,7 +11,7 @@ from rotsolve.algebra.certified.ball import Certified, evaluate
 from rotsolve.algebra.certified.balls import Undefined
 from rotsolve.algebra.exact.order import length
 from rotsolve.algebra.formula import ONE, PI, ZERO, Call, Formula, Symbol
-from rotsolve.algebra.units.dimension import Dimension, word_of
+from rotsolve.algebra.units.dimension import word_of
 from rotsolve.algebra.units.quantities import unit_for
 from rotsolve.algebra.units.unit_table import Unit
 from rotsolve.core.derivation import Answer, Derivation, Equality, Words
@@ -33,16 +33,13 @@ def with_missing_told(derivation: Derivation, problem: Problem) -> Derivation:
 
 
 def with_reason(answer: Answer, missing: Mapping[str, Given], problem: Problem) -> Answer:
+    if answer.formula is None or answer.remark:
+        return answer
     numbered = {given.name for given in problem.givens if given.value is not None}
-    if (
-        answer.formula is not None
-        and answer.value is None
-        and answer.formula.symbols() <= numbered
-        and not answer.remark
-    ):
+    if answer.value is None and answer.formula.symbols() <= numbered:
         return replace(answer, remark=(f"no number: {undefined(answer.formula, problem)}",))
-    names = [name for name in missing if answer.formula is not None and name in answer.formula.symbols()]
-    if not names or answer.remark:
+    names = [name for name in missing if name in answer.formula.symbols()]
+    if not names:
         return answer
     words: list[str | Formula] = ["no number: "]
     for name in names:
@@ -63,9 +60,7 @@ def meaning_of_given(given: Given, problem: Problem) -> str:
     """What an automatic letter stands for, and where it could be given: "mass of block in line 4"."""
     kind = word_of(given.dimension) or "value"
     owner = given.name.partition("_")[2]
-    body = next(
-        (body for body in every_body(problem.bodies) if body.name == owner.rstrip("_") or body.name == owner), None
-    )
+    body = next((body for body in every_body(problem.bodies) if body.name in (owner, owner.rstrip("_"))), None)
     if body is None:
         return f"{kind} of {spoken(owner.rstrip('_'))}"
     line = f" in line {body.span.line}" if body.span is not None else ""
@@ -105,11 +100,8 @@ class Results(Struct, frozen=True):
     def _group(self, name: str, group: list[Answered | Chosen]) -> Answer:
         """A label, or what is answered under one name."""
         labels = [item for item in group if isinstance(item, Chosen)]
-        return (
-            self.label(labels[0])
-            if labels
-            else self._whole(name, [item for item in group if isinstance(item, Answered)])
-        )
+        whole = [item for item in group if isinstance(item, Answered)]
+        return self.label(labels[0]) if labels else self._whole(name, whole)
 
     def _whole(self, name: str, group: list[Answered]) -> Answer:
         """One answer, or a matrix or vector with its entries as components."""
@@ -133,9 +125,7 @@ class Results(Struct, frozen=True):
         """The exact form, the certified value and the direction in words."""
         asked, found = answered.asked, answered.found
         formula = self.letters.printed(self._readable(answered)) if found.formula is not None else None
-        unit = asked.find.unit or usual_unit(
-            asked.dimension, asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
-        )
+        unit = asked.find.unit or usual_unit(asked)
         value = self._value_in(found, unit) if self._lasts(asked.find) else None
         parts = self.components(answered)
         direction = self._direction(answered, value, parts)
@@ -177,9 +167,7 @@ class Results(Struct, frozen=True):
                 continue
             named = phases_of(term, scene)
             ends = [(named[0].start, 1)]
-            if (
-                scene.configuration.timeline.after(named[-1].end) is not None
-            ):  # after the last state it goes on as before
+            if scene.configuration.timeline.after(named[-1].end) is not None:  # else it goes on as before
                 ends.append((named[-1].end, -1))
             for state, sign in ends:
                 end = beside.settle(scene.instant(state).time())
@@ -219,9 +207,8 @@ class Results(Struct, frozen=True):
 
     def _symbol(self, asked: Asked) -> Formula:
         """The letter of an answer: its own name; of a component the letter that the derivation uses, if it does."""
-        printed = (
-            self.letters.printed(Symbol(asked.letter)) if asked.whole else Symbol(self.letters.of_find(asked.find))
-        )
+        name = Symbol(self.letters.of_find(asked.find))
+        printed = self.letters.printed(Symbol(asked.letter)) if asked.whole else name
         return Symbol(asked.find.name) if has_quantities(printed) else printed
 
     def components(self, answered: Answered) -> tuple[Answer, ...]:
@@ -339,6 +326,7 @@ def readable(chain: tuple[Equality, ...]) -> tuple[Equality, ...]:
     return chain[:-1] if told else chain
 
 
-def usual_unit(dimension: Dimension | None, quantity: str) -> Unit | None:
+def usual_unit(asked: Asked) -> Unit | None:
     """The unit that the field uses for a dimension; none for a pure number."""
-    return None if dimension is None else unit_for(dimension, quantity if quantity in NAMING else None)
+    quantity = asked.find.terms[0].path.quantity if len(asked.find.terms) == 1 else ""
+    return None if asked.dimension is None else unit_for(asked.dimension, quantity if quantity in NAMING else None)

@@ -21,7 +21,7 @@ from rotsolve.core.derivation import Check
 from rotsolve.core.equation import ANGULAR_MOMENTUM, ENERGY, FAMILIES, NEWTON, Equation
 from rotsolve.core.symbols import has_quantities
 from rotsolve.derivation.consistency import BITS, KnownBalls, runs
-from rotsolve.derivation.letters import Letters
+from rotsolve.derivation.letters import Letters, listed
 from rotsolve.paths.meaning import NotYet
 from rotsolve.plan import Shortage
 from rotsolve.search.answers import Answered, NoAnswer
@@ -35,10 +35,11 @@ NOTHING = arb(0)
 
 def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> Iterator[Check]:
     """Each answer again by a law that its plan did not use; one that disagrees is an objection."""
+    closed = [(answered, answered.found.formula) for answered in search.wholes()]
     pending = [
-        answered
-        for answered in search.wholes()
-        if answered.found.formula is not None and not is_long_root(answered.found.formula) and depends(answered, search)
+        answered  # that rests on a law at all, and not on definitions alone
+        for answered, formula in closed
+        if formula is not None and not is_long_root(formula) and families(answered, search)
     ]
     slopes: dict[tuple[int, str], Ball | None] = {}
     for law in (ENERGY, ANGULAR_MOMENTUM, NEWTON):
@@ -51,7 +52,7 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
         for answered in unused:
             outcome = putting.outcome(answered)
             formula = again(other, answered) if outcome is Confirmation.OPEN else answered.found.formula
-            if outcome is Confirmation.NO_PLAN or formula is None or not independent(other, law):
+            if outcome is Confirmation.NO_PLAN or formula is None or law not in families(other.answered[-1], other):
                 continue
             if outcome is Confirmation.HOLDS or same(formula, answered.found.formula, search):
                 pending.remove(answered)
@@ -59,13 +60,10 @@ def second_law_checks(search: Search, letters: Letters, balls: KnownBalls) -> It
             elif over_a_phase(other):
                 pending.remove(answered)
                 name = Symbol(answered.asked.find.name)
-                yield Check(
-                    (f"{FAMILIES[law].words} gives another ", name, ": ", formula.substitute(letters.symbols)), False
-                )
+                another = formula.substitute(letters.symbols)
+                yield Check((f"{FAMILIES[law].words} gives another ", name, ": ", another), False)
         if agreed:
-            names: list[str | Formula] = []
-            for answered in agreed:
-                names += [", ", Symbol(answered.asked.find.name)] if names else [Symbol(answered.asked.find.name)]
+            names = listed(answered.asked.find.name for answered in agreed)
             yield Check((f"{FAMILIES[law].words} {FAMILIES[law].gives} the same ", *names))
 
 
@@ -199,11 +197,6 @@ def over_a_phase(other: Search) -> bool:
     return any(runs(other.planner.pool[index], other) for index in other.answered[-1].used)
 
 
-def depends(answered: Answered, search: Search) -> bool:
-    """Whether an answer rests on a law at all, and not on definitions alone."""
-    return bool(families(answered, search))
-
-
 def families(answered: Answered, search: Search) -> set[str]:
     """The laws behind an answer: those of its own plan, and of the answers that it uses."""
     found: set[str] = set()
@@ -216,12 +209,8 @@ def families(answered: Answered, search: Search) -> set[str]:
             if equation.family:
                 found.add(equation.family)
             elif search.refs.get(index, ("law", 0))[0] == "step":
-                found |= {
-                    equation.family
-                    for other in search.answered
-                    for k in other.used
-                    if (equation := search.planner.pool[k]).family
-                }
+                behind = (search.planner.pool[k] for other in search.answered for k in other.used)
+                found |= {law.family for law in behind}
             for name in equation.symbols():
                 if name in by_letter and name not in seen:
                     seen.add(name)
@@ -235,11 +224,6 @@ def again(other: Search, answered: Answered) -> Formula | None:
         return other.answer(answered.asked).found.formula
     except (NoAnswer, NotYet):
         return None
-
-
-def independent(other: Search, law: str) -> bool:
-    """Whether the other way really used its law for the last answer."""
-    return law in families(other.answered[-1], other)
 
 
 def same(one: Formula, other: Formula | None, search: Search) -> bool:
