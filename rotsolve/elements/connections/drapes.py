@@ -80,8 +80,7 @@ class Drapes(Connection, frozen=True):
         """A rope that goes over to the right turns its wheel clockwise."""
         if body.name != self.drapes[1].owner:
             return 0
-        track = self.track(configuration.bodies[self.drapes[0].owner], configuration, state)
-        return 1 if track is not None and track[0] == LEFT else -1
+        return 1 if configuration.bodies[self.drapes[0].owner].moves == "left" else -1
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return "position"
@@ -127,11 +126,10 @@ class Drapes(Connection, frozen=True):
         parts = [(hanging, forward, "of the part that hangs", "forward")]
         if not lies:
             parts.append((rest, forward.turned(180), "of the part on the other side", "back"))
-        mass = rope.mass or ZERO
+        whole, weight = shape.length, (rope.mass or ZERO) * gravity
         for length, direction, part, way in parts:
-            size = mass * gravity * length / shape.length
+            size = weight * length / whole
             yield Force(self.name, HANGING, rope.name, size, unit(direction), NOWHERE, "weight", way, part)
-        whole, weight = shape.length, mass * gravity
         energies = [weight * x / 2 if x == whole else weight * square(x) / (2 * whole) for x, *_ in parts]
         energy = negate(total(energies))
         rate = instant.motion(rope.name).velocity.along(forward)
@@ -154,14 +152,11 @@ class Drapes(Connection, frozen=True):
             press = instant.ask("force", self.name, when=span, component=axis)
             noun = "press of the rope"
             yield Force(self.name, REACTION, wheel, press, unit(direction), NOWHERE, noun, internal=True)
-        rim = instant.motion(wheel)
-        yield Rule(
-            self.name,
-            f"the rope does not slip, {spoken(wheel)}",
-            (rope, wheel),
-            (instant.motion(rope).velocity.along(forward), rim.velocity_of(top).along(forward)),
-            (instant.motion(rope).acceleration.along(forward), rim.acceleration_of(top).along(forward)),
-        )
+        own, rim = instant.motion(rope), instant.motion(wheel)
+        velocity = (own.velocity.along(forward), rim.velocity_of(top).along(forward))
+        acceleration = (own.acceleration.along(forward), rim.acceleration_of(top).along(forward))
+        label = f"the rope does not slip, {spoken(wheel)}"
+        yield Rule(self.name, label, (rope, wheel), velocity, acceleration)
 
     def tied(self, load: PointRef, instant: Moment) -> Iterator[Fact]:
         """A body at the end of the rope goes down as fast as the rope goes on."""
@@ -172,10 +167,8 @@ class Drapes(Connection, frozen=True):
         yield Force(self.name, TENSION, name, size, unit(UP), NOWHERE, "tension", "up", internal=True)
         noun = "tension of its end"
         yield Force(self.name, TENSION, rope, size, unit(forward), NOWHERE, noun, "forward", internal=True)
-        yield Rule(
-            self.name,
-            f"the rope does not stretch, {spoken(name)}",
-            (rope, name),
-            (instant.motion(name).velocity.along(DOWN), instant.motion(rope).velocity.along(forward)),
-            (instant.motion(name).acceleration.along(DOWN), instant.motion(rope).acceleration.along(forward)),
-        )
+        own, hung = instant.motion(rope), instant.motion(name)
+        velocity = (hung.velocity.along(DOWN), own.velocity.along(forward))
+        acceleration = (hung.acceleration.along(DOWN), own.acceleration.along(forward))
+        label = f"the rope does not stretch, {spoken(name)}"
+        yield Rule(self.name, label, (rope, name), velocity, acceleration)

@@ -63,9 +63,39 @@ class Rectangle(Shape, frozen=True):
         return places.get(point, (ZERO, ZERO))
 
 
-class Triangle(Shape, frozen=True):
-    word = "triangle"
+class Cornered(Shape, frozen=True):
+    """Base of what is known by the places of its corners, as sums over its edges."""
+
     spread = "surface"
+
+    def vertices(self) -> tuple[Place, ...]:
+        """The corners in order."""
+        raise NotImplementedError
+
+    def moment(self, mass: Formula) -> Formula:
+        """By the shoelace formula."""
+        return polygon_moment(self.vertices(), mass)
+
+    def tensor(self, mass: Formula) -> InertiaTensor:
+        """From the means of x², y² and x y about the centroid: I_xx = M y², I_yy = M x², I_xy = −M x y."""
+        xx, yy, xy = polygon_products(self.vertices(), mass)
+        return InertiaTensor(yy, xx, self.moment(mass), negate(xy))
+
+    def centroid(self) -> Place:
+        return polygon_centroid(self.vertices())
+
+    def measure(self) -> Formula:
+        """A = ½ Σ p × q."""
+        return simplify(total([spanned for _, _, spanned in edges_of(self.vertices())]) / 2)
+
+    def locate(self, point: str, argument: Formula | None = None) -> Place:
+        """The place of `corner1`, `corner2`, …; the centre of mass for any other point."""
+        corners, number = self.vertices(), point.removeprefix("corner")
+        return corners[int(number) - 1] if number.isdigit() and 0 < int(number) <= len(corners) else self.centroid()
+
+
+class Triangle(Cornered, frozen=True):
+    word = "triangle"
     about = "thin uniform triangle: its three `corners`, or its three `sides` (corner1 to corner2 along +x first)"
     points = ("corner1", "corner2", "corner3")
     closing = ("sides", "corners")
@@ -85,13 +115,9 @@ class Triangle(Shape, frozen=True):
     def moment(self, mass: Formula) -> Formula:
         """M (a² + b² + c²)/36."""
         if self.corners:
-            return polygon_moment(self.corners, mass)
+            return super().moment(mass)
         a, b, c = self.sides
         return mass * (a**2 + b**2 + c**2) / 36
-
-    def tensor(self, mass: Formula) -> InertiaTensor:
-        """From the means of x², y² and x y about the centroid."""
-        return of_corners(self.vertices(), mass, self.moment(mass))
 
     def slicing(self) -> Slicing:
         """Strips parallel to the side opposite the first corner, at the part u of the way from that corner to it."""
@@ -116,12 +142,6 @@ class Triangle(Shape, frozen=True):
             "corner1",
         )
 
-    def centroid(self) -> Place:
-        return polygon_centroid(self.vertices())
-
-    def measure(self) -> Formula:
-        return polygon_area(self.vertices())
-
     def vertices(self) -> tuple[Place, ...]:
         """The three corners; from three sides the first lies along +x: x₃ = (a² + c² − b²)/(2 a)."""
         if self.corners:
@@ -130,55 +150,21 @@ class Triangle(Shape, frozen=True):
         x = (a**2 + c**2 - b**2) / (2 * a)
         return ((ZERO, ZERO), (a, ZERO), (x, call("sqrt", c**2 - x**2)))
 
-    def locate(self, point: str, argument: Formula | None = None) -> Place:
-        return corner(self.vertices(), point, self.centroid())
 
-
-class Polygon(Shape, frozen=True):
+class Polygon(Cornered, frozen=True):
     word = "polygon"
-    spread = "surface"
     about = "thin uniform polygon by its corners in order: corner1, corner2, …"
     points = ()
     corners: tuple[Place, ...] = key("places", "corners in order", letter="x", count=(3, 40), default=(), required=True)
 
-    def moment(self, mass: Formula) -> Formula:
-        """By the shoelace formula."""
-        return polygon_moment(self.corners, mass)
-
-    def tensor(self, mass: Formula) -> InertiaTensor:
-        return of_corners(self.corners, mass, self.moment(mass))
-
-    def centroid(self) -> Place:
-        return polygon_centroid(self.corners)
-
-    def measure(self) -> Formula:
-        return polygon_area(self.corners)
-
-    def locate(self, point: str, argument: Formula | None = None) -> Place:
-        return corner(self.corners, point, self.centroid())
-
-
-def of_corners(corners: tuple[Place, ...], mass: Formula, moment: Formula) -> InertiaTensor:
-    """The tensor of a flat shape from the means of x², y² and x y: I_xx = M y², I_yy = M x², I_xy = −M x y."""
-    xx, yy, xy = polygon_products(corners, mass)
-    return InertiaTensor(yy, xx, moment, negate(xy))
-
-
-def corner(corners: tuple[Place, ...], point: str, centre: Place) -> Place:
-    """The place of `corner1`, `corner2`, …; the centre of mass for any other point."""
-    number = point.removeprefix("corner")
-    return corners[int(number) - 1] if number.isdigit() and 0 < int(number) <= len(corners) else centre
+    def vertices(self) -> tuple[Place, ...]:
+        return self.corners
 
 
 def edges_of(corners: tuple[Place, ...]) -> list[tuple[Place, Place, Formula]]:
     """The edges of a polygon with twice the signed area of the triangle that each spans with the origin."""
     pairs = zip(corners, (*corners[1:], corners[0]), strict=True)
     return [(p, q, p[0] * q[1] - q[0] * p[1]) for p, q in pairs]
-
-
-def polygon_area(corners: tuple[Place, ...]) -> Formula:
-    """A = ½ Σ p × q."""
-    return simplify(total([spanned for _, _, spanned in edges_of(corners)]) / 2)
 
 
 def polygon_centroid(corners: tuple[Place, ...]) -> Place:
