@@ -64,14 +64,9 @@ def scene_at(configuration: Configuration, time: float, numbers: Mapping[str, fl
         if path.quantity in STATED and (path.component or path.point) in (None, "x", "y")
     )
     state = State(first.name, conditions, span=first.span)
-    return Configuration(
-        replace(
-            problem,
-            states=(state,),
-            connections=tuple(going_on(item, time, numbers) for item in problem.connections),
-            actions=tuple(going_on(item, time, numbers) for item in problem.actions),
-        )
-    )
+    connections = tuple(going_on(item, time, numbers) for item in problem.connections)
+    actions = tuple(going_on(item, time, numbers) for item in problem.actions)
+    return Configuration(replace(problem, states=(state,), connections=connections, actions=actions))
 
 
 def path_of(name: str) -> Path:

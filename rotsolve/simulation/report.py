@@ -63,16 +63,9 @@ def times_of(run: Run, step: float | None) -> list[float]:
 def columns_of(run: Run) -> tuple[str, ...]:
     """Places and speeds of bodies, body by body, as far as they are told all along."""
     told = set(run.names).intersection(*(part.system.outputs for part in run.regimes))
-    owners = dict.fromkeys(name.partition(".")[0] for name in run.names)
-    words = {word: number for number, word in enumerate(SHOWN)}
-    return tuple(
-        name
-        for owner in owners
-        for name in sorted(
-            (n for n in told if n.partition(".")[0] == owner), key=lambda n: (words.get(quantity_word(n), 99), n)
-        )
-        if quantity_word(name) in words
-    )
+    owners = list(dict.fromkeys(name.partition(".")[0] for name in run.names))
+    shown = [name for name in told if quantity_word(name) in SHOWN]
+    return tuple(sorted(shown, key=lambda n: (owners.index(n.partition(".")[0]), SHOWN.index(quantity_word(n)), n)))
 
 
 def quantity_word(name: str) -> str:

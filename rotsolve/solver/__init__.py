@@ -104,9 +104,8 @@ class Solver(Isolation, kw_only=True):
     def _put_in_functions(self, item: Item) -> None:
         """Answers that run during a phase are put in at once (a letter would hide what is integrated), and so are zeros."""
         held = item.left.symbols() | item.right.symbols() | inner(item)
-        told = {
-            name: found.formula for name, found in self.solved.items() if found.formula is not None and name in held
-        }
+        solved = [(name, found.formula) for name, found in self.solved.items() if name in held]
+        told = {name: value for name, value in solved if value is not None}
         used = {name: value for name, value in told.items() if self.running & value.symbols() or value == ZERO}
         if used:
             self._substitute(item, used, [("known", name) for name in used])

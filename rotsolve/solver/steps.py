@@ -193,10 +193,8 @@ def elimination_kind(item: Item, name: str, names: Collection[str], items: Seque
         return 2 if len(names) == 2 and monomial(item.left) and monomial(item.right) else 4
     if isolated(item, name):
         return 0
-    squared = only_squared(item, name) and any(
-        holds_square(side, name) for other in items if other is not item for side in (other.left, other.right)
-    )
-    return 3 if squared else 1
+    sides = (side for other in items if other is not item for side in (other.left, other.right))
+    return 3 if only_squared(item, name) and any(holds_square(side, name) for side in sides) else 1
 
 
 def line_of(item: Item, name: str, value: Formula, more: Sequence[Equality] = ()) -> list[Equality]:

@@ -77,9 +77,8 @@ class Textbook(Struct, kw_only=True):
         value = simplify(value, order=self.order, positive=self.positive)
         if value.holds("abs"):
             value = simplify(value.transform(self.without_bars, "abs"), order=self.order, positive=self.positive)
-        return in_powers(
-            value.transform(self._exponential, "exp", "log"), TIME, order=self.order, positive=self.positive
-        )
+        value = value.transform(self._exponential, "exp", "log")
+        return in_powers(value, TIME, order=self.order, positive=self.positive)
 
     def shortest(self, value: Formula) -> Formula:
         """Textbook form, unless it is what a power of a sum comes to when it is multiplied out."""
@@ -132,9 +131,8 @@ class Textbook(Struct, kw_only=True):
         def change(node: Formula) -> Formula:
             if not isinstance(node, Integral):
                 return node
-            return Integral(
-                self.simplify(node.integrand), node.variable, self.simplify(node.lower), self.simplify(node.upper)
-            )
+            integrand, lower, upper = map(self.simplify, node.children())
+            return Integral(integrand, node.variable, lower, upper)
 
         return value.transform(change, Integral)
 

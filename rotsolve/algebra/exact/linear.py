@@ -48,9 +48,7 @@ def eliminated(problem: Fractions, unknowns: Sequence[str]) -> dict[str, Ratio]:
     """All unknowns of a linear problem as fractions in lowest terms, not yet written as a textbook would."""
     ring, columns = problem.field, {problem.field.index[Symbol(name)]: name for name in unknowns}
     others = [j for j in range(len(ring.atoms)) if j not in columns]
-    bound = {
-        j: name for j in others for name in unknowns if ring.mentions(j, name)
-    }  # roots, sines … that hold an unknown
+    bound = {j: name for j in others for name in unknowns if ring.mentions(j, name)}  # roots, sines and the like
     rows = {k: _row(problem, k, columns, bound) for k in range(len(problem.formulas))}
     pivots = _eliminate(ring, rows, set(columns))
     used = set(pivots.values())

@@ -273,9 +273,9 @@ def _pi_multiple(formula: Formula) -> tuple[Fraction, int] | None:
             return None if inner is None else (-inner[0], inner[1])
         case Quotient(numerator, denominator):
             above, below = _pi_multiple(numerator), _pi_multiple(denominator)
-            return (
-                None if above is None or below is None or not below[0] else (above[0] / below[0], above[1] - below[1])
-            )
+            if above is None or below is None or not below[0]:
+                return None
+            return above[0] / below[0], above[1] - below[1]
         case Power(base, Number(value)) if base == PI and value.denominator == 1:
             return Fraction(1), int(value)
         case Product(factors):
