@@ -43,7 +43,7 @@ def with_reason(answer: Answer, missing: Mapping[str, Given], problem: Problem) 
         return answer
     words: list[str | Formula] = ["no number: "]
     for name in names:
-        words += [", " if name != names[0] else "", Symbol(name), f", the {meaning_of_given(missing[name], problem)},"]
+        words += [" " if name != names[0] else "", Symbol(name), f", the {meaning_of_given(missing[name], problem)},"]
     return replace(answer, remark=(*words, " is not given" if len(names) == 1 else " are not given"))
 
 
