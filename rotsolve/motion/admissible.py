@@ -24,11 +24,11 @@ def check(problem: Problem) -> None:
     check_pairs(problem, scene.bodies)
     check_ropes(problem, scene.bodies)
     check_stacks(problem, scene.bodies)
-    check_senses(scene)
     for item in (*problem.connections, *problem.actions):
         item.check(scene)
     for event in problem.events:
         event.check(scene)
+    check_senses(scene)
 
 
 def check_sequence(problem: Problem) -> None:
