@@ -115,11 +115,16 @@ def build_body(
         from rotsolve.scene.cutouts import check_holes
 
         check_holes(scope, name, entries["holes"][1], body)
+    check_inertia_point(scope, name, entries, body)
+    return body
+
+
+def check_inertia_point(scope: Scope, name: str, entries: Entries, body: Body) -> None:
+    """A moment of inertia is given about a point that the body has."""
     about = body.inertia_about
     if about is not None and about not in point_names(body):
         help = hint(about, point_names(body), "points")
         scope.fault(entries["inertia"][1], f"`{name}` has no point {quoted(about)}", help, "point")
-    return body
 
 
 def read_motion(scope: Scope, key: Key, node: Node, word: str, name: str) -> Iterator[tuple[str, str, Formula]]:
