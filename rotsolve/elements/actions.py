@@ -6,13 +6,14 @@ from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ONE, ZERO, Formula, Negative, sqrt
 from rotsolve.core import facts
-from rotsolve.core.symbols import POSITION, RATE, combined, pace_of
+from rotsolve.core.symbols import CONSTANT, POSITION, RATE, combined, pace_of
 from rotsolve.core.vectors.heading import DOWN, LEFT, RIGHT, UP, WORDS, Vector, along_text, heading, unit, vector
 from rotsolve.elements.connections.touch import check_wheel
 from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import PointRef
 from rotsolve.language.elements import Action, Fact, Moment, Surroundings
 from rotsolve.language.keys import amount, key
+from rotsolve.language.shape import WHEEL
 
 Direction = str | Formula | tuple[Formula, Formula]
 DIRECTIONS = ("right", "left", "up", "down", "tangential", "clockwise", "counterclockwise")
@@ -42,18 +43,19 @@ class AppliedForce(Action, frozen=True):
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Also by its arm: a force that keeps its direction pulls a turning body at an ever other angle."""
-        own = super().pace(configuration, state)
-        if (
-            self.on is None
-            or self.direction in SQUARE
-            or self.on.owner not in configuration.bodies
-            or self.over
-            or self.under
-        ):
-            return own
-        held = configuration.pivot(configuration.host(self.on.owner, state), state)
-        rim = self.on.point == "rim" or self.on.point in dict(configuration.bodies[self.on.owner].radii)
-        return combined((own, POSITION)) if held is not None and held.point != self.on.point and not rim else own
+        return combined(
+            (super().pace(configuration, state), POSITION if self.leans(configuration, state) else CONSTANT)
+        )
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        """Not of what follows the turn, nor on a rim, whose names are directions in space."""
+        on = self.on
+        if on is None or on.owner not in configuration.bodies or self.direction in SQUARE or self.over or self.under:
+            return ()
+        name, body = configuration.host(on.owner, state), configuration.bodies[on.owner]
+        rim = on.point in WHEEL and rim_radius(body, on.point) is not None
+        swings = configuration.swings_round(on, state) and not rim and on.point not in dict(body.radii)
+        return (name,) if swings else ()
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         if self.on is None:

@@ -191,7 +191,8 @@ class Statements(Struct):
                 fix_balance(state.name, self.fixed)
         first = self.fixed.instant(self.configuration.timeline.states[0].name)
         for body in self.configuration.present(first.state):
-            angle = first.angle(body.name) if first.follows_marks(body.name) else None
+            marked = first.follows_marks(body.name) or first.leant_on(body.name)
+            angle = first.angle(body.name) if marked else None
             if angle is not None:
                 self.fixed.fix(angle, ZERO)  # it stands as drawn at first, unless the scene says how it stands
         for state in self.configuration.timeline.states:

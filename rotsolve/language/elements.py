@@ -20,6 +20,7 @@ from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.keys import Element, key
 
 Fact = Force | Couple | Rule | Requirement | Potential | Turntable
+PlaceOf = Callable[[PointRef], Formula | None]
 
 
 class SceneElements(Protocol):
@@ -73,6 +74,7 @@ class Surroundings(Protocol):
     def line(self, name: str, state: str) -> tuple[Heading, str] | None: ...
     def drives(self, name: str, state: str) -> tuple[Drive, ...]: ...
     def balanced(self, name: str, state: str) -> bool: ...
+    def swings_round(self, ref: PointRef, state: str) -> bool: ...
     def driven(self, name: str, state: str) -> bool: ...
 
 
@@ -144,6 +146,10 @@ class ActingElement(Element, frozen=True):
     def pace(self, configuration: Surroundings, state: str) -> str:
         """How its forces and rules vary while bodies move (see core.symbols)."""
         return "constant"
+
+    def leans(self, configuration: Surroundings, state: str) -> tuple[str, ...]:
+        """Bodies on which it pulls in a direction that stays, at a point that goes round as they turn."""
+        return ()
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         """The forces, couples, rules and requirements that it adds at a moment."""
@@ -268,8 +274,8 @@ class Connection(ActingElement, frozen=True):
         """Motions that it forces on bodies: (body, word, component, formula of `time`)."""
         return iter(())
 
-    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
-        """Height of a body's reference point above a level that stays, where it tells that; `height_of` tells that of other points."""
+    def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+        """How far along a direction that stays a body's reference is, where it tells that; `place_of` tells that of other points."""
         return None
 
     def tension_at(self, name: str, instant: Moment) -> Formula | None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -11,16 +10,17 @@ from msgspec.structs import replace
 
 from rotsolve.algebra.certified.sign import ACUTE, SignOracle
 from rotsolve.algebra.formula import ZERO, Formula
-from rotsolve.core.drive import Drive, along_line
+from rotsolve.core.drive import TURNING, Drive, along_line
 from rotsolve.core.faults import Span, Unsolvable
 from rotsolve.core.letters import letter_order
 from rotsolve.core.remembered import remembered
 from rotsolve.core.symbols import UNKNOWN, combined, is_key
 from rotsolve.core.vectors.heading import UP, WORDS, Heading
-from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.shapes import rim_radius
 from rotsolve.language.bodies import Body, Orbit, PointRef, Ride, Surface
 from rotsolve.language.elements import Action, Connection, Event
 from rotsolve.language.problem import Problem
+from rotsolve.motion.members import Member, rider, welded
 from rotsolve.motion.owndata import Version, versions
 from rotsolve.motion.positive import is_angle, limited_letters, positive_letters
 from rotsolve.motion.rigid import Frame, centre_of_mass, locate, pieces, polar, tidy
@@ -28,28 +28,6 @@ from rotsolve.motion.timeline import Mentions, Timeline, absent, begun, timeline
 
 if TYPE_CHECKING:
     from rotsolve.core.passage import Alteration
-
-
-class Member(Struct, frozen=True):
-    """A body that is part of another (joined or welded): its host, and the host's point where it sits."""
-
-    name: str
-    host: str
-    at: PointRef
-    own: PointRef
-
-
-def rider(item: Ride, axis: PointRef | None) -> Member:
-    """A body that rides on another: its distance is counted from the carrier's axis."""
-    own, carrier = item.rider.owner, item.carrier.owner
-    return Member(own, carrier, axis or PointRef(carrier, "center"), PointRef(own, "center"))
-
-
-def welded(first: PointRef, second: PointRef, held: Container[str], bodies: Mapping[str, Body]) -> Member:
-    """The joined pair as host and member: a body `held` on an axis, else the extended one, else the last-named is the host."""
-    weight = [(ref.owner in held, not shape_of(bodies[ref.owner]).pointlike) for ref in (first, second)]
-    member, host = (first, second) if weight[1] >= weight[0] else (second, first)
-    return Member(member.owner, host.owner, host, member)
 
 
 class Configuration(Struct, frozen=True, dict=True):
@@ -368,6 +346,23 @@ class Configuration(Struct, frozen=True, dict=True):
         """The state at which the phase of a state starts, or the state itself."""
         phase = self.timeline.phase_of(state)
         return phase.start if phase is not None else state
+
+    def can_turn(self, name: str, state: str) -> bool:
+        """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
+        body, own = self.body(name, state), self.frame(name, state)
+        turning = body.turns is not None or rim_radius(body, None) is not None
+        if any(drive.kinds == TURNING for drive in self.drives(name, state)):
+            return True
+        if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
+            return body.turns is not None and rim_radius(body, None) is not None
+        return turning or (self.line(name, state) is None and self.orbit(name, state) is None)
+
+    def swings_round(self, ref: PointRef, state: str) -> bool:
+        """Whether a point goes round the reference of its body as that turns."""
+        name, own = self.host(ref.owner, state), self.frame(self.host(ref.owner, state), state)
+        held = self.pivot(name, state) is not None
+        off = name != ref.owner or bool(tidy(locate(self.body(name, state), ref) - own.reference).parts)
+        return off and (held or self.can_turn(name, state))
 
     def driven(self, name: str, state: str) -> bool:
         """Whether a couple acts on a body: a motor, friction in its axle, a belt."""

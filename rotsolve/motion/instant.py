@@ -141,7 +141,7 @@ class Instant(Struct, frozen=True, dict=True):
         that turns where a motion is followed in time."""
         if self.mark == COURSE:
             held = self.configuration.pivot(name, self.state) is not None
-            return held or self.can_turn(name, self.travels_on_line(name))
+            return held or self.configuration.can_turn(name, self.state)
         rod = shape_of(self.body(name)).slender
         if self.weight_swings(name):
             return True
@@ -161,10 +161,18 @@ class Instant(Struct, frozen=True, dict=True):
         problem, paths = configuration.problem, configuration.mentions.paths
         if any(path.owner == name and path.quantity == "angle" and not path.point for path in paths):
             return True
-        if any(drive.word == "angle" for drive in configuration.drives(name, self.state)):
+        if any(drive.word == "angle" for drive in configuration.drives(name, self.state)) or self.leant_on(name):
             return True
         values = (value for item in (*problem.connections, *problem.actions) for value in varying_values(item))
         return any((owner, word) == (name, "angle") for value in values for _, owner, word in paths_in(value))
+
+    def leant_on(self, name: str) -> bool:
+        """Whether something pulls on a body in a direction that stays while the arm turns with it, from one state to another."""
+        configuration = self.configuration
+        several = len(configuration.timeline.states) > 1
+        return several and any(
+            name in item.leans(configuration, self.state) for item in configuration.actions(self.state)
+        )
 
     def follows_marks(self, name: str) -> bool:
         """Whether the scene follows a mark on a body while it turns about its centre of mass: it stands as drawn at first."""
@@ -182,7 +190,7 @@ class Instant(Struct, frozen=True, dict=True):
         """Whether a body slides along as it is drawn, with nothing said of its angle."""
         flat = self.travels_on_line(name)
         said = self.configuration.mentions.says
-        return flat and not self.can_turn(name, flat) and not said(self.state, name, "angle")
+        return flat and not self.configuration.can_turn(name, self.state) and not said(self.state, name, "angle")
 
     def travels_on_line(self, name: str) -> bool:
         """Whether a body travels along a line."""
@@ -218,7 +226,7 @@ class Instant(Struct, frozen=True, dict=True):
             own = self.orientation(name)
             return Motion("axis", spin=spin, spin_rate=rate, sense=sense, turns=True, orientation=own)
         line, orbit = self.line(name), self.orbit(name)
-        turns = self.can_turn(name, line is not None)
+        turns = configuration.can_turn(name, self.state)
         spin, rate = (signed(self.rate(word, name), sense) if turns else ZERO for word in TURNING[1:])
         if line is not None:
             direction, words = line
@@ -261,16 +269,6 @@ class Instant(Struct, frozen=True, dict=True):
         when = self.span(name) if word == "acceleration" else self.moving
         words = ("right", "left") if axis == "x" else ("up", "down")
         return self.ask(word, name, when=when, component=axis, words=words)
-
-    def can_turn(self, name: str, on_line: bool) -> bool:
-        """Whether a body that no axis holds turns: a particle never, a body on a line only if it is round or said to turn."""
-        body = self.body(name)
-        own = self.frame(name)
-        if any(drive.kinds == TURNING for drive in self.configuration.drives(name, self.state)):
-            return True
-        if all(piece.moment == ZERO and not tidy(piece.at - own.reference).parts for piece in own.pieces):
-            return body.turns is not None and rim_radius(body, None) is not None
-        return not on_line or body.turns is not None or rim_radius(body, None) is not None
 
     def velocity(self, ref: PointRef) -> Vector:
         """Velocity of a point; at rest for the ground."""

@@ -16,7 +16,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.language.problem import Path, PointRef, Term
 from rotsolve.laws.energy import kinetic
-from rotsolve.motion.passages import height
+from rotsolve.motion.places import height
 from rotsolve.motion.rigid import centre_of_mass, mass_of, moment_about, pieces, tidy
 from rotsolve.paths.meaning import NATURAL, AtInstant, Meaning, Meant, NotYet, about_centre, path_text, vector_size
 

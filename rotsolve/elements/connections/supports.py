@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 from rotsolve.algebra.formula import ZERO, Formula
 from rotsolve.core.drive import TURNING
@@ -21,10 +21,10 @@ from rotsolve.core.facts import (
 )
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.symbols import combined, pace_of
-from rotsolve.core.vectors.heading import RIGHT, UP, unit
+from rotsolve.core.vectors.heading import RIGHT, UP, Heading, unit
 from rotsolve.elements.shapes import shape_of
 from rotsolve.language.bodies import PointRef, Ride
-from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
+from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 from rotsolve.language.keys import amount, key
 
 
@@ -56,6 +56,14 @@ class Driven(Connection, frozen=True):
             raise Unsolvable(f"`{self.name}` {does} against another: not solved yet", span=self.held()[-1].span)
         for word, value in values:
             yield from ((ref.owner, word, "", value) for ref in self.held())
+
+    def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+        """Of one of two joined bodies: that of the other's point, less how far its own point is from its reference."""
+        ends = self.joint() if len(self.joint()) == 2 else ()
+        for own, other in (ends, ends[::-1]) if ends else ():
+            if instant.host(own.owner) == name and (base := place_of(other)) is not None:
+                return base - instant.point(own).along(way)
+        return None
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         """Of its torques; a drive's couple follows what it drives."""
@@ -122,12 +130,6 @@ class Hinge(Driven, frozen=True):
 
     def pace(self, configuration: Surroundings, state: str) -> str:
         return super().pace(configuration, state) if self.fixed_points() else "position"
-
-    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
-        """Of a body that hangs from another: that of the carrier's point, less how far the body's own point is above its reference."""
-        carrier, own = self.hinge[0], self.hinge[-1]
-        base = height_of(carrier) if carrier is not own and own.owner == name else None
-        return None if base is None else base - instant.point(own).along(UP)
 
     def facts(self, instant: Moment) -> Iterator[Fact]:
         yield from self.couples(instant)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from typing import ClassVar
 
 from msgspec import Struct
@@ -15,7 +15,6 @@ from rotsolve.core.vectors.heading import (
     NOWHERE,
     RIGHT,
     TURNS,
-    UP,
     Heading,
     Vector,
     along_text,
@@ -28,7 +27,7 @@ from rotsolve.core.writing import spoken
 from rotsolve.elements.shapes import rim_radius, shape_of
 from rotsolve.elements.surfaces import Curved, Level
 from rotsolve.language.bodies import Body, Orbit, PointRef, Surface
-from rotsolve.language.elements import Connection, Fact, Moment, Surroundings
+from rotsolve.language.elements import Connection, Fact, Moment, PlaceOf, Surroundings
 
 
 class Friction(Struct, frozen=True):
@@ -292,11 +291,16 @@ class Touch(Connection, frozen=True):
         motion = instant.motion(self.lying())
         return None if motion.heading is None else (motion.velocity - self.ground(instant)[0]).along(motion.heading)
 
-    def height(self, name: str, instant: Moment, height_of: Callable[[PointRef], Formula | None]) -> Formula | None:
-        """Of a body that touches a level surface."""
-        surface = instant.configuration.surfaces.get(self.places()[0].owner)
-        level = self.lying() == name and surface is not None and surface.level
-        return negate(self.touching_arm(instant).along(UP)) if level else None
+    def place(self, name: str, way: Heading, instant: Moment, place_of: PlaceOf) -> Formula | None:
+        """Across a flat surface, of the body that touches it; on the back of another body, from where that is."""
+        surface = self.surface(instant.configuration, instant.state)
+        if surface is None or isinstance(surface, Curved) or instant.host(self.lying()) != name:
+            return None
+        if (surface.normal - way).sin() != ZERO:
+            return None
+        carrier = self.carrier(instant.configuration)
+        base = place_of(PointRef(carrier, "cm")) if carrier else ZERO
+        return None if base is None else base - self.touching_arm(instant).along(way)
 
     def ground(self, instant: Moment) -> tuple[Vector, Vector]:
         """Velocity and acceleration of what it lies on."""

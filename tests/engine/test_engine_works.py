@@ -1,0 +1,141 @@
+"""Work of a force: ∫ F · dr of the point on which it acts, for bodies of every kind, against what a hand calculates."""
+
+from __future__ import annotations
+
+from math import cos, pi, radians, sin, sqrt
+
+import pytest
+
+from rotsolve.core.faults import SceneError, Unsolvable
+from rotsolve.pipeline import solve
+
+M, L, F, G = 8.0, 3.0, 20.0, 9.8
+GIVEN = "given: {M: 8 kg, L: 3 m, F: 20 N, d: 20 cm}\n"
+LADDER = (
+    GIVEN
+    + """
+title: Pole in the corner of a floor and a wall
+surfaces: {floor: level, side: {wall: right}}
+bodies: {pole: {shape: rod, mass: M, length: L}}
+connections: {foot: {contact: [pole.start, floor]}, head: {contact: [pole.end, side]}}
+states: {a: {pole.angle: 70 deg, at rest: all}, b: {pole.angle: 50 deg}}
+"""
+)
+CART = (
+    GIVEN
+    + """
+title: Pole that hangs from a cart
+surfaces: {floor: {slope: 30 deg, down: left}}
+bodies: {cart: {mass: M, moves: down}, pole: {shape: rod, mass: M, length: L}}
+connections: {base: {contact: [cart, floor]}, pin: {hinge: [cart, pole.start]}}
+states: {a: {pole.angle: -90 deg, at rest: all}, b: {pole.angle: -120 deg, cart.displacement: d, cart.velocity: 0}}
+"""
+)
+LINKS = (
+    GIVEN
+    + """
+title: Two poles, one hung from the other
+bodies: {first: {shape: rod, mass: M, length: L}, pole: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: first.start}, elbow: {hinge: [first.end, pole.start]}}
+states:
+  a: {first.angle: -90 deg, pole.angle: -90 deg, at rest: all}
+  b: {first.angle: -60 deg, pole.angle: -30 deg, first.angular_velocity: 0}
+"""
+)
+TABLE = (
+    GIVEN
+    + """
+title: Pole on a table, held at one end
+gravity: none
+bodies: {pole: {shape: rod, mass: M, length: L}}
+connections: {pin: {hinge: pole.start}}
+"""
+)
+TURNED = "states: {a: {at rest: all}, b: {pole.rotation: 60 deg}}\n"
+LOW, HIGH = radians(50), radians(70)
+SQUARES = (HIGH - LOW) / 2  # ∫ sin² = SQUARES − DOUBLE, ∫ cos² = SQUARES + DOUBLE
+DOUBLE = (sin(2 * HIGH) - sin(2 * LOW)) / 4
+
+ENDS = "w: pole.angular_velocity at b, P: pull.power at b"
+
+CASES = {
+    "a pull down, on a ladder": (
+        LADDER,
+        "force: F, on: pole.at(3*L/4), direction: down",
+        0.75 * F * L * (sin(HIGH) - sin(LOW)),
+    ),
+    "a pull at the foot of a ladder": (
+        LADDER,
+        "force: F, on: pole.start, direction: left",
+        F * L * (cos(LOW) - cos(HIGH)),
+    ),
+    "a pull at an angle": (
+        LADDER,
+        "force: F, on: pole.center, direction: 200 deg",
+        F * L / 2 * ((cos(LOW) - cos(HIGH)) * cos(radians(20)) + (sin(HIGH) - sin(LOW)) * sin(radians(20))),
+    ),
+    "a pull by components": (
+        LADDER,
+        "force: F, on: pole.center, direction: [-3, -4]",
+        F * L / 2 * ((cos(LOW) - cos(HIGH)) * 0.6 + (sin(HIGH) - sin(LOW)) * 0.8),
+    ),
+    "a force that grows as the ladder sinks": (
+        LADDER,
+        "force: F*sin(pole.angle), on: pole.at(L/4), direction: left",
+        0.75 * F * L * (SQUARES - DOUBLE),
+    ),
+    "a force that turns with the ladder": (
+        LADDER,
+        "force: F, on: pole.end, direction: clockwise",
+        F * L * (SQUARES + DOUBLE),
+    ),
+    "a couple on a ladder": (LADDER, "couple: F*L, on: pole, direction: clockwise", F * L * (HIGH - LOW)),
+    "a pull on what a cart carries": (
+        CART,
+        "force: F, on: pole.end, direction: left",
+        F * (0.2 * cos(radians(30)) + L / 2),
+    ),
+    "a pull on the lower of two links": (
+        LINKS,
+        "force: F, on: pole.end, direction: right",
+        F * L * (0.5 + cos(radians(30))),
+    ),
+    "a force that keeps its direction": (TABLE + TURNED, "force: F, on: pole.end, direction: up", F * L * sin(pi / 3)),
+    "a force that goes with the turn": (TABLE + TURNED, "force: F, on: pole.end", F * L * pi / 3),
+}
+
+
+@pytest.mark.parametrize(("moved", "action", "work"), CASES.values(), ids=CASES)
+def test_work_is_that_of_the_point(moved: str, action: str, work: float) -> None:
+    text = f"{moved}actions: {{pull: {{{action}}}}}\nfind: {{W: pull.work from a to b}}\n"
+    found = solve(text)
+    assert found.answers["W"].float == pytest.approx(work, rel=1e-6)
+
+
+@pytest.mark.parametrize("action", [case[1] for case in CASES.values() if case[0] == LADDER])
+def test_power_is_what_the_work_grows_by(action: str) -> None:
+    """W over a small turn at the end of the motion, divided by the time that it takes, P = dW/dt."""
+    text = f"{LADDER}actions: {{pull: {{{action}}}}}\nfind: {{W: pull.work from a to b, {ENDS}}}\n"
+    works = [solve(text.replace("50 deg", f"{angle} deg")) for angle in (50.01, 50, 49.99)]
+    rate = (works[2].answers["W"].float - works[0].answers["W"].float) / radians(0.02) * -works[1].answers["w"].float
+    assert works[1].answers["P"].float == pytest.approx(rate, rel=1e-5)
+
+
+@pytest.mark.parametrize("action", [case[1] for case in CASES.values() if case[0] == LADDER])
+def test_speed_of_a_ladder_follows_from_weight_and_work(action: str) -> None:
+    """K = M L² ω²/6 of a pole that slides along floor and wall."""
+    found = solve(
+        f"{LADDER}actions: {{pull: {{{action}}}}}\nfind: {{w: pole.angular_velocity at b, W: pull.work from a to b}}\n"
+    )
+    sunk = M * G * L / 2 * (sin(HIGH) - sin(LOW))
+    assert found.answers["w"].float == pytest.approx(
+        -sqrt(6 * (found.answers["W"].float + sunk) / (M * L**2)), rel=1e-6
+    )
+
+
+def test_a_force_on_a_free_pole_is_not_taken_for_a_steady_torque() -> None:
+    """Its arm turns: α is not 6 F/(M L) for long."""
+    text = GIVEN + "title: x\ngravity: none\nbodies: {pole: {shape: rod, mass: M, length: L}}\n"
+    text += "actions: {pull: {force: F, on: pole.end, direction: up}}\nstates: {a: {at rest: all}, b: {time: 3 s}}\n"
+    with pytest.raises((Unsolvable, SceneError)):
+        solve(text + "find: {w: pole.angular_velocity at b}\n")
