@@ -18,6 +18,7 @@ LAYERS = (  # each may import those before it, and itself; names on one line do 
     ("core",),
     ("language",),
     ("elements",),
+    ("confirm",),
     ("motion",),
     ("laws",),
     ("plan",),

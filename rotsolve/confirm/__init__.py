@@ -1,0 +1,8 @@
+"""Confirm: an assembly of all bodies' equations in numbers, from the scene as read, by which answers are held against Newton's laws.
+
+It shares nothing with the laws, the search and the configuration: places, constraints and forces are written once more, plainly.
+"""
+
+
+class NotConfirmed(Exception):
+    """What the assembly does not speak of, with the reason."""

@@ -1,0 +1,315 @@
+"""Constraints: what each connection holds, as functions of places. A connection without a row here is refused."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import on_rim, part_of, radius_of
+from rotsolve.confirm.jet import Jet, arctangent, distance
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.pose import Pair, Pose, along, load, turned
+from rotsolve.confirm.rows import Grip, Row, held, unknown
+from rotsolve.confirm.signs import GROUND, RIGHT, UP, carrier_of, normal, rests, surface_of
+from rotsolve.core.drive import TRAVELLING, TURNING
+from rotsolve.elements.connections.contact import Contact, Rolls
+from rotsolve.elements.connections.drives import Belt, Gear, Guide, MutualDrive
+from rotsolve.elements.connections.rubbing import Clutch, Rims
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Axle, Driven, Hinge, Weld
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.shapes import shape_of
+from rotsolve.elements.surfaces import Curved
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import Connection
+
+Held = Iterator[Row | Grip]
+
+
+def held_by(model: Known, pose: Pose) -> Held:
+    """All that connections, joints that events have made, and lines of travel hold."""
+    for item in model.acting.connections:
+        yield from ROWS.get(type(item), refused)(item, pose, model)
+    for event in model.acting.joined():
+        yield from together(event.name, event.joined(), pose, model, offset=True)
+    for name in model.guided:
+        across = turned(model.line(name) or RIGHT)
+        yield held(name, "line", along(pose.place(name, model.seats[name].rigid.centre), across), pose)
+
+
+def refused(item: Connection, pose: Pose, model: Known) -> Held:
+    raise NotConfirmed(f"`{item.name}`: the assembly has no rows for `{item.word}`")
+
+
+def nothing(item: Connection, pose: Pose, model: Known) -> Held:
+    """Of what only pushes or pulls."""
+    return iter(())
+
+
+def place_of(ref: PointRef, pose: Pose, model: Known) -> Pair:
+    """Where a point is; what does not turn with a wheel (its top) is the point as drawn."""
+    if ref.place is not None:
+        x, y = (Jet(model.value(part)) for part in ref.place)
+        return x, y
+    if ref.owner not in model.seats:
+        return Jet(0.0), Jet(0.0)
+    return pose.place(ref.owner, model.drawn(ref))
+
+
+def hinge(item: Hinge, pose: Pose, model: Known) -> Held:
+    """A point stays where it is, or goes with the point of another body."""
+    x, y = place_of(item.hinge[-1], pose, model)
+    carrier = item.hinge[0] if len(item.hinge) > 1 and item.hinge[0].owner not in GROUND else None
+    if carrier is not None:
+        u, w = place_of(carrier, pose, model)
+        x, y = x - u, y - w
+    yield held(item.name, "x", x, pose, hard=carrier is not None)
+    yield held(item.name, "y", y, pose, hard=carrier is not None)
+    yield from driven(item, (item.hinge[-1],), carrier, pose, model)
+
+
+def axle(item: Axle, pose: Pose, model: Known) -> Held:
+    """The centres of wheels stay where they are, or go with the body that carries them."""
+    carrier = carrier_of(item, model)
+    wheels = tuple(ref for ref in item.axle if ref is not carrier)
+    for ref in wheels:
+        x, y = place_of(ref, pose, model)
+        if carrier is not None:
+            u, w = place_of(carrier, pose, model)
+            x, y = x - u, y - w
+        tail = f"_{ref.owner}" if len(item.axle) > 1 else ""
+        yield held(item.name, f"x{tail}", x, pose, hard=carrier is not None)
+        yield held(item.name, f"y{tail}", y, pose, hard=carrier is not None)
+    yield from driven(item, wheels, carrier, pose, model)
+
+
+def driven(item: Driven, refs: tuple[PointRef, ...], carrier: PointRef | None, pose: Pose, model: Known) -> Held:
+    """A turn that is given as a function of time, and friction of the axis: a couple of limited size."""
+    for ref in dict.fromkeys(ref.owner for ref in refs):
+        turn = pose.turn(ref) - (pose.turn(carrier.owner) if carrier is not None else 0.0)
+        given = [(word, getattr(item, word)) for word in TURNING if getattr(item, word) is not None]
+        for word, value in given:
+            sign = 1 if word == "angle" else model.sense(ref)
+            coordinate = turn + model.lean(ref) if word == "angle" else turn
+            yield prescribed(item.name, "torque", coordinate, TURNING.index(word), sign, value, pose, model)
+        if item.friction_torque is not None:
+            size = model.now(item.friction_torque, pose)
+            yield Grip(f"{item.name}.{ref}", held(item.name, f"torque_{ref}", turn, pose), size, size)
+
+
+def prescribed(
+    owner: str, kind: str, coordinate: Jet, order: int, sign: int, value: Formula, pose: Pose, model: Known
+) -> Row:
+    """A coordinate, its rate or its acceleration is a given function of time."""
+    target = model.running(value, pose)
+    if not isinstance(target, Jet):
+        target = Jet(target)
+    if order == 0:
+        return held(owner, kind, coordinate - target, pose, hard=True)
+    slope = coordinate.slope
+    if order == 1:
+        return Row(owner, kind, slope, sign * target.value, sign * target.rate - coordinate.bend, slope)
+    return Row(owner, kind, slope, None, sign * target.value - coordinate.bend, slope)
+
+
+def guide(item: Guide, pose: Pose, model: Known) -> Held:
+    """The keys of a body that prescribe its own motion: of its centre of mass, and its turn."""
+    name = item.guided[0].owner
+    centre = pose.place(name, model.seats[name].rigid.centre)
+    for word, component, value in item.motions:
+        if word in TURNING:
+            sign = 1 if word == "angle" else model.sense(name)
+            yield prescribed(item.name, "torque", pose.turn(name), TURNING.index(word), sign, value, pose, model)
+        else:
+            coordinate = centre["xy".index(component or "x")]
+            yield prescribed(item.name, component or "x", coordinate, TRAVELLING.index(word), 1, value, pose, model)
+
+
+def weld(item: Weld, pose: Pose, model: Known) -> Held:
+    yield from together(item.name, item.weld, pose, model, offset=False)
+
+
+def together(owner: str, refs: tuple[PointRef, ...], pose: Pose, model: Known, *, offset: bool) -> Held:
+    """Two bodies are one: their points meet, and they turn as one; `offset`, where they meet at any angle."""
+    first, second = refs
+    (x, y), (u, w) = place_of(second, pose, model), place_of(first, pose, model)
+    turn = pose.turn(second.owner) - pose.turn(first.owner)
+    apart = None if offset else model.told_apart(first.owner, second.owner)
+    points = not (offset and model.bodily(refs))
+    yield held(owner, "x", x - u, pose, hard=points)
+    yield held(owner, "y", y - w, pose, hard=points)
+    yield held(owner, "torque", turn - (apart or 0.0), pose, hard=not offset)
+
+
+def touch(item: Touch, pose: Pose, model: Known) -> Held:
+    """The body stays on the surface, which can only push; friction along it sticks, slips, or is none."""
+    surface = surface_of(item, model)
+    if isinstance(surface, Curved):
+        yield from round_touch(item, surface, pose, model)
+        return
+    if surface is None:
+        raise NotConfirmed(f"`{item.name}` touches nothing that is known")
+    ref, under = item.pair()[:2]
+    body, out = model.body(ref.owner), normal(surface, model)
+    ahead, radius = turned(out, -1), 0.0
+    wheel = on_rim(body, ref.point) or (
+        ref.point in ("bottom", "center") and radius_of(body, None, model.value) is not None
+    )
+    if wheel:
+        radius = radius_of(body, ref.point, model.value) or 0.0
+        place = pose.place(ref.owner, model.spot(PointRef(ref.owner, ref.point if part_of(body, ref.point) else None)))
+    else:
+        place = place_of(ref, pose, model)
+    if under.owner in model.seats:
+        if not rests(item, model) or shape_of(model.body(under.owner)).points[:1] == ("corner1",):
+            raise NotConfirmed(f"`{item.name}`: the back of `{under.owner}` has a shape of its own")
+        x, y = pose.place(under.owner, model.seats[under.owner].rigid.centre)
+        place = place[0] - x, place[1] - y
+    yield held(item.name, "normal", along(place, out), pose, push=True)
+    if not wheel and rests(item, model) and not shape_of(body).pointlike:
+        yield held(item.name, "torque", pose.turn(ref.owner), pose)
+    slip = along(place, ahead) + (pose.turn(ref.owner) * radius if radius else 0.0)
+    yield from friction(item, slip, pose, model)
+
+
+def friction(item: Touch, slip: Jet, pose: Pose, model: Known) -> Held:
+    """Along the surface, with that on the right."""
+    grip, row = item.grip(), held(item.name, "friction", slip, pose)
+    if grip.kind == "any" or isinstance(item, Rolls):
+        yield Grip(item.name, row, None, None, (item.name, "normal"))
+    elif grip.kind == "coefficient":
+        sizes = (model.value(size) if size is not None else 0.0 for size in (grip.static, grip.kinetic))
+        static, kinetic = sizes
+        yield Grip(item.name, row, static, kinetic, (item.name, "normal"))
+
+
+def round_touch(item: Touch, surface: Curved, pose: Pose, model: Known) -> Held:
+    """The centre of a body stays on a circle round that of a curved surface, which is taken as the origin."""
+    size = surface.radius()
+    if size is None:
+        raise NotConfirmed(f"`{surface.name}` is a track whose form is not known")
+    ref = item.pair()[0]
+    body, outside = model.body(ref.owner), surface.outside
+    rim = (
+        (radius_of(body, ref.point, model.value) or 0.0)
+        if on_rim(body, ref.point) or ref.point in ("center", "bottom")
+        else 0.0
+    )
+    circle = model.value(size) + (rim if outside else -rim)
+    x, y = pose.place(ref.owner, (0.0, 0.0))
+    away = distance(x, y) - circle
+    yield held(item.name, "normal", away if outside else -away, pose, hard=True, push=True)
+    slip = pose.turn(ref.owner) * rim + arctangent(y, x) * (-circle if outside else circle)
+    yield from friction(item, slip, pose, model)
+
+
+def string(item: String, pose: Pose, model: Known) -> Held:
+    """The ends of each leg move equally fast along it, a wheel's rim with it; it can only pull."""
+    for number, leg in enumerate(model.legs(item)):
+        if leg.along is None:
+            ends = [place_of(ref, pose, model) for ref in (leg.first, leg.second)]
+            if any(leg.sides):
+                raise NotConfirmed(f"`{item.name}` runs from a place to a rim")
+            length = distance(ends[1][0] - ends[0][0], ends[1][1] - ends[0][1])
+        else:
+            length = Jet(0.0)
+            for ref, side, sign in ((leg.first, leg.sides[0], -1.0), (leg.second, leg.sides[1], 1.0)):
+                if ref.owner in model.seats:
+                    length = length + end_along(ref, side, leg.along, pose, model) * sign
+        yield held(item.name, f"tension{number}", length, pose, pull=True)
+
+
+def end_along(ref: PointRef, side: int, way: tuple[float, float], pose: Pose, model: Known) -> Jet:
+    """How far the end of a leg is along its direction: v · way of a rim is that of its centre and ∓ R ω."""
+    if not side:
+        return along(place_of(ref, pose, model), way)
+    radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
+    return along(pose.place(ref.owner, model.spot(ref)), way) - pose.turn(ref.owner) * (side * radius)
+
+
+def belt(item: Belt, pose: Pose, model: Known) -> Held:
+    for number, pair in enumerate(pairwise(item.belt), 1):
+        kind = "force" if len(item.belt) == 2 else f"force{number}"
+        yield from meshed(item.name, kind, pair, -1 if item.crossed else 1, None, pose, model)
+
+
+def gear(item: Gear, pose: Pose, model: Known) -> Held:
+    yield from meshed(item.name, "force", item.gear, 1 if item.inside else -1, item.inside, pose, model)
+
+
+def meshed(
+    owner: str, kind: str, pair: tuple[PointRef, ...], way: int, inside: bool | None, pose: Pose, model: Known
+) -> Held:
+    """Rims run equally fast as seen from the line of centres: R₂ (ω₂ − φ̇) = ± R₁ (ω₁ − φ̇), φ the angle of that line."""
+    radii = [radius_of(model.body(ref.owner), ref.point, model.value) or 0.0 for ref in pair]
+    turns = [pose.turn(ref.owner) for ref in pair]
+    (x, y), (u, w) = (pose.place(ref.owner, model.spot(ref)) for ref in pair)
+    gap = u - x, w - y
+    if all(ref.owner in model.held for ref in pair):  # where the axles are to each other the scene does not say
+        for axis, direction in (("x", RIGHT), ("y", UP)):
+            yield unknown(owner, f"press_{axis}{kind}", load(gap, direction))
+        yield held(owner, kind, turns[1] * radii[1] - turns[0] * (way * radii[0]), pose)
+        return
+    if inside is not None:
+        apart = abs(radii[0] - radii[1]) if inside else radii[0] + radii[1]
+        yield held(owner, f"apart{kind}", distance(*gap) - apart, pose, hard=True)._replace(loose=True)
+    line = arctangent(gap[1], gap[0])
+    yield held(owner, kind, (turns[1] - line) * radii[1] - (turns[0] - line) * (way * radii[0]), pose)
+
+
+def mutual(item: MutualDrive, pose: Pose, model: Known) -> Held:
+    """A torque that nobody tells is as large as it likes."""
+    if item.couple is None:
+        first, second = (model.seats[ref.owner].turn for ref in item.drives)
+        yield unknown(item.name, "torque", {second: 1.0, first: -1.0})
+
+
+def clutch(item: Clutch, pose: Pose, model: Known) -> Held:
+    first, second = (pose.turn(ref.owner) for ref in item.clutch)
+    if item.friction_torque is not None:
+        size = model.value(item.friction_torque)
+    else:
+        ref = item.clutch[0]
+        radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
+        if item.press is None or item.friction is None:
+            raise NotConfirmed(f"nothing tells the torque of `{item.name}`")
+        size = 2.0 / 3.0 * model.value(item.friction) * model.value(item.press) * radius
+    yield Grip(item.name, held(item.name, "torque", second - first, pose), size, size)
+
+
+def rims(item: Rims, pose: Pose, model: Known) -> Held:
+    """The rims of two wheels side by side, the second on the right of the first."""
+    first, second = item.wheels
+    radii = [radius_of(model.body(ref.owner), ref.point, model.value) or 0.0 for ref in item.wheels]
+    (_, y), (_, w) = (pose.place(ref.owner, (0.0, 0.0)) for ref in item.wheels)
+    slip = (w - pose.turn(second.owner) * radii[1]) - (y + pose.turn(first.owner) * radii[0])
+    row, press, rough = held(item.name, "friction", slip, pose), model.value(item.press), item.friction
+    if rough.kind == "any":
+        yield Grip(item.name, row, None, None)
+    elif rough.kind == "coefficient":
+        static, kinetic = (
+            press * model.value(size) if size is not None else 0.0 for size in (rough.static, rough.kinetic)
+        )
+        yield Grip(item.name, row, static, kinetic)
+
+
+ROWS: dict[type[Connection], Callable[[Any, Pose, Known], Held]] = {
+    Hinge: hinge,
+    Axle: axle,
+    Guide: guide,
+    Weld: weld,
+    Contact: touch,
+    Rolls: touch,
+    String: string,
+    Spring: nothing,
+    Torsion: nothing,
+    Belt: belt,
+    Gear: gear,
+    MutualDrive: mutual,
+    Clutch: clutch,
+    Rims: rims,
+}

@@ -1,0 +1,169 @@
+"""Forces: what weight, springs and actions do along each coordinate. An element without a line here is refused."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import SPATIAL, Spot, on_rim, radius_of
+from rotsolve.confirm.constraints import place_of
+from rotsolve.confirm.jet import Jet, Slope, distance
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.pose import Pose, Way, along, load, turned
+from rotsolve.confirm.rows import Grip, held
+from rotsolve.confirm.signs import DOWN, LEFT, RIGHT, UP, pointing
+from rotsolve.elements.actions import AppliedCouple, AppliedForce, AppliedPower, Press
+from rotsolve.elements.connections.drives import MutualDrive
+from rotsolve.elements.connections.springs import Spring, Torsion
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.elements import ActingElement
+
+Pushes = Iterator[tuple[str, Slope] | Grip]
+SIDES = (None, "tangential", "clockwise", "counterclockwise")  # directions square to the arm
+
+
+def forces(model: Known, pose: Pose) -> Pushes:
+    """All known forces, by their owner, and brakes that may hold."""
+    for name, seat in model.seats.items():
+        if model.gravity and seat.rigid.mass and name not in model.hung:
+            yield f"weight of {name}", {seat.first + 1: -seat.rigid.mass * model.gravity}
+    for item in (*model.acting.connections, *model.acting.actions):
+        line = FORCES.get(type(item))
+        if line is not None:
+            yield from line(item, pose, model)
+    for action in model.acting.actions:
+        if type(action) not in FORCES:
+            raise NotConfirmed(f"`{action.name}`: the assembly has no forces for `{action.word}`")
+
+
+def spring(item: Spring, pose: Pose, model: Known) -> Pushes:
+    """A pull k e on both ends, e how far it is stretched."""
+    if item.stiffness is None:
+        raise NotConfirmed(f"nothing tells the stiffness of `{item.name}`")
+    length = spring_length(item, pose, model)
+    rest = pose.offsets.get(item.name)
+    if rest is None:
+        raise NotConfirmed(f"nothing tells how far `{item.name}` is stretched")
+    size = model.value(item.stiffness) * (length.value - rest)
+    yield item.name, {index: -size * part for index, part in length.slope.items()}
+
+
+def spring_length(item: Spring, pose: Pose, model: Known) -> Jet:
+    """Its length, but for a constant where places are not told: the distance of its ends, or what they are apart along its direction."""
+    first, second = item.spring
+    (x, y), (u, w) = place_of(first, pose, model), place_of(second, pose, model)
+    if first.place is not None or second.place is not None:
+        return distance(u - x, w - y)
+    return along((u - x, w - y), spring_way(item, model))
+
+
+def spring_way(item: Spring, model: Known) -> Way:
+    """From left to right along a line of travel that is not upright; else up from the ground, down from the ceiling."""
+    first, second = item.spring
+    anchor, body = (first, second) if first.owner not in model.seats else (second, first)
+    way = model.line(body.owner) if body.owner in model.seats else None
+    if way is not None and abs(way[0]) > 1e-9:
+        return way if way[0] > 0 else (-way[0], -way[1])
+    outward = UP if anchor.owner == "ground" else DOWN
+    return outward if anchor is first else (-outward[0], -outward[1])
+
+
+def torsion(item: Torsion, pose: Pose, model: Known) -> Pushes:
+    """−κ (θ − θ₀) on the last-named, the opposite on the other."""
+    names = [ref.owner for ref in item.torsion if ref.owner in model.seats]
+    twist = pose.turn(names[-1]) + model.lean(names[-1])
+    if len(names) == 2:
+        twist = twist - (pose.turn(names[0]) + model.lean(names[0]))
+    rest = model.value(item.rest_angle) if item.rest_angle is not None else 0.0
+    if item.stiffness is None:
+        raise NotConfirmed(f"nothing tells the stiffness of `{item.name}`")
+    size = -model.value(item.stiffness) * (twist.value - rest)
+    yield item.name, {index: size * part for index, part in twist.slope.items()}
+
+
+def mutual(item: MutualDrive, pose: Pose, model: Known) -> Pushes:
+    """Opposite couples, that on the last-named along its positive turn."""
+    if item.couple is not None:
+        first, second = (ref.owner for ref in item.drives)
+        size = model.now(item.couple, pose) * model.sense(second)
+        yield item.name, {model.seats[second].turn: size, model.seats[first].turn: -size}
+
+
+def applied(item: AppliedForce, pose: Pose, model: Known) -> Pushes:
+    if item.on is None or item.force is None:
+        return
+    place, way = aimed(item.on, item.direction, pose, model, over=item.over, under=item.under)
+    size = model.now(item.force, pose)
+    yield item.name, load(pose.place(item.on.owner, place), (size * way[0], size * way[1]))
+
+
+def aimed(
+    on: PointRef, direction: Any, pose: Pose, model: Known, *, over: bool = False, under: bool = False
+) -> tuple[Spot, Way]:
+    """Where a force or a blow acts, in the body's axes, and its direction: as said, else tangential, else along the body's travel."""
+    name = on.owner
+    turn = {"clockwise": -1, "counterclockwise": 1}.get(direction, model.sense(name)) if direction in SIDES else 1
+    radius = radius_of(model.body(name), on.point, model.value)
+    wheel = radius is not None and (on_rim(model.body(name), on.point))
+    if direction in SIDES and (direction is not None or name in model.held):
+        if wheel:
+            return pose.spatial(name, model.spot(on), (radius or 0.0, 0.0)), UP if turn > 0 else DOWN
+        spot = model.drawn(on)
+        (x, y), (u, w) = pose.place(name, spot), pose.place(name, model.axis(name))
+        arm = x.value - u.value, y.value - w.value
+        size = math.hypot(*arm)
+        if size == 0.0:
+            return spot, model.line(name) or RIGHT
+        return spot, turned((arm[0] / size, arm[1] / size), turn)
+    way = pointing(direction, model) if direction is not None else model.line(name) or RIGHT
+    if wheel and (over or under):
+        rightward = way[0] > 1e-9 or (abs(way[0]) <= 1e-9 and way[1] < 0)
+        outward = turned(way, 1 if rightward == over else -1)
+        return pose.spatial(name, model.spot(on), ((radius or 0.0) * outward[0], (radius or 0.0) * outward[1])), way
+    if on.point in SPATIAL and radius is not None:
+        side = SPATIAL[on.point]
+        return pose.spatial(name, model.spot(on), (radius * side[0], radius * side[1])), way
+    return model.drawn(on) if on.point is not None else model.seats[name].rigid.centre, way
+
+
+def couple(item: AppliedCouple, pose: Pose, model: Known) -> Pushes:
+    if item.on is not None and item.couple is not None:
+        turn = {"clockwise": -1, "counterclockwise": 1}.get(str(item.direction), model.sense(item.on.owner))
+        yield item.name, {model.seats[item.on.owner].turn: turn * model.now(item.couple, pose)}
+
+
+def press(item: Press, pose: Pose, model: Known) -> Pushes:
+    """A push towards the axle from the right, and friction against the turn, which may hold the wheel."""
+    if item.on is None or item.press is None or item.friction is None:
+        return
+    name, size = item.on.owner, model.now(item.press, pose)
+    radius = radius_of(model.body(name), item.on.point, model.value) or 0.0
+    centre = pose.place(name, model.spot(item.on))
+    yield item.name, load(centre, (size * LEFT[0], 0.0))
+    limit = model.value(item.friction) * size
+    yield Grip(
+        f"{item.name}.{name}", held(item.name, "friction", centre[1] + pose.turn(name) * radius, pose), limit, limit
+    )
+
+
+def power(item: AppliedPower, pose: Pose, model: Known) -> Pushes:
+    """The couple P/ω."""
+    if item.on is None or item.power is None:
+        return
+    turn = model.seats[item.on.owner].turn
+    if pose.speed[turn] == 0.0:
+        raise NotConfirmed(f"`{item.name}` has no finite torque on a body at rest")
+    yield item.name, {turn: model.now(item.power, pose) / pose.speed[turn]}
+
+
+FORCES: dict[type[ActingElement], Callable[[Any, Pose, Known], Pushes]] = {
+    Spring: spring,
+    Torsion: torsion,
+    MutualDrive: mutual,
+    AppliedForce: applied,
+    AppliedCouple: couple,
+    Press: press,
+    AppliedPower: power,
+}

@@ -1,0 +1,81 @@
+"""InForce: what of a scene acts at one of its states, read from the order of its states and events."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from msgspec.structs import replace
+
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Body
+from rotsolve.language.elements import Action, Connection, Event
+from rotsolve.language.problem import Condition, Problem, State
+
+OWN = ("mass", "inertia", "gyration", "radius", "length")
+
+
+class InForce:
+    """What acts at a state, and in the phase that it starts: bodies with their data, connections, actions, the events before it."""
+
+    def __init__(self, problem: Problem, state: str) -> None:
+        self.problem = problem
+        self.states = problem.states or (State(""),)
+        names = [item.name for item in self.states]
+        self.order = {name: index for index, name in enumerate(names)}
+        self.index = self.order.get(state, 0)
+        self.state = self.states[self.index]
+        self.past = [event for event in problem.events if self.order.get(event.to or "", 0) <= self.index]
+        self.gone = self._gone()
+        self.connections = self._connections()
+        self.actions = tuple(item for item in problem.actions if self._acts(item))
+        self.bodies = {body.name: self._body(body) for body in problem.bodies}
+
+    def _gone(self) -> frozenset[str]:
+        """What events have taken away, or have yet to begin; what the phase that follows does without."""
+        gone = {name for event in self.problem.events for name in event.begins()}
+        for event in sorted(self.past, key=lambda event: self.order.get(event.to or "", 0)):
+            gone |= set(event.ends(self.problem.connections))
+            gone -= set(event.begins())
+        if not any(self.order.get(event.from_ or "") == self.index for event in self.problem.events):
+            following = [phase for phase in self.problem.phases if phase.start == self.state.name]
+            gone |= {name for phase in following for name in phase.without}
+        return frozenset(gone)
+
+    def _connections(self) -> tuple[Connection, ...]:
+        added = [item for event in self.past for item in event.adds()]
+        return (*(item for item in self.problem.connections if item.name not in self.gone), *added)
+
+    def _acts(self, item: Action) -> bool:
+        """From its first state until before its last, save where the scene ends there."""
+        begins = self.order.get(item.from_ or "", 0)
+        ends = self.order.get(item.to or "", len(self.states))
+        last = self.index == len(self.states) - 1
+        return item.name not in self.gone and (begins <= self.index < ends or (last and self.index == ends))
+
+    def _body(self, body: Body) -> Body:
+        """The body with the data that the states up to this one give it."""
+        for line in (line for state in self.states[: self.index + 1] for line in state.conditions):
+            path = line.path
+            if path is None or path.owner != body.name or path.point is not None or line.value is None:
+                continue
+            if path.quantity in OWN:
+                body = with_data(body, path.quantity, line)
+        return body
+
+    def joined(self) -> list[Event]:
+        """The events by which bodies have become one."""
+        return [event for event in self.past if event.joined()]
+
+
+def with_data(body: Body, word: str, line: Condition) -> Body:
+    """The body with one of its data as a state gives it."""
+    shape = shape_of(body)
+    changes: Mapping[str, Any]
+    if word in ("radius", "length") and getattr(shape, word, None) is not None:
+        changes = {"shape": replace(shape, **{word: line.value})}
+    elif word in ("inertia", "gyration"):
+        changes = {"inertia": None, "gyration": None, "inertia_about": None, word: line.value}
+    else:
+        changes = {word: line.value}
+    return replace(body, **changes)

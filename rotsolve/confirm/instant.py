@@ -1,0 +1,300 @@
+"""Instant: places and rates that fulfil what is held and what a state says; the accelerations and reactions that follow there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
+from typing import NamedTuple
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.constraints import held_by
+from rotsolve.confirm.forces import forces, spring_length
+from rotsolve.confirm.jet import Slope
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.linear import solved
+from rotsolve.confirm.lines import Stated, told
+from rotsolve.confirm.pose import Pose
+from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.seating import seated
+from rotsolve.elements.connections.springs import Spring
+
+CLOSE, TRIES, STILL = 1e-12, 50, 1e-9
+STICKS, FORWARD, BACK, OPEN = "sticks", "slips forward", "slips back", "open"
+MODES = (STICKS, FORWARD, BACK)
+
+
+class Placed(NamedTuple):
+    """Coordinates and rates at an instant; `open` are the rates that nothing tells (0 here), `clash` how far what is told contradicts."""
+
+    q: list[float]
+    speed: list[float]
+    time: float
+    offsets: Mapping[str, float]
+    origin: Sequence[float]
+    open: frozenset[int] = frozenset()
+    unplaced: frozenset[int] = frozenset()
+    clash: float = 0.0
+
+    def pose(self, model: Known) -> Pose:
+        return Pose(model.seats, self.q, self.speed, self.time, self.offsets, self.origin)
+
+
+class Dynamics(NamedTuple):
+    """Accelerations and reactions at an instant; those that the equations leave open are named."""
+
+    placed: Placed
+    rates: list[float]
+    reactions: dict[tuple[str, str], float]
+    rows: dict[tuple[str, str], Row]
+    loads: dict[str, Slope]
+    modes: dict[str, str]
+    open_rates: frozenset[int]
+    open_reactions: frozenset[tuple[str, str]]
+    clash: float
+
+    @property
+    def lifted(self) -> list[tuple[str, str]]:
+        """What pushes or pulls only, and would have to do the opposite."""
+        size = max([abs(value) for value in self.reactions.values()], default=0.0)
+        return [key for key, value in self.reactions.items() if self.rows[key].push and value < -1e-9 * size]
+
+
+def gathered(model: Known, pose: Pose) -> tuple[list[Row], list[Grip], dict[str, Slope]]:
+    """All rows, all that may slip, and all known forces by their owner."""
+    rows: list[Row] = []
+    grips: list[Grip] = []
+    loads: dict[str, Slope] = {}
+    for item in held_by(model, pose):
+        (grips if isinstance(item, Grip) else rows).append(item)  # type: ignore[arg-type]
+    for push in forces(model, pose):
+        if isinstance(push, Grip):
+            grips.append(push)
+        else:
+            loads[push[0]] = push[1]
+    return rows, grips, loads
+
+
+def placed(model: Known, start: Placed | None = None, *, time: float = 0.0, lines: bool = True) -> Placed:
+    """Places and rates that fulfil all that is held and what the state says; from `start` on as little is changed as need be."""
+    q = list(start.q) if start is not None else seated(model)
+    origin = start.origin if start is not None else q
+    offsets = dict(start.offsets) if start is not None else {}
+    time = start.time if start is not None else time
+    still = list(start.speed) if start is not None else [0.0] * model.size
+    for _ in range(TRIES):
+        pose = Pose(model.seats, q, still, time, offsets, origin)
+        rows, grips, _ = (*split(held_by(model, pose)), None)
+        said = list(told(model, pose, {grip.name: grip for grip in grips})) if lines else []
+        places = [(row.slope, row.gap) for row in rows if row.hard and abs(row.gap) >= 0.0]
+        places += [(line.slope, line.gap) for line in said if line.gap is not None]
+        worst = max((abs(gap) for _, gap in places), default=0.0)
+        if worst < CLOSE:
+            break
+        step = solved([slope for slope, _ in places], [-gap for _, gap in places], model.size)
+        size = max(map(abs, step.values), default=0.0)
+        limit = min(1.0, 1.0 / size) if size else 1.0
+        q = [old + limit * change for old, change in zip(q, step.values, strict=True)]
+        if size < 1e-14:
+            break
+    if start is None:
+        origin = q
+    clash = worst if worst > 1e-9 else 0.0
+    offsets |= stretched(model, Pose(model.seats, q, still, time, offsets, origin), offsets)
+    return moving(model, Placed(q, still, time, offsets, origin, clash=clash), rows, grips, said, start is not None)
+
+
+def split(items: Iterator[Row | Grip]) -> tuple[list[Row], list[Grip]]:
+    rows: list[Row] = []
+    grips: list[Grip] = []
+    for item in items:
+        (grips if isinstance(item, Grip) else rows).append(item)  # type: ignore[arg-type]
+    return rows, grips
+
+
+def stretched(model: Known, pose: Pose, known: Mapping[str, float]) -> dict[str, float]:
+    """The lengths at which springs are without force, from how far a state says that they are stretched."""
+    found = {}
+    for item in model.acting.connections:
+        if not isinstance(item, Spring) or item.name in known:
+            continue
+        if item.rest_length is not None and any(ref.place is not None for ref in item.spring):
+            found[item.name] = model.value(item.rest_length)
+            continue
+        for line in model.acting.state.conditions:
+            path = line.path
+            if (
+                path is not None
+                and path.owner == item.name
+                and path.quantity == "elongation"
+                and line.value is not None
+            ):
+                found[item.name] = spring_length(item, pose, model).value - model.value(line.value)
+    return found
+
+
+def moving(
+    model: Known, at: Placed, rows: Sequence[Row], grips: Sequence[Grip], said: Sequence[Stated], kept: bool
+) -> Placed:
+    """The rates: of all that is held, of all that the state says, of what rolls; what grips does not slip where nothing tells more."""
+    slips = {
+        line.owner or (line.path.owner if line.path else "")
+        for line in model.acting.state.conditions
+        if line.word == "slips"
+    }
+    firm = [row for row in rows if not row.loose]
+    firm += [grip.row for grip in grips if grip.static is None and grip.name not in slips]
+    equations = [(row.slope, row.speed) for row in firm if row.slope and row.speed is not None]
+    equations += [(line.slope, line.speed) for line in said if line.speed is not None]
+    found = solved([slope for slope, _ in equations], [speed for _, speed in equations], model.size)
+    for grip in grips:
+        if grip.static is None or grip.name in slips or not found.open & grip.row.slope.keys():
+            continue
+        equations.append((grip.row.slope, grip.row.speed or 0.0))
+        found = solved([slope for slope, _ in equations], [speed for _, speed in equations], model.size)
+    return at._replace(
+        speed=found.values, open=found.open, clash=max(at.clash, found.clash if found.clash > 1e-9 else 0.0)
+    )
+
+
+def moment(model: Known, at: Placed, modes: Mapping[str, str] | None = None) -> Dynamics:
+    """Accelerations and reactions, in the given modes of what may slip; the modes that are consistent where none are given."""
+    pose = at.pose(model)
+    rows, grips, loads = gathered(model, pose)
+    rows = [row for row in rows if not row.loose]
+    if modes is not None:
+        return balanced(model, at, rows, grips, loads, dict(modes))
+    choices = [choice(grip, pose) for grip in grips]
+    first = None
+    for trial in product(*choices):
+        found = balanced(
+            model, at, rows, grips, loads, {grip.name: mode for grip, mode in zip(grips, trial, strict=True)}
+        )
+        first = first or found
+        if all(fits(grip, found) for grip in grips):
+            return found
+    raise NotConfirmed("no way to stick and slip fits")
+
+
+def slip_speed(grip: Grip, speed: Sequence[float]) -> float:
+    return sum([part * speed[index] for index, part in grip.row.slope.items()]) - (grip.row.speed or 0.0)
+
+
+def choice(grip: Grip, pose: Pose) -> tuple[str, ...]:
+    """What it can do: slip as it does, or, where it does not slip just now, stick, or begin to slip either way."""
+    if grip.static is None:
+        return (STICKS,)
+    slip = slip_speed(grip, pose.speed)
+    size = max([abs(part * pose.speed[index]) for index, part in grip.row.slope.items()], default=0.0)
+    if abs(slip) > STILL * max(size, 1e-6):
+        return (FORWARD if slip > 0 else BACK,)
+    return MODES
+
+
+def fits(grip: Grip, found: Dynamics) -> bool:
+    """Whether friction that sticks is not too large, and what begins to slip does so against it."""
+    mode, slack = found.modes[grip.name], 1e-9
+    if mode == OPEN or grip.static is None:
+        return True
+    if mode == STICKS:
+        push = found.reactions.get(grip.normal, 0.0) if grip.normal is not None else 1.0
+        limit = grip.static * abs(push)
+        return abs(found.reactions[grip.row.key]) <= limit * (1 + slack) + 1e-12
+    if abs(slip_speed(grip, found.placed.speed)) > STILL:
+        return True
+    rate = sum([part * found.rates[index] for index, part in grip.row.slope.items()]) - grip.row.bend
+    scale = max([abs(part * found.rates[index]) for index, part in grip.row.slope.items()], default=0.0)
+    return rate >= -slack * scale if mode == FORWARD else rate <= slack * scale
+
+
+def balanced(
+    model: Known,
+    at: Placed,
+    rows: Sequence[Row],
+    grips: Sequence[Grip],
+    loads: Mapping[str, Slope],
+    modes: dict[str, str],
+) -> Dynamics:
+    """M q̈ = Q + Σ λ column, slope · q̈ = bend of all rows: solved for q̈ of what has no mass and for λ, q̈ of the rest put in."""
+    active = [row for row in rows if modes.get(row.owner) != OPEN]
+    rubbing: dict[tuple[str, str], Slope] = {}
+    applied = dict(loads)
+    for grip in grips:
+        mode = modes.get(grip.name, STICKS)
+        if mode == STICKS:
+            active.append(grip.row)
+        elif mode != OPEN:
+            size = -(grip.kinetic or 0.0) if mode == FORWARD else grip.kinetic or 0.0
+            drag = {index: size * part for index, part in grip.row.column.items()}
+            if grip.normal is None:
+                applied[grip.name] = drag
+            else:
+                rubbing[grip.normal] = drag
+    columns = [plus(row.column, rubbing.get(row.key)) for row in active]
+    return assembled(model, at, active, columns, applied, modes)
+
+
+def plus(one: Slope, other: Slope | None) -> Slope:
+    if other is None:
+        return one
+    return {index: one.get(index, 0.0) + other.get(index, 0.0) for index in {**one, **other}}
+
+
+def assembled(
+    model: Known,
+    at: Placed,
+    rows: Sequence[Row],
+    columns: Sequence[Slope],
+    loads: Mapping[str, Slope],
+    modes: dict[str, str],
+) -> Dynamics:
+    """The linear system in the reactions and the accelerations of what has no mass."""
+    masses, size = model.masses, model.size
+    force = [0.0] * size
+    for load in loads.values():
+        for index, part in load.items():
+            force[index] += part
+    light = {index: len(rows) + number for number, index in enumerate(i for i in range(size) if masses[i] == 0.0)}
+    system, right = [], []
+    by_index: dict[int, list[tuple[int, float]]] = {}
+    for number, column in enumerate(columns):
+        for index, part in column.items():
+            by_index.setdefault(index, []).append((number, part))
+    for row in rows:
+        equation: dict[int, float] = {}
+        rest = row.bend
+        for index, part in row.slope.items():
+            if index in light:
+                equation[light[index]] = equation.get(light[index], 0.0) + part
+                continue
+            share = part / masses[index]
+            rest -= share * force[index]
+            for number, other in by_index.get(index, ()):
+                equation[number] = equation.get(number, 0.0) + share * other
+        system.append(equation)
+        right.append(rest)
+    for index in light:
+        system.append(dict(by_index.get(index, ())))
+        right.append(-force[index])
+    answer = solved(system, right, len(rows) + len(light))
+    rates, open_rates = [], set()
+    for index in range(size):
+        if index in light:
+            rates.append(answer.values[light[index]])
+            if light[index] in answer.open:
+                open_rates.add(index)
+            continue
+        acting = by_index.get(index, ())
+        rates.append((force[index] + sum([part * answer.values[number] for number, part in acting])) / masses[index])
+    keys = [row.key for row in rows]
+    return Dynamics(
+        placed=at,
+        rates=rates,
+        reactions=dict(zip(keys, answer.values, strict=False)),
+        rows=dict(zip(keys, rows, strict=True)),
+        loads=dict(loads),
+        modes=modes,
+        open_rates=frozenset(open_rates),
+        open_reactions=frozenset(key for number, key in enumerate(keys) if number in answer.open),
+        clash=answer.clash if answer.clash > 1e-9 and math.isfinite(answer.clash) else 0.0,
+    )

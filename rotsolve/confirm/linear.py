@@ -1,0 +1,77 @@
+"""Linear equations, in numbers, where some may say the same and some unknowns may be left open: elimination with full pivoting."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+SMALL = 1e-10  # below this, relative to its row and column, a number is rounding
+
+
+class Solved(NamedTuple):
+    """A solution, the unknowns that the equations leave open (taken as 0, or moved by those), and the largest clash, relative."""
+
+    values: list[float]
+    open: frozenset[int]
+    clash: float
+
+
+def solved(rows: Sequence[dict[int, float]], right: Sequence[float], size: int) -> Solved:
+    """The solution of Σ rows[k][i] x[i] = right[k], x[i] of the unknowns that nothing tells 0.
+
+    Gauss–Jordan: rows and columns are scaled to the size 1 first, so that kilograms and metres do not decide what is small.
+    """
+    rows, columns = [dict(row) for row in rows], [0.0] * size
+    right = list(right)
+    for row in rows:
+        for index, part in row.items():
+            columns[index] = max(columns[index], abs(part))
+    scale = [1.0 / part if part else 1.0 for part in columns]
+    weights = []
+    for number, row in enumerate(rows):
+        for index in row:
+            row[index] *= scale[index]
+        weight = max(map(abs, row.values()), default=0.0)
+        weights.append(weight)
+        if weight:
+            rows[number] = {index: part / weight for index, part in row.items()}
+            right[number] /= weight
+    pivots = eliminated(rows, right)
+    taken = dict(pivots)
+    values, loose = [0.0] * size, {index for index in range(size) if index not in taken}
+    for index, number in pivots:
+        values[index] = right[number]
+        if any(abs(part) > SMALL * 10 for other, part in rows[number].items() if other != index):
+            loose.add(index)
+    used = {number for _, number in pivots}
+    most = max([abs(value) for value in values] + [abs(value) for value in right] + [1e-300])
+    clash = max((abs(value) for number, value in enumerate(right) if number not in used), default=0.0) / most
+    return Solved([value * part for value, part in zip(values, scale, strict=True)], frozenset(loose), clash)
+
+
+def eliminated(rows: list[dict[int, float]], right: list[float]) -> list[tuple[int, int]]:
+    """Reduces the rows in place; (unknown, row) for each pivot. What is left of the other rows is rounding."""
+    pivots, left = [], set(range(len(rows)))
+    while left:
+        best, place = SMALL, None
+        for number in left:
+            for index, part in rows[number].items():
+                if abs(part) > best:
+                    best, place = abs(part), (index, number)
+        if place is None:
+            break
+        index, number = place
+        left.discard(number)
+        pivots.append(place)
+        factor = 1.0 / rows[number][index]
+        row = {key: part * factor for key, part in rows[number].items()}
+        row[index], rows[number] = 1.0, row
+        right[number] *= factor
+        for other, target in enumerate(rows):
+            share = target.pop(index, 0.0) if other != number else 0.0
+            if share:
+                for key, part in row.items():
+                    if key != index:
+                        target[key] = target.get(key, 0.0) - share * part
+                right[other] -= share * right[number]
+    return pivots

@@ -1,0 +1,212 @@
+"""Lines: what the lines of a state say about places and rates, as equations of the coordinates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import on_rim, radius_of
+from rotsolve.confirm.jet import Jet, Slope, arctangent
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.pose import Pair, Pose, along, load
+from rotsolve.confirm.rows import Grip, Row
+from rotsolve.confirm.signs import RIGHT, UP, round_way, surface_of
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.surfaces import Curved
+from rotsolve.language.bodies import PointRef
+from rotsolve.language.problem import Condition, Path
+
+
+class Stated(NamedTuple):
+    """A line as an equation: a place (`gap` is to become 0 along `slope`), or a rate (slope · q̇ = speed)."""
+
+    slope: Slope
+    gap: float | None
+    speed: float | None
+    path: str = ""
+
+
+EXTREMES = ("largest", "smallest")
+ELSEWHERE = (  # what lines say that is no place and no rate at the instant itself
+    "mass", "inertia", "gyration", "length", "time", "swing_period", "frequency", "angular_frequency", "acceleration",
+    "angular_acceleration", "force", "tension", "torque", "normal_force", "friction_force", "friction", "impulse", "",
+)  # fmt: skip
+
+
+def told(model: Known, pose: Pose, sticking: dict[str, Row | Grip]) -> Iterator[Stated]:
+    """All lines of the model's state."""
+    state = model.acting.state
+    if state.balance or state.steady:
+        yield from resting(model, tuple(model.seats))
+    for line in state.conditions:
+        if line.rest:
+            yield from resting(model, tuple(model.seats) if line.owner in ("all", "") else (line.owner,))
+        elif line.word in ("rolls", "sticks"):
+            grip = sticking.get(line.owner or (line.path.owner if line.path else ""))
+            if isinstance(grip, Grip):
+                yield Stated(grip.row.slope, None, grip.row.speed)
+        elif line.path is not None and line.word in EXTREMES:
+            yield from at_extreme(line.path, pose, model)
+        elif line.path is not None and line.value is not None:
+            yield from valued(line, line.path, model.value(line.value), pose, model)
+
+
+def resting(model: Known, names: Sequence[str]) -> Iterator[Stated]:
+    for name in names:
+        if name in model.seats:
+            yield from (
+                Stated({index: 1.0}, None, 0.0) for index in range(model.seats[name].first, model.seats[name].turn + 1)
+            )
+
+
+def at_extreme(path: Path, pose: Pose, model: Known) -> Iterator[Stated]:
+    """What is largest or smallest does not change just then."""
+    if path.quantity in ("angle", "rotation", "displacement", "height", "position", "elongation", "length"):
+        place = placed_value(path, pose, model)
+        if place is not None:
+            yield Stated(place.slope, None, 0.0)
+
+
+def valued(line: Condition, path: Path, value: float, pose: Pose, model: Known) -> Iterator[Stated]:
+    """A quantity has a value."""
+    name = f"{path.owner}.{path.quantity}"
+    if path.quantity in ELSEWHERE or path.quantity in ("elongation", "radius"):
+        return
+    rate = rate_of(path, pose, model)
+    if rate is not None:
+        slope, sign = rate
+        yield Stated(slope, None, (2 * math.pi / value if path.quantity == "period" else value) * sign, name)
+        return
+    place = placed_value(path, pose, model)
+    if place is None:
+        raise NotConfirmed(f"a state that tells `{name}`")
+    gap = place.value - value
+    if path.quantity == "angle" and path.owner not in model.seats:
+        gap = math.remainder(gap, 2 * math.pi)
+    yield Stated(place.slope, gap, None, name)
+
+
+def placed_value(path: Path, pose: Pose, model: Known) -> Jet | None:
+    """A place that a path speaks of."""
+    if path.owner in model.seats and path.point is None:
+        seat, sign = model.seats[path.owner], model.sense(path.owner)
+        if path.quantity == "angle":
+            return pose.turn(path.owner) + model.lean(path.owner)
+        if path.quantity == "rotation":
+            return (pose.turn(path.owner) - pose.origin[seat.turn]) * float(sign)
+        place = pose.place(path.owner, seat.rigid.centre)
+        if path.quantity == "displacement":
+            x, y = place[0] - pose.origin[seat.first], place[1] - pose.origin[seat.first + 1]
+            way = {"x": RIGHT, "y": UP}.get(path.component or "") or model.line(path.owner)
+            return along((x, y), way) if way is not None else arc(path.owner, pose, model)
+        if path.quantity == "position":
+            return place["xy".index(path.component or "x")]
+        if path.quantity == "height":
+            return height(path.owner, pose, model)
+        return None
+    contact = next((item for item in model.acting.connections if item.name == path.owner), None)
+    if isinstance(contact, Touch) and path.quantity == "angle":
+        surface = surface_of(contact, model)
+        if isinstance(surface, Curved):
+            x, y = pose.place(contact.lying(), (0.0, 0.0))
+            return arctangent(y, x)
+    if contact is not None and path.quantity in ("angle", "rotation"):
+        owners = [ref.owner for ref in contact.between() or contact.joint() or contact.fixed_points()]
+        owners = [owner for owner in owners if owner in model.seats]
+        if len(owners) == 1:
+            return pose.turn(owners[0]) + model.lean(owners[0])
+        if len(owners) == 2:
+            return (pose.turn(owners[1]) - pose.turn(owners[0])) * float(model.sense(owners[1]))
+    return None
+
+
+def bent(name: str, model: Known) -> tuple[Touch, Curved] | None:
+    """The contact by which a body is on a curved surface of known form."""
+    for item in model.acting.connections:
+        if isinstance(item, Touch) and item.lying() == name:
+            surface = surface_of(item, model)
+            if isinstance(surface, Curved) and surface.radius() is not None:
+                return item, surface
+    return None
+
+
+def circle_of(found: tuple[Touch, Curved], model: Known) -> float:
+    """The radius of the circle on which the centre of a body goes."""
+    item, surface = found
+    ref, size = item.pair()[0], surface.radius()
+    body = model.body(ref.owner)
+    rim = (radius_of(body, ref.point, model.value) or 0.0) if on_rim(body, ref.point) else 0.0
+    return (model.value(size) if size is not None else 0.0) + (rim if surface.outside else -rim)
+
+
+def height(name: str, pose: Pose, model: Known) -> Jet | None:
+    """Of a body on a curved surface: above the centre of a dome, above the lowest place in a bowl."""
+    found = bent(name, model)
+    if found is None:
+        return None
+    return pose.place(name, (0.0, 0.0))[1] + (0.0 if found[1].outside else circle_of(found, model))
+
+
+def arc(name: str, pose: Pose, model: Known) -> Jet | None:
+    """The way along a curved surface, positive as the body moves."""
+    found = bent(name, model)
+    if found is None:
+        return None
+    x, y = pose.place(name, (0.0, 0.0))
+    seat = model.seats[name]
+    began = math.atan2(pose.origin[seat.first + 1], pose.origin[seat.first])
+    return (arctangent(y, x) - began) * (circle_of(found, model) * round_way(found[1], model.body(name).moves))
+
+
+def rate_of(path: Path, pose: Pose, model: Known) -> tuple[Slope, float] | None:
+    """A rate that a path speaks of: slope · q̇ is sign times it."""
+    word, name = path.quantity, path.owner
+    if name in model.seats:
+        if word in ("angular_velocity", "period") and path.point is None:
+            return {model.seats[name].turn: 1.0}, float(model.sense(name))
+        if word in ("velocity", "speed"):
+            place = pointed(path, pose, model)
+            way = direction(path, place, pose, model)
+            return None if way is None else (load(place, way), 1.0)
+        return None
+    if word == "angular_velocity":
+        item = next((item for item in model.acting.connections if item.name == name), None)
+        owners = [ref.owner for ref in (item.between() or item.touches()) if ref.owner in model.seats] if item else []
+        if item is not None and item.between():
+            turns = [model.seats[owner].turn for owner in owners]
+            return {turns[1]: 1.0, turns[0]: -1.0}, float(model.sense(owners[1]))
+        if owners:
+            return {model.seats[owners[-1]].turn: 1.0}, float(model.sense(owners[-1]))
+    return None
+
+
+def pointed(path: Path, pose: Pose, model: Known) -> Pair:
+    """The place of the point that a path names; of a body as a whole its centre of mass."""
+    if path.point is None:
+        return pose.place(path.owner, model.seats[path.owner].rigid.centre)
+    return model.place(PointRef(path.owner, path.point, path.argument), pose)
+
+
+def direction(path: Path, place: Pair, pose: Pose, model: Known) -> tuple[float, float] | None:
+    """Along which a velocity counts: its component, the body's line, the circle that it goes on, else the turn about the axis."""
+    fixed = {"x": RIGHT, "y": UP}.get(path.component or "")
+    if fixed is not None:
+        return fixed
+    way = model.line(path.owner)
+    if way is not None and path.point is None:
+        return way
+    found = bent(path.owner, model)
+    if found is not None and path.point is None:
+        x, y = (part.value for part in pose.place(path.owner, (0.0, 0.0)))
+        size, sign = math.hypot(x, y), round_way(found[1], model.body(path.owner).moves)
+        return (-y * sign / size, x * sign / size) if size else None
+    if path.owner in model.held:
+        x, y = (part.value for part in pose.place(path.owner, model.axis(path.owner)))
+        arm, sign = (place[0].value - x, place[1].value - y), model.sense(path.owner)
+        size = math.hypot(*arm)
+        if size:
+            outward = arm[0] / size, arm[1] / size
+            return (-sign * outward[1], sign * outward[0]) if path.component != "normal" else None
+    return way

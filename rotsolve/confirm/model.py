@@ -1,0 +1,191 @@
+"""Model: a scene as read, in numbers, at one of its states: bodies with coordinates, and all that holds and pushes them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from functools import cached_property
+from typing import Any
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.confirm import NotConfirmed
+from rotsolve.confirm.bodies import SPATIAL, Spot, radius_of, rigid, spot_of
+from rotsolve.confirm.inforce import InForce
+from rotsolve.confirm.jet import Jet
+from rotsolve.confirm.known import StringPart
+from rotsolve.confirm.numbers import value_of
+from rotsolve.confirm.pose import PER_BODY, Pair, Pose, Seat, Way
+from rotsolve.confirm.routing import legs
+from rotsolve.confirm.signs import grounded, line, sense
+from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.shapes import shape_of
+from rotsolve.language.bodies import Body, PointRef
+from rotsolve.language.problem import Problem
+
+
+class Model:
+    """What acts at a state (and in the phase that it starts), with numbers for all letters of the scene.
+
+    `problem` is one with letters for what the scene leaves out; `values` has a number for each of them.
+    """
+
+    def __init__(self, problem: Problem, values: Mapping[str, float], state: str = "") -> None:
+        self.problem = problem
+        self.letters: dict[str, Any] = {**problem.values, **values}
+        self.acting = InForce(problem, state)
+        self.surfaces = {surface.name: surface for surface in problem.surfaces}
+        bodies = self.acting.bodies.values()
+        self.seats = {body.name: Seat(rigid(body, self.value), PER_BODY * k) for k, body in enumerate(bodies)}
+        self.size = PER_BODY * len(self.seats)
+        self.gravity = (
+            self.value(problem.gravity) if problem.gravity is not None and problem.plane == "vertical" else 0.0
+        )
+        self.upright = self.gravity != 0.0
+        self.held = grounded(self)
+        self._lines: dict[str, Way | None] = {}
+        self._senses: dict[str, int] = {}
+        self._legs: dict[str, list[StringPart]] = {}
+
+    def value(self, formula: Formula) -> float:
+        """The number of a formula of givens."""
+        return float(value_of(formula, self.letters))
+
+    def running(self, formula: Formula, pose: Pose) -> Jet | float:
+        """A value that may vary with `time` and with paths of bodies, at an instant."""
+        spoken = [name for name in formula.symbols() if "." in name]
+        letters = {**self.letters, "time": pose.time}
+        for name in spoken:
+            letters[name] = self.path(name, pose)
+        found: Jet | float = value_of(formula, letters)
+        return found
+
+    def now(self, formula: Formula, pose: Pose) -> float:
+        found = self.running(formula, pose) if formula.symbols() else value_of(formula, self.letters)
+        return found.value if isinstance(found, Jet) else float(found)
+
+    def path(self, name: str, pose: Pose) -> Jet | float:
+        """What `wheel.rotation` within a value stands for: along the positive sense; rotation and displacement since the first state."""
+        owner, _, word = name.rpartition(".")
+        seat, sign = self.seats[owner], self.sense(owner)
+        if word == "angle":
+            return pose.turn(owner) + self.lean(owner)
+        if word == "rotation":
+            return (pose.turn(owner) - pose.origin[seat.turn]) * float(sign)
+        if word == "angular_velocity":
+            return sign * pose.speed[seat.turn]
+        way = self.line(owner) or (1.0, 0.0)
+        centre = pose.place(owner, seat.rigid.centre)
+        if word == "velocity":
+            return centre[0].rate * way[0] + centre[1].rate * way[1]
+        if word == "displacement":
+            return (centre[0] - pose.origin[seat.first]) * way[0] + (centre[1] - pose.origin[seat.first + 1]) * way[1]
+        raise NotConfirmed(f"a value that varies with `{name}`")
+
+    def body(self, name: str) -> Body:
+        return self.acting.bodies[name]
+
+    def line(self, name: str) -> Way | None:
+        """The positive direction of a body's travel; None where it is free, or turns about an axis."""
+        if name not in self._lines:
+            self._lines[name] = line(name, self)
+        return self._lines[name]
+
+    def sense(self, name: str) -> int:
+        """+1 where a body's positive turn is counterclockwise."""
+        if name not in self._senses:
+            self._senses[name] = sense(name, self)
+        return self._senses[name]
+
+    def legs(self, item: String) -> list[StringPart]:
+        if item.name not in self._legs:
+            self._legs[item.name] = legs(item, self)
+        return self._legs[item.name]
+
+    @cached_property
+    def masses(self) -> list[float]:
+        """The mass or moment of inertia of each coordinate."""
+        return [part for seat in self.seats.values() for part in (seat.rigid.mass, seat.rigid.mass, seat.rigid.inertia)]
+
+    def place(self, ref: PointRef, pose: Pose) -> Pair:
+        """Where a point is just now: the rim on the right of a wheel, its top and bottom are those in space."""
+        if ref.point in SPATIAL:
+            radius = radius_of(self.body(ref.owner), ref.point, self.value)
+            if radius is not None:
+                x, y = SPATIAL[ref.point]
+                return pose.place(ref.owner, pose.spatial(ref.owner, self.spot(ref), (radius * x, radius * y)))
+        return pose.place(ref.owner, self.spot(ref))
+
+    @cached_property
+    def hung(self) -> frozenset[str]:
+        """Ropes, whose weight what they hang over tells, part by part."""
+        return frozenset(item.drapes[0].owner for item in self.acting.connections if isinstance(item, Drapes))
+
+    @cached_property
+    def guided(self) -> tuple[str, ...]:
+        """Bodies that travel along a line without a surface that would lead them, and are not joined to what goes another way."""
+        lying = {item.lying() for item in self.acting.connections if isinstance(item, Touch)} | self.hung
+        free = {name for name in self.seats if self.line(name) is not None and name not in lying}
+        for first, second in self.unions:
+            ways = self.line(first), self.line(second)
+            if ways[0] is None or ways[1] is None or abs(ways[0][0] * ways[1][1] - ways[0][1] * ways[1][0]) > 1e-9:
+                free -= {first, second}
+        return tuple(name for name in self.seats if name in free)
+
+    @cached_property
+    def unions(self) -> list[tuple[str, str]]:
+        """The pairs of bodies that are one: welded, or joined by an event."""
+        pairs = [item.joined() for item in self.acting.connections] + [event.joined() for event in self.acting.joined()]
+        return [(pair[0].owner, pair[1].owner) for pair in pairs if pair]
+
+    def bodily(self, refs: tuple[PointRef, ...]) -> bool:
+        """Whether bodies meet as wholes, on an axis that they share or along a line, so that no points need to coincide."""
+        return any(ref.point is None for ref in refs)
+
+    def told_apart(self, first: str, second: str) -> float | None:
+        """By how much a welded body is turned against the other: nothing, unless a state gives the angles of both."""
+        for state in self.acting.states:
+            angles = {
+                line.path.owner: self.value(line.value) - self.lean(line.path.owner)
+                for line in state.conditions
+                if line.path is not None
+                and line.path.quantity == "angle"
+                and line.value is not None
+                and line.path.owner in (first, second)
+            }
+            if len(angles) == 2:
+                return angles[second] - angles[first]
+        return None
+
+    def lean(self, name: str) -> float:
+        """What a body's `angle` is beyond its turn: that of a rod is its direction, of another hinged body that from its hinge to cm."""
+        rigid, pivot = self.seats[name].rigid, self.pivot(name)
+        if shape_of(rigid.body).slender or pivot is None:
+            return 0.0
+        x, y = (a - b for a, b in zip(rigid.centre, self.drawn(pivot), strict=True))
+        return math.atan2(y, x) if math.hypot(x, y) > 1e-12 else 0.0
+
+    def pivot(self, name: str) -> PointRef | None:
+        """The point of a body that a hinge or axle holds."""
+        if name in self.held:
+            return self.held[name][1]
+        joints = (item.hinge[-1] for item in self.acting.connections if isinstance(item, Hinge))
+        return next((ref for ref in joints if ref.owner == name), None)
+
+    def axis(self, name: str) -> Spot:
+        """Where a body's axis is in its own axes; its centre of mass where nothing holds it."""
+        return self.drawn(self.held[name][1]) if name in self.held else self.seats[name].rigid.centre
+
+    def spot(self, ref: PointRef) -> Spot:
+        """Where a point is in its body's axes; the centre, for the rim of a wheel, its top and its bottom."""
+        return spot_of(self.seats[ref.owner].rigid, ref.point, ref.argument, self.value)
+
+    def drawn(self, ref: PointRef) -> Spot:
+        """Where a point is in its body's axes, that of a rim as drawn: the mark that something holds there."""
+        body, spot = self.body(ref.owner), self.spot(ref)
+        if ref.point in SPATIAL and spot == (0.0, 0.0):
+            radius = radius_of(body, ref.point, self.value) or 0.0
+            return radius * SPATIAL[ref.point][0], radius * SPATIAL[ref.point][1]
+        return spot

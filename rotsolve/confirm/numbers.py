@@ -1,0 +1,117 @@
+"""Numbers: what a formula is, with floats or jets put in for its letters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+from rotsolve.algebra.formula import (
+    Call,
+    Constant,
+    Formula,
+    Integral,
+    Negative,
+    Number,
+    Power,
+    Product,
+    Quotient,
+    Sum,
+    Symbol,
+)
+from rotsolve.confirm import NotConfirmed, jet
+from rotsolve.confirm.jet import Jet
+
+FLOATS: dict[str, Any] = {
+    **{
+        name: getattr(math, name)
+        for name in ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "exp", "log", "atan2")
+    },
+    "abs": abs,
+}
+JETS: dict[str, Any] = {
+    "sqrt": jet.root,
+    "sin": jet.sine,
+    "cos": jet.cosine,
+    "tan": lambda x: jet.sine(x) / jet.cosine(x),
+    "exp": jet.exponential,
+    "log": jet.logarithm,
+    "abs": lambda x: x if x.value >= 0 else -x,
+    "asin": lambda x: jet.arctangent(x, jet.root(1.0 - x * x)),
+    "acos": lambda x: jet.arctangent(jet.root(1.0 - x * x), x),
+    "atan": lambda x: jet.arctangent(x, Jet(1.0)),
+    "atan2": lambda y, x: jet.arctangent(as_jet(y), as_jet(x)),
+}
+PANELS = 64
+
+
+def as_jet(value: Jet | float) -> Jet:
+    return value if isinstance(value, Jet) else Jet(value)
+
+
+def value_of(formula: Formula, letters: Mapping[str, Any]) -> Any:
+    """The number, or the jet, of a formula; NotConfirmed where a letter has none."""
+    match formula:
+        case Number(value):
+            return float(value)
+        case Symbol(name):
+            found = letters.get(name)
+            if found is None:
+                raise NotConfirmed(f"`{name}` has no number")
+            return value_of(found, letters) if isinstance(found, Formula) else found
+        case Constant():
+            return math.pi
+        case Sum(terms):
+            return sum([value_of(term, letters) for term in terms])
+        case Product(factors):
+            return math.prod([value_of(factor, letters) for factor in factors])
+        case Quotient(numerator, denominator):
+            return value_of(numerator, letters) / value_of(denominator, letters)
+        case Power(base, exponent):
+            return powered(value_of(base, letters), value_of(exponent, letters))
+        case Negative(operand):
+            return -value_of(operand, letters)
+        case Call():
+            return called(formula, letters)
+        case Integral():
+            return integrated(formula, letters)
+    raise NotConfirmed(f"a formula of the kind {type(formula).__name__}")
+
+
+def powered(base: Any, exponent: Any) -> Any:
+    """base ^ exponent; a root of a negative number is no number."""
+    if isinstance(exponent, Jet):
+        return jet.exponential(exponent * value_of_log(base))
+    result = base**exponent
+    if isinstance(result, complex):
+        raise NotConfirmed("a root of a negative number")
+    return result
+
+
+def value_of_log(base: Any) -> Any:
+    return jet.logarithm(base) if isinstance(base, Jet) else math.log(base)
+
+
+def called(formula: Call, letters: Mapping[str, Any]) -> Any:
+    arguments = [value_of(item, letters) for item in formula.arguments]
+    table = JETS if any(isinstance(item, Jet) for item in arguments) else FLOATS
+    function = table.get(formula.function)
+    if function is None:
+        raise NotConfirmed(f"the function {formula.function}")
+    try:
+        return function(*arguments)
+    except ValueError:
+        raise NotConfirmed(f"{formula.function} of a number that has none") from None
+
+
+def integrated(formula: Integral, letters: Mapping[str, Any]) -> float:
+    """By Gauss's rule of three points on equal panels."""
+    lower, upper = (float(value_of(end, letters)) for end in (formula.lower, formula.upper))
+    width, total = (upper - lower) / PANELS, 0.0
+    inside = dict(letters)
+    for panel in range(PANELS):
+        middle = lower + (panel + 0.5) * width
+        for offset, weight in ((-0.7745966692414834, 5.0), (0.0, 8.0), (0.7745966692414834, 5.0)):
+            inside[formula.variable] = middle + 0.5 * width * offset
+            total += weight * float(value_of(formula.integrand, inside))
+    return total * width / 18.0

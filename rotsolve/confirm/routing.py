@@ -1,0 +1,145 @@
+"""Routing: how a string runs, as docs/signs.md says: drawn from left to right, over its pulleys or under those that are named."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+from rotsolve.confirm.bodies import on_rim, radius_of
+from rotsolve.confirm.known import Known, StringPart
+from rotsolve.confirm.pose import Way, turned
+from rotsolve.confirm.signs import DOWN, RIGHT, UP, WORDS, line, normal, surface_of, uphill
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Hinge
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.surfaces import Slope, Wall
+from rotsolve.language.bodies import PointRef
+
+
+def legs(item: String, model: Known) -> list[StringPart]:
+    """All legs of a string."""
+    ways = [direction(item, index, model) for index in range(len(item.string) - 1)]
+    sides = [side(item, index, ways, model) for index in range(len(item.string))]
+    return [
+        StringPart(first, second, ways[index], (sides[index], sides[index + 1]))
+        for index, (first, second) in enumerate(pairwise(item.string))
+    ]
+
+
+def direction(item: String, index: int, model: Known) -> Way | None:
+    """The direction of a leg: what is told of either end, of a body that hangs or lies before a wheel that goes along."""
+    first, second = item.string[index], item.string[index + 1]
+    if told_apart(first, second, model):
+        return None
+    ends = [(index, index + 1, 1.0), (index + 1, index, -1.0)]
+    for rule in (declared, supported, pulled, wheeled):
+        for here, there, sign in ends:
+            way = rule(item, here, there, model)
+            if way is not None:
+                return (sign * way[0], sign * way[1])
+    return RIGHT
+
+
+def told_apart(first: PointRef, second: PointRef, model: Known) -> bool:
+    """Whether places tell the direction: one end is a place of the scene, or a hinge joins the two bodies."""
+    if first.place is not None or second.place is not None:
+        return True
+    joints = ({ref.owner for ref in item.hinge} for item in model.acting.connections if isinstance(item, Hinge))
+    return {first.owner, second.owner} in joints
+
+
+def declared(item: String, here: int, there: int, model: Known) -> Way | None:
+    """As `pulls` or `along` says."""
+    ref, neighbour = item.string[here], item.string[there]
+    word = dict(item.pulls).get(ref.owner)
+    if word is not None:
+        return WORDS[word]
+    surface = model.surfaces.get(item.along or "")
+    if surface is None:
+        return None
+    up = uphill(surface, model)
+    on = [parallel(line(end.owner, model), up) for end in (ref, neighbour) if end.owner in model.seats]
+    if not any(on):
+        return None
+    return up if ref.owner in model.seats else (-up[0], -up[1])
+
+
+def parallel(one: Way | None, other: Way) -> bool:
+    return one is not None and abs(one[0] * other[1] - one[1] * other[0]) < 1e-9
+
+
+def supported(item: String, here: int, there: int, model: Known) -> Way | None:
+    """Down from the ceiling, away from a wall."""
+    owner = item.string[here].owner
+    if owner == "ceiling":
+        return DOWN
+    surface = model.surfaces.get(owner)
+    return normal(surface, model) if isinstance(surface, Wall) else None
+
+
+def pulled(item: String, here: int, there: int, model: Known) -> Way | None:
+    """A body on a slope is pulled up that, one on the level towards its neighbour in the list, a hanging one up."""
+    ref = item.string[here]
+    if ref.owner not in model.seats:
+        return None
+    way = line(ref.owner, model)
+    if way is None:
+        aside = held_aside(ref, model) and not wraps(ref, model)
+        return (DOWN if below(item, there, model) else UP) if aside else None
+    slope = lain_on(ref.owner, model)
+    if isinstance(slope, Slope):
+        return uphill(slope, model)
+    if abs(way[1]) < 1e-9:
+        return RIGHT if there > here else (-1.0, 0.0)
+    if wraps(ref, model):
+        return None
+    return DOWN if there > here and below(item, there, model) else UP
+
+
+def held_aside(ref: PointRef, model: Known) -> bool:
+    """Whether it is a point of a turning body off its axis."""
+    return model.upright and ref.point not in (None, "rim", "center")
+
+
+def below(item: String, there: int, model: Known) -> bool:
+    """Whether a neighbour hangs there: it travels, and the string does not go round it."""
+    ref = item.string[there]
+    return ref.owner in model.seats and not wraps(ref, model) and line(ref.owner, model) is not None
+
+
+def wheeled(item: String, here: int, there: int, model: Known) -> Way | None:
+    """A wheel that travels up and down is pulled up where the string passes under it, or ends at it; down where it passes over."""
+    ref = item.string[here]
+    way = line(ref.owner, model) if ref.owner in model.seats else None
+    if way is None or not wraps(ref, model):
+        return None
+    if here in (0, len(item.string) - 1):
+        return UP
+    return UP if ref.owner in item.under else DOWN
+
+
+def lain_on(name: str, model: Known) -> object:
+    """The surface on which a body lies."""
+    found = (item for item in model.acting.connections if isinstance(item, Touch) and item.lying() == name)
+    return next((surface_of(item, model) for item in found), None)
+
+
+def wraps(ref: PointRef, model: Known) -> bool:
+    """Whether the string runs on a rim there."""
+    return ref.owner in model.seats and on_rim(model.body(ref.owner), ref.point)
+
+
+def side(item: String, index: int, ways: list[Way | None], model: Known) -> int:
+    """+1 where the running string turns a wheel clockwise: over it towards the right, or under it towards the left."""
+    ref = item.string[index]
+    if not wraps(ref, model):
+        return 0
+    near = [way for way in ways[max(index - 1, 0) : index + 1] if way is not None]
+    leftward = any(way[0] < -1e-9 for way in near)
+    return -1 if (ref.owner in item.under) != leftward else 1
+
+
+def rim_arm(ref: PointRef, way: Way, sign: int, model: Known) -> Way:
+    """From the centre of a wheel to where a leg meets it: on the left of the running string where that turns it clockwise."""
+    radius = radius_of(model.body(ref.owner), ref.point, model.value) or 0.0
+    x, y = turned(way, sign)
+    return radius * x, radius * y

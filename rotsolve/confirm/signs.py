@@ -1,0 +1,173 @@
+"""Signs: which way is positive, as docs/signs.md says: the lines along which bodies travel, their turns, and the normals of surfaces."""
+
+from __future__ import annotations
+
+import math
+
+from rotsolve.algebra.formula import Formula
+from rotsolve.confirm.bodies import is_round, on_rim
+from rotsolve.confirm.known import Known
+from rotsolve.confirm.pose import Way, heading, turned
+from rotsolve.elements.connections.drapes import Drapes
+from rotsolve.elements.connections.springs import Spring
+from rotsolve.elements.connections.strings import String
+from rotsolve.elements.connections.supports import Axle, Hinge, Shaft
+from rotsolve.elements.connections.touch import Touch
+from rotsolve.elements.surfaces import Curved, Level, Slope, Wall
+from rotsolve.language.bodies import PointRef, Surface
+
+WORDS: dict[str, Way] = {"right": (1.0, 0.0), "up": (0.0, 1.0), "left": (-1.0, 0.0), "down": (0.0, -1.0)}
+RIGHT, UP, LEFT, DOWN = WORDS.values()
+GROUND = ("ground", "ceiling")
+
+
+def normal(surface: Surface, model: Known) -> Way:
+    """Out of a flat surface."""
+    if isinstance(surface, Wall):
+        return RIGHT if surface.wall == "left" else LEFT
+    if isinstance(surface, Slope) and surface.slope is not None:
+        angle = model.value(surface.slope)
+        return heading(math.pi / 2 + (angle if surface.down == "left" else -angle))
+    return UP
+
+
+def uphill(surface: Surface, model: Known) -> Way:
+    """The way up a slope or a wall; on the level to the right."""
+    out = normal(surface, model)
+    if isinstance(surface, Wall):
+        return UP
+    return turned(out, 1 if isinstance(surface, Slope) and surface.down == "right" else -1)
+
+
+def travel(surface: Surface, moves: str | None, model: Known) -> Way:
+    """Positive way along a flat surface: as declared, else right or up; on a slope `up`, `down` and the sides mean along it."""
+    ahead = uphill(surface, model)
+    back = {"left"} if isinstance(surface, Level) else {"down"}
+    if isinstance(surface, Slope):
+        back = {"down", surface.down}
+    return (-ahead[0], -ahead[1]) if moves in back else ahead
+
+
+def rests(item: Touch, model: Known) -> bool:
+    """Whether a body lies or rolls there, and does not just lean on it with a point."""
+    ref = item.pair()[0]
+    body = model.body(ref.owner)
+    return ref.point in (None, "bottom", "center", "cm") or on_rim(body, ref.point)
+
+
+def surface_of(item: Touch, model: Known) -> Surface | None:
+    """The surface on which a contact holds a body: of several the curved one where the state speaks of the contact's angle, or that it
+    leaves; the back of another body lies as what that lies on."""
+    under = item.pair()[1]
+    if under.owner in model.acting.bodies:
+        for other in model.acting.connections:
+            if isinstance(other, Touch) and other.lying() == under.owner and other is not item:
+                return surface_of(other, model)
+        return Level(under.owner)
+    found = [model.surfaces[ref.owner] for ref in item.places() if ref.owner in model.surfaces]
+    if len(found) > 1 and any(
+        line.path is not None and line.path.owner == item.name for line in model.acting.state.conditions
+    ):
+        return next(
+            (surface for surface in found if isinstance(surface, Curved) and surface.radius() is not None), None
+        )
+    return found[0] if found else Level("ground")
+
+
+def grounded(model: Known) -> dict[str, tuple[str, PointRef]]:
+    """By body that an axle, a hinge or a shaft holds to the ground: the name of that, and the point held."""
+    found: dict[str, tuple[str, PointRef]] = {}
+    for item in model.acting.connections:
+        refs: tuple[PointRef, ...] = ()
+        if isinstance(item, Hinge) and (len(item.hinge) == 1 or item.hinge[0].owner in GROUND):
+            refs = item.hinge[-1:]
+        elif isinstance(item, Axle) and carrier_of(item, model) is None:
+            refs = item.axle
+        elif isinstance(item, Shaft):
+            refs = item.shaft
+        for ref in refs:
+            found.setdefault(ref.owner, (item.name, ref))
+    return found
+
+
+def carrier_of(item: Axle, model: Known) -> PointRef | None:
+    """The body on which an axle is, where it names one that travels."""
+    laid = {other.lying() for other in model.acting.connections if isinstance(other, Touch) and rests(other, model)}
+    first = item.axle[0]
+    travels = first.owner in laid or (
+        model.body(first.owner).moves is not None and not is_round(model.body(first.owner))
+    )
+    return first if len(item.axle) > 1 and travels else None
+
+
+def line(name: str, model: Known) -> Way | None:
+    """The positive direction of a body's travel: on what it lies, as it `moves`, up where it hangs; None where it is free."""
+    if name in model.held:
+        return None
+    body = model.body(name)
+    bent = False
+    for item in model.acting.connections:
+        if isinstance(item, Touch) and item.lying() == name and rests(item, model):
+            surface = surface_of(item, model)
+            if surface is not None and not isinstance(surface, Curved):
+                return travel(surface, body.moves, model)
+            bent = True
+        if isinstance(item, Drapes) and item.drapes[0].owner == name:
+            return LEFT if body.moves == "left" else RIGHT
+    if bent:
+        return None
+    if body.moves:
+        return WORDS[body.moves]
+    return UP if model.upright and hangs(name, model) else None
+
+
+def hangs(name: str, model: Known) -> bool:
+    """Whether a body hangs from a string or a spring by its centre."""
+    for item in model.acting.connections:
+        refs: tuple[PointRef, ...] = ()
+        if isinstance(item, String):
+            refs = (item.string[0], item.string[-1])
+        elif isinstance(item, Spring):
+            refs = item.spring
+        elif isinstance(item, Drapes):
+            refs = item.drapes[2:]
+        if any(ref.owner == name and ref.point in (None, "center") for ref in refs):
+            return True
+    return False
+
+
+def sense(name: str, model: Known) -> int:
+    """+1 where a body's positive turn is counterclockwise: as declared, else the way it rolls as it travels, else counterclockwise."""
+    body = model.body(name)
+    if body.turns:
+        return 1 if body.turns == "counterclockwise" else -1
+    begun = {found for event in model.problem.events for found in event.begins()}
+    late = [item for item in model.problem.connections if item.name in begun]
+    for item in (*model.acting.connections, *late):
+        if isinstance(item, Touch) and item.lying() == name and rests(item, model):
+            surface = surface_of(item, model)
+            if isinstance(surface, Curved):
+                return round_way(surface, body.moves) * (1 if surface.outside else -1)
+            if surface is not None and name not in model.held:
+                ahead, right = travel(surface, body.moves, model), turned(normal(surface, model), -1)
+                return -1 if ahead[0] * right[0] + ahead[1] * right[1] > 0 else 1
+        if isinstance(item, Drapes) and item.drapes[1].owner == name:
+            return 1 if model.body(item.drapes[0].owner).moves == "left" else -1
+    return 1
+
+
+def round_way(surface: Curved, moves: str | None) -> int:
+    """Positive travel round a curved surface: to the right over the top of a dome (clockwise) or through the bottom of a bowl."""
+    right = -1 if surface.outside else 1
+    return -right if moves == "left" else right
+
+
+def pointing(direction: str | Formula | tuple[Formula, Formula], model: Known) -> Way:
+    """Unit vector of a direction: a word, components or an angle."""
+    if isinstance(direction, str):
+        return WORDS[direction]
+    if isinstance(direction, tuple):
+        x, y = (model.value(part) for part in direction)
+        size = math.hypot(x, y)
+        return x / size, y / size
+    return heading(model.value(direction))
