@@ -1,0 +1,91 @@
+"""Judge: what became of a composition, and whether the same scene said in other ways is answered the same."""
+
+from __future__ import annotations
+
+import random
+from collections.abc import Iterator
+from fractions import Fraction
+
+from compositions.compose import drawn
+from compositions.relations import LAWS, RELATIONS
+from trials.outcome import BAD, INTERNAL, NOT_YET, OBJECTED, SOLVED, UNSOLVABLE, Outcome, Printed, outcome
+from trials.scene import Scene, written
+from trials.trial import Result
+
+DIGITS = 7
+LIMIT = 2.0  # seconds of CPU that a scene may take
+CLOSE = Fraction(1, 10**5)  # relative: answers are printed to 7 figures
+FALSE_WORDS = ("contradict", "too little is known", "never reached")
+RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN = (
+    "right",
+    "not confirmed",
+    "refused by name",
+    "refused for want of data or by a contradiction",
+    "wrong and said",
+    "wrong and silent",
+    "too slow",
+    "broken",
+)
+VERDICTS = (RIGHT, UNCONFIRMED, NAMED, UNTRUE, SAID, SILENT, SLOW, BROKEN)
+
+
+def run(seed: int, number: int) -> Result:
+    """Compose the scene of a number, solve it, and judge: the verdict is its outcome, the reason its only fault."""
+    choice, scene = drawn(seed, number)
+    found = outcome(written(scene), DIGITS)
+    verdict, why = judged(scene, found, random.Random(f"relations-{seed}-{number}"))
+    return Result(number, ", ".join(choice), verdict, found.seconds, (why,) if why else (), written(scene))
+
+
+def judged(scene: Scene, found: Outcome, chance: random.Random) -> tuple[str, str]:
+    """The verdict about a scene, with its reason."""
+    if found.kind in (INTERNAL, BAD):
+        return BROKEN, found.message.splitlines()[0]
+    if found.seconds > LIMIT:
+        return SLOW, f"{found.seconds:.1f} s"
+    if found.kind in (NOT_YET, UNSOLVABLE):
+        message = found.message.splitlines()[0]
+        if "not confirmed" in message:
+            return SAID, message
+        return (UNTRUE if any(word in message for word in FALSE_WORDS) else NAMED), message
+    differing = next(differences(scene, found, chance), "")
+    if differing:
+        return SILENT, differing
+    unsure = unconfirmed(found)
+    return (UNCONFIRMED, unsure) if unsure else (RIGHT, "")
+
+
+def unconfirmed(found: Outcome) -> str:
+    """What the checks say is not confirmed."""
+    assert found.solution is not None
+    texts = ("".join(str(word) for word in check.words) for check in found.solution.checks)
+    return next((text for text in texts if text.startswith("not confirmed")), "")
+
+
+def differences(scene: Scene, found: Outcome, chance: random.Random) -> Iterator[str]:
+    """How the scene said in one other way, drawn at random, or by another law, is answered otherwise."""
+    names = [*RELATIONS, *LAWS]
+    name = chance.choice(names)
+    if name in LAWS:
+        yield from differing(found, outcome(written(scene), DIGITS, law=name), f"by {name}", scene)
+        return
+    for other in RELATIONS[name](scene, chance):
+        yield from differing(found, outcome(written(other), DIGITS), name, other)
+
+
+def differing(one: Outcome, other: Outcome, name: str, scene: Scene) -> Iterator[str]:
+    """What two outcomes that must be the same do not have in common."""
+    if other.kind not in (SOLVED, OBJECTED):
+        if other.kind in (INTERNAL, BAD) or name in ("each question alone", "in another order", "by other names"):
+            yield f"{name}: {other.message.splitlines()[0]}\n{written(scene)}"
+        return
+    for key, value in other.answers.items():
+        if key in one.answers and apart(one.answers[key], value):
+            yield f"{name}: {key} = {value.text} instead of {one.answers[key].text}\n{written(scene)}"
+
+
+def apart(one: Printed, other: Printed) -> bool:
+    """Whether two printed numbers differ by more than their last figures."""
+    if one.number is None or other.number is None:
+        return False
+    return abs(one.number - other.number) > CLOSE * max(abs(one.number), abs(other.number), Fraction(1, 10**9))
