@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any
 
-from rotsolve.core.derivation import Section
+from msgspec.structs import replace
+
+from rotsolve.algebra.formula import Symbol
+from rotsolve.core.derivation import Derivation, Refusal, Section
 from rotsolve.core.equation import FAMILIES
+from rotsolve.core.faults import Contradicted, Unsolvable
 from rotsolve.derivation.checks import checks
 from rotsolve.derivation.compose import DerivationComposer
 from rotsolve.derivation.consistency import KnownBalls, contradiction, turned_back
@@ -21,7 +25,7 @@ from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
-from rotsolve.search.answering import answer_all
+from rotsolve.search.answering import each_answered
 from rotsolve.search.answers import unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
@@ -45,7 +49,8 @@ def solve(
 ) -> Solution:
     """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
 
-    Raises SceneError for a scene that can't be read, Unsolvable for one without an answer.
+    A question without an answer takes no other with it: its reason is in `refused` of the solution. Raises SceneError for a scene that
+    can't be read, Unsolvable for one in which nothing has an answer.
     """
     with stage("read"):
         problem = read_source(source, settings)
@@ -58,6 +63,37 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
         raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
     if law is not None and law not in FAMILIES:
         raise ValueError(f"unknown law {law!r}; one of {', '.join(FAMILIES)}")
+    try:
+        return solved_together(problem, law, digits, at)
+    except Unsolvable as error:
+        if len(problem.finds) < 2 or isinstance(error, Contradicted):
+            raise
+        apart = told_apart(problem, law, digits, at)
+        if not apart:
+            raise
+    kept = tuple(find for find in problem.finds if find.name not in apart)
+    solution = solved_together(replace(problem, finds=kept), law, digits, at)
+    derivation = solution.derivation
+    refused = (*derivation.refused, *(Refusal(name, error.fault) for name, error in apart.items()))
+    return replace(solution, problem=problem, derivation=with_refused(derivation, refused, problem))
+
+
+def told_apart(problem: Problem, law: str | None, digits: int, at: str | None) -> dict[str, Unsolvable]:
+    """The questions that keep a scene from its answers, by name, with their reasons; none where no other is left."""
+    refused: dict[str, Unsolvable] = {}
+    for find in problem.finds:
+        needed = {find.name} | (find.formula.symbols() & {other.name for other in problem.finds})
+        try:
+            solved_together(
+                replace(problem, finds=tuple(item for item in problem.finds if item.name in needed)), law, digits, at
+            )
+        except Unsolvable as error:
+            refused[find.name] = error
+    return refused if len(refused) < len(problem.finds) else {}
+
+
+def solved_together(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
+    """Solve all questions of a problem in one derivation."""
     with stage("arrange", whole=True):
         configuration = asked_part(problem)
     try:
@@ -69,14 +105,29 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     with stage("solve"):
-        answer_all(search, configuration.problem.finds)
+        search, refused = each_answered(search, configuration.problem.finds)
+        if len(refused) == len(configuration.problem.finds):
+            raise refused[0][1]
     if at is not None and not configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     with stage("verify", whole=True):
         balls = check_consistent(search)
         if law is not None:
             check_law(search, law)
-    return composed(problem, search, balls, decision, digits, at)
+    solution = composed(problem, search, balls, decision, digits, at)
+    if not refused:
+        return solution
+    told = tuple(Refusal(find.name, error.fault) for find, error in refused)
+    return replace(solution, derivation=with_refused(solution.derivation, told, problem))
+
+
+def with_refused(derivation: Derivation, refused: Iterable[Refusal], problem: Problem) -> Derivation:
+    """The derivation with the questions that have no answer, in the order in which the scene asks."""
+    place = {find.name: number for number, find in enumerate(problem.finds)}
+    told = tuple(sorted(refused, key=lambda item: place[item.name]))
+    asked = {*derivation.finds, *((Symbol(item.name),) for item in told)}
+    finds = [words for find in problem.finds if (words := (Symbol(find.group),)) in asked]
+    return replace(derivation, refused=told, finds=tuple(finds))
 
 
 def decided(configuration: Configuration) -> Decision | None:

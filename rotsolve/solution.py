@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from msgspec import Struct
 
 from rotsolve.core.derivation import Answer, Check, Derivation, Section
+from rotsolve.core.faults import Unsolvable
 from rotsolve.page.derivation import DerivationPage
 from rotsolve.page.formats import WIDTH, format_named
 
@@ -120,6 +121,24 @@ class Solution(Struct, frozen=True, dict=True):
     def answers(self) -> Mapping[str, AnswerView]:
         """The answers by their names under `find`."""
         return MappingProxyType({answer.name: AnswerView(answer, self.digits) for answer in self.derivation.answers})
+
+    @cached_property
+    def refused(self) -> Mapping[str, Unsolvable]:
+        """The questions without an answer by their names under `find`, each with its reason."""
+        lines, file = self.problem.lines, self.problem.file
+        told = {item.name: item.fault for item in self.derivation.refused}
+        return MappingProxyType(
+            {
+                name: Unsolvable(fault.message, span=fault.span, help=fault.help, lines=lines, file=file)
+                for name, fault in told.items()
+            }
+        )
+
+    def complete(self) -> Solution:
+        """The solution where every question has its answer; raises the reason of the first that has none."""
+        for reason in self.refused.values():
+            raise reason
+        return self
 
     @property
     def steps(self) -> tuple[Section, ...]:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from msgspec import Struct
 
 from rotsolve.algebra.formula import Formula
+from rotsolve.core.faults import Fault
 from rotsolve.core.vectors.tensor import ENTRIES, ROWS
 
 if TYPE_CHECKING:
@@ -127,8 +128,18 @@ class Trial(Struct, frozen=True):
     why: str = ""
 
 
+class Refusal(Struct, frozen=True):
+    """A question without an answer, by its name under `find`: why, where, and what may help."""
+
+    name: str
+    fault: Fault
+
+
 class Derivation(Struct, frozen=True):
-    """The whole solution of a problem; `trials` are those that decided how everything moves that rubs."""
+    """The whole solution of a problem; `trials` are those that decided how everything moves that rubs.
+
+    `refused` are the questions that have no answer; they take no other with them.
+    """
 
     title: str
     source: str
@@ -142,3 +153,4 @@ class Derivation(Struct, frozen=True):
     equations_written: int = 0
     equations_used: int = 0
     trials: tuple[Trial, ...] = ()
+    refused: tuple[Refusal, ...] = ()

@@ -106,3 +106,7 @@ class Unsolvable(Exception):
     def render(self) -> str:
         """The message with its place, as printed."""
         return render(self.fault, self.lines, self.file)
+
+
+class Contradicted(Unsolvable):
+    """A scene whose data contradict each other, so that no question of it has an answer."""

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rotsolve.algebra.formula import Formula
 from rotsolve.algebra.notation.text import to_text
-from rotsolve.core.derivation import Answer, Derivation, Equality, Section
+from rotsolve.core.derivation import Answer, Derivation, Equality, Refusal, Section
 from rotsolve.page.blocks import equation
 from rotsolve.page.text import plain_text
 from rotsolve.page.values import certified_digits, given_equation, machine_number, shown_givens
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
     """The derivation as dicts, lists and strings."""
     return {
-        "solved": True,
+        "solved": not derivation.refused,
         "title": derivation.title,
         "source": derivation.source,
         "digits": digits,
@@ -31,10 +31,18 @@ def derivation_data(derivation: Derivation, digits: int) -> dict[str, Any]:
         "states": [plain_text(item) for item in derivation.states],
         "sections": [section_data(section) for section in derivation.sections],
         "answers": [answer_data(answer, digits) for answer in derivation.answers],
+        "refused": [refusal_data(refusal) for refusal in derivation.refused],
         "checks": [{"text": plain_text(check.words), "holds": check.holds} for check in derivation.checks],
         "equations_written": derivation.equations_written,
         "equations_used": derivation.equations_used,
     }
+
+
+def refusal_data(refusal: Refusal) -> dict[str, Any]:
+    """A question without an answer: its name under `find`, why, where in the file, and what may help."""
+    fault = refusal.fault
+    place = {} if fault.span is None else {"line": fault.span.line, "column": fault.span.column}
+    return {"name": refusal.name, "error": fault.message, "help": fault.help, **place}
 
 
 def ascii_text(formula: Formula) -> str:

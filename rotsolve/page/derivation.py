@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any, ClassVar
 
-from rotsolve.core.derivation import Derivation, Move, Section
+from rotsolve.algebra.formula import Symbol
+from rotsolve.core.derivation import Derivation, Move, Refusal, Section
 from rotsolve.page.blocks import (
     Answers,
+    Bullet,
+    Bullets,
     Checks,
     FormulaRow,
     Formulas,
@@ -42,6 +45,9 @@ class DerivationPage(Page, frozen=True):
         if derivation.answers:
             yield Title(2, ("Answers",))
             yield Answers(tuple(answer_row(answer, self.digits) for answer in derivation.answers))
+        if derivation.refused:
+            yield Title(2, ("Not answered",))
+            yield Bullets(tuple(map(refusal_bullet, derivation.refused)))
         if derivation.checks:
             yield Title(2, ("Checks",))
             yield Checks(derivation.checks)
@@ -50,6 +56,14 @@ class DerivationPage(Page, frozen=True):
         from rotsolve.page.data import derivation_data
 
         return {"file": self.file, **derivation_data(self.derivation, self.digits)}
+
+
+def refusal_bullet(refusal: Refusal) -> Bullet:
+    """Why a question has no answer, with its line in the file, and what may help."""
+    fault = refusal.fault
+    line = f" (line {fault.span.line})" if fault.span is not None else ""
+    help = (Bullet((f"help: {fault.help}",)),) if fault.help else ()
+    return Bullet((Symbol(refusal.name), f": {fault.message}{line}"), help)
 
 
 def opening_rows(derivation: Derivation) -> Iterator[Labelled]:

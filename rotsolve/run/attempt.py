@@ -93,8 +93,12 @@ def attempt(file: str, request: SolveRequest, text: bytes = b"") -> FileOutcome:
         scene = scene_source(file, text)
         solution = solve(scene, law=request.law, settings=request.settings, digits=request.digits, at=request.at)
         objects = any(check.holds is False for check in solution.derivation.checks)
+        refused = "\n\n".join(reason.render() for reason in solution.refused.values())
         with stage("render", whole=True):
-            return FileOutcome(file, UNSOLVED if objects else SOLVED, page_of(solution, request))
+            page = page_of(solution, request)
+            return FileOutcome(
+                file, UNSOLVED if objects or refused else SOLVED, page, refused, "unsolvable" if refused else ""
+            )
     except Exception as error:
         return failure_outcome(file, error)
 

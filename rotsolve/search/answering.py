@@ -1,4 +1,4 @@
-"""Answering: every question of a scene in turn.
+"""Answering: every question of a scene in turn, so that one without an answer takes no other with it.
 
 One that waits for another is tried again; where a law asked for does not reach, Newton's laws help out.
 """
@@ -21,20 +21,43 @@ from rotsolve.search.answers import Answered, NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 
+Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
 
-def answer_all(search: Search, finds: Sequence[Find]) -> None:
+
+def each_answered(search: Search, finds: Sequence[Find]) -> tuple[Search, Refused]:
+    """A search in which all questions are answered that can be; those that can not be, with their reasons.
+
+    A question that has an answer alone is asked before those that stood in its way; one that has none leaves no trace.
+    """
+    refused = answer_all(search, finds)
+    if not refused or len(finds) == 1:
+        return search, refused
+    alone = [find for find, _ in refused if not answer_all(afresh(search), [find])]
+    rest = [(find, error) for find, error in refused if find not in alone]
+    others = [find for find in finds if all(find is not one for one, _ in refused)]
+    search = afresh(search)
+    return search, [*rest, *answer_all(search, [*alone, *others])]
+
+
+def afresh(search: Search) -> Search:
+    """A search by the same laws that knows no answer yet."""
+    return search.another(search.families, spare=search.spare)
+
+
+def answer_all(search: Search, finds: Sequence[Find]) -> Refused:
     """Answer all questions; one that has to wait for another (an asked letter that a later line settles) is tried again."""
     pending = list(finds)
     while pending:
-        waiting: list[tuple[Find, Unsolvable]] = []
+        waiting: Refused = []
         for find in pending:
             try:
                 answer(search, find)
             except Unsolvable as error:
                 waiting.append((find, error))
         if len(waiting) == len(pending):
-            raise waiting[0][1]
+            return waiting
         pending = [find for find, _ in waiting]
+    return []
 
 
 def answer(search: Search, find: Find) -> None:

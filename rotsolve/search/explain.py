@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from rotsolve.algebra.formula import ZERO
 from rotsolve.core.equation import FAMILIES, NEWTON, Equation
-from rotsolve.core.faults import Span, Unsolvable
+from rotsolve.core.faults import Contradicted, Span, Unsolvable
 from rotsolve.core.quantity import INSIDE
 from rotsolve.core.registry import SceneQuantity
 from rotsolve.core.symbols import ASKED, MIXED, POSITION, key_of, phase_midst, real
@@ -25,25 +25,35 @@ from rotsolve.solver import ENTANGLED
 def contradicted(equation: Equation, scene: SceneEquations, fallback: Span | None = None) -> Unsolvable:
     """Which law or line the data break; over a phase, that its end is never reached."""
     problem, timeline = scene.configuration.problem, scene.configuration.timeline
+    open_ = unreached(scene)
+    if open_:  # what such a scene seems to contradict is only that no time passes
+        return unsolvable(
+            problem, f"nothing tells when `{open_}` is reached", timeline.state(open_).span or fallback, LINE_OR_EVENT
+        )
     line = next((condition for stated, condition in scene.stated if stated is equation), None)
     if line is not None:
         path = path_text(line.path) if line.path is not None else line.owner
         message = f"the data contradict each other: what `{equation.section}` says of `{path}` can not be"
         if line.rest:
             message = f"the data contradict each other: `at rest: {line.owner}` can not hold at `{equation.section}`"
-        return unsolvable(problem, message, line.span or fallback, CHECK_DATA)
+        return clash(problem, message, line.span or fallback, CHECK_DATA)
     broken = f"“{equation.label}” can not hold; {CHECK_DATA}"
     interval = timeline.interval(equation.section)
     if interval is None:
         state = next((state for state in timeline.states if state.name and state.name == equation.section), None)
         where = f" at `{state.name}`" if state is not None else ""
         span = state.span if state is not None and state.span is not None else fallback
-        return unsolvable(problem, f"the data contradict each other{where}", span, broken)
+        return clash(problem, f"the data contradict each other{where}", span, broken)
     if interval.event is not None:
         message = f"the data contradict each other: `{interval.end}` can not follow from `{interval.start}` by `{interval.name}`"
     else:
         message = f"`{interval.end}` is never reached from `{interval.start}`"
-    return unsolvable(problem, message, timeline.state(interval.end).span or fallback, broken)
+    return clash(problem, message, timeline.state(interval.end).span or fallback, broken)
+
+
+def clash(problem: Problem, message: str, span: Span | None, help: str) -> Contradicted:
+    """Data that contradict each other, with their place in the file."""
+    return Contradicted(message, span=span, help=help, lines=problem.lines, file=problem.file)
 
 
 def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
@@ -53,6 +63,7 @@ def turns_back(interval: Interval, problem: Problem) -> Unsolvable:
     return unsolvable(problem, message, span, "name the turning point as a state, such as `{block.velocity: 0}`")
 
 
+LINE_OR_EVENT = "give it a line, or an event that leads to it"
 MANY = 6  # unknowns that a message names one by one
 FORCES = ("force", "tension", "normal_force", "friction_force", "impulse", "torque")
 STATED = {  # what a state can say, with an example
@@ -128,7 +139,7 @@ def suggestion(missing: Sequence[SceneQuantity | str], scene: SceneEquations, as
     """What to add to the scene; never what is asked."""
     lonely = unreached(scene)
     if lonely:
-        return f"nothing tells when `{lonely}` is reached: give it a line, or an event that leads to it"
+        return f"nothing tells when `{lonely}` is reached: {LINE_OR_EVENT}"
     unplaced = without_angle(scene)
     if unplaced:
         return f"nothing tells where `{unplaced[0]}` is at `{unplaced[1]}`: give `{unplaced[0]}.angle`"

@@ -53,7 +53,7 @@ class Engine:
             path.read_text(encoding="utf-8")
         text = "".join(f", {key} = {value}" for key, value in sorted(options["settings"].items()))
         trace = Trace(lambda: "the facts\n", lambda: "the equations", lambda: "the plan\n\n")
-        problem: Any = SimpleNamespace(file=name)
+        problem: Any = SimpleNamespace(file=name, lines=())
         return Solution(problem, derivation(f"Scene {name}", text), trace, options["digits"])
 
 

@@ -47,7 +47,7 @@ def test_the_table_is_read() -> None:
 def test_message(case: dict[str, str], command: Command, expected: Any) -> None:
     Path("scene.yaml").write_text(case["scene"], encoding="utf-8")
     code, out, message = command("solve", "scene.yaml", *case["options"].split())
-    assert out == ""
+    assert out == "" or "\nNot answered\n" in out  # what has an answer beside that is printed
     name, tail = case["name"], f"{case['options']}\n{case['scene']}-----\n"
     heads = (f"===== {name} [{case['code']}]{tail}", f"===== {name} [{code}]{tail}")
     expected.case(TABLE, heads, (case["message"], message))
@@ -221,5 +221,5 @@ def test_the_command_itself(old: str, new: str, code: int, tmp_path: Path) -> No
     ran = subprocess.run(
         [sys.executable, "-m", "rotsolve", "solve", "x.yaml"], cwd=tmp_path, capture_output=True, text=True
     )
-    assert (ran.returncode, ran.stdout) == (code, "")
+    assert ran.returncode == code and (code == 1) == ("Not answered" in ran.stdout)
     assert ran.stderr.startswith("error: ") and "--> x.yaml:" in ran.stderr and "Traceback" not in ran.stderr

@@ -85,7 +85,7 @@ class Judges:
     def __init__(self, scene: str | os.PathLike[str], seed: int, count: int | None) -> None:
         self.seed, self.count = seed, count
         self.problem = read_source(scene)
-        self.solution = solve_problem(self.problem)
+        self.solution = solve_problem(self.problem).complete()
         self._wrong: WrongAnswers | None = None
         self._worked: Iterator[tuple[Variant, Worked]] | None = None
 
