@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from msgspec.structs import replace
 
-from rotsolve.algebra.formula import Symbol
-from rotsolve.core.derivation import Derivation, Refusal, Section
+from rotsolve.algebra.formula import Formula, Symbol
+from rotsolve.core.derivation import Refusal, Section
 from rotsolve.core.equation import FAMILIES
 from rotsolve.core.faults import Contradicted, Unsolvable
 from rotsolve.derivation.checks import checks
@@ -25,8 +25,8 @@ from rotsolve.motion.rubs import rubs
 from rotsolve.paths.meaning import NotYet
 from rotsolve.profile import counted, skipped, stage
 from rotsolve.scene.read import read_source
-from rotsolve.search.answering import each_answered
-from rotsolve.search.answers import unsolvable
+from rotsolve.search.answering import answered, needed_for
+from rotsolve.search.answers import NoAnswer, unsolvable
 from rotsolve.search.planning import families_for
 from rotsolve.search.search import Search
 from rotsolve.solution import Solution, Trace
@@ -36,7 +36,7 @@ if TYPE_CHECKING:
     from rotsolve.derivation.requirements import Validity
     from rotsolve.search.friction import Decision
 
-MOST_DIGITS = 1000
+DIGITS, MOST_DIGITS = 4, 1000
 
 
 def solve(
@@ -44,7 +44,7 @@ def solve(
     *,
     law: str | None = None,
     settings: Mapping[str, str] | None = None,
-    digits: int = 4,
+    digits: int = DIGITS,
     at: str | None = None,
 ) -> Solution:
     """Solve a scene: a path, or YAML text (text with a line break); functions of time are evaluated `at` a time such as "2 s".
@@ -57,7 +57,7 @@ def solve(
     return solve_problem(problem, law=law, digits=digits, at=at)
 
 
-def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, at: str | None = None) -> Solution:
+def solve_problem(problem: Problem, *, law: str | None = None, digits: int = DIGITS, at: str | None = None) -> Solution:
     """Solve a problem that has been read, by one law where `law` names it, else by the shortest way."""
     if not 1 <= digits <= MOST_DIGITS:
         raise ValueError(f"from 1 to {MOST_DIGITS} digits can be asked for, not {digits}")
@@ -68,28 +68,25 @@ def solve_problem(problem: Problem, *, law: str | None = None, digits: int = 4, 
     except Unsolvable as error:
         if len(problem.finds) < 2 or isinstance(error, Contradicted):
             raise
-        apart = told_apart(problem, law, digits, at)
-        if not apart:
+        refused = told_apart(problem, law, at)
+        if len(refused) in (0, len(problem.finds)):
             raise
-    kept = tuple(find for find in problem.finds if find.name not in apart)
+    kept = tuple(find for find in problem.finds if find.name not in refused)
     solution = solved_together(replace(problem, finds=kept), law, digits, at)
-    derivation = solution.derivation
-    refused = (*derivation.refused, *(Refusal(name, error.fault) for name, error in apart.items()))
-    return replace(solution, problem=problem, derivation=with_refused(derivation, refused, problem))
+    told = tuple(Refusal(name, error.fault) for name, error in refused.items())
+    finds = tuple(dict.fromkeys((Symbol(find.group),) for find in problem.finds))
+    return replace(solution, problem=problem, derivation=replace(solution.derivation, refused=told, finds=finds))
 
 
-def told_apart(problem: Problem, law: str | None, digits: int, at: str | None) -> dict[str, Unsolvable]:
-    """The questions that keep a scene from its answers, by name, with their reasons; none where no other is left."""
+def told_apart(problem: Problem, law: str | None, at: str | None) -> dict[str, Unsolvable]:
+    """The questions of a scene that have no answer, by name, each with its reason: what is found with all it needs, and nothing else."""
     refused: dict[str, Unsolvable] = {}
     for find in problem.finds:
-        needed = {find.name} | (find.formula.symbols() & {other.name for other in problem.finds})
         try:
-            solved_together(
-                replace(problem, finds=tuple(item for item in problem.finds if item.name in needed)), law, digits, at
-            )
+            solved_together(replace(problem, finds=needed_for(find, problem)), law, DIGITS, at)
         except Unsolvable as error:
             refused[find.name] = error
-    return refused if len(refused) < len(problem.finds) else {}
+    return refused
 
 
 def solved_together(problem: Problem, law: str | None, digits: int, at: str | None) -> Solution:
@@ -105,29 +102,14 @@ def solved_together(problem: Problem, law: str | None, digits: int, at: str | No
     except NotYet as error:
         raise unsolvable(problem, str(error), error.span, error.help) from None
     with stage("solve"):
-        search, refused = each_answered(search, configuration.problem.finds)
-        if len(refused) == len(configuration.problem.finds):
-            raise refused[0][1]
+        search = answered(search, configuration.problem.finds)
     if at is not None and not configuration.mentions.functions:
         raise unsolvable(problem, "nothing that is asked is a function of time", None, "ask for it `at any time`")
     with stage("verify", whole=True):
         balls = check_consistent(search)
         if law is not None:
             check_law(search, law)
-    solution = composed(problem, search, balls, decision, digits, at)
-    if not refused:
-        return solution
-    told = tuple(Refusal(find.name, error.fault) for find, error in refused)
-    return replace(solution, derivation=with_refused(solution.derivation, told, problem))
-
-
-def with_refused(derivation: Derivation, refused: Iterable[Refusal], problem: Problem) -> Derivation:
-    """The derivation with the questions that have no answer, in the order in which the scene asks."""
-    place = {find.name: number for number, find in enumerate(problem.finds)}
-    told = tuple(sorted(refused, key=lambda item: place[item.name]))
-    asked = {*derivation.finds, *((Symbol(item.name),) for item in told)}
-    finds = [words for find in problem.finds if (words := (Symbol(find.group),)) in asked]
-    return replace(derivation, refused=told, finds=tuple(finds))
+    return composed(problem, search, balls, decision, digits, at)
 
 
 def decided(configuration: Configuration) -> Decision | None:
@@ -229,9 +211,21 @@ def check_consistent(search: Search) -> KnownBalls:
         raise contradicted(broken, search.scene)
     configuration = search.scene.configuration
     for value, (sign, question, span) in configuration.supposed.items():
-        if configuration.signs.sign(search.solver.with_found(value)) != sign:
+        if configuration.signs.sign(settled_aside(value, search)) != sign:
             raise configuration.undecided(value, question, span)
     return balls
+
+
+def settled_aside(value: Formula, search: Search) -> Formula:
+    """A formula of letters that are asked for, with what they are put in; those that no question asks for are worked out aside."""
+    value = search.solver.with_found(value)
+    for name in sorted(value.symbols() - search.values.keys()):
+        try:
+            found = search.apart().value_of(name)
+        except NoAnswer:
+            continue
+        value = value if found is None else value.substitute({name: found})
+    return value
 
 
 def check_law(search: Search, law: str) -> None:

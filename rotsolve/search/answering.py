@@ -5,15 +5,17 @@ One that waits for another is tried again; where a law asked for does not reach,
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
+from msgspec import Struct
 from msgspec.structs import replace
 
 from rotsolve.algebra.exact.normal import is_zero
+from rotsolve.algebra.formula import Formula
 from rotsolve.core.equation import NEWTON
 from rotsolve.core.faults import Unsolvable
 from rotsolve.core.vectors.heading import RIGHT, UP, Vector
-from rotsolve.language.problem import Find
+from rotsolve.language.problem import Find, Problem
 from rotsolve.paths.meaning import NotYet, Unclear
 from rotsolve.paths.points import resting
 from rotsolve.questions.find import entries, question_for
@@ -24,19 +26,46 @@ from rotsolve.search.search import Search
 Refused = list[tuple[Find, Unsolvable]]  # the questions without an answer, each with its reason
 
 
-def each_answered(search: Search, finds: Sequence[Find]) -> tuple[Search, Refused]:
-    """A search in which all questions are answered that can be; those that can not be, with their reasons.
+def answered(search: Search, finds: Sequence[Find]) -> Search:
+    """A search in which all questions are answered; raises the reason of the first that has no answer.
 
-    A question that has an answer alone is asked before those that stood in its way; one that has none leaves no trace.
+    A question that has an answer alone is asked before those that stood in its way.
     """
     refused = answer_all(search, finds)
-    if not refused or len(finds) == 1:
-        return search, refused
-    alone = [find for find, _ in refused if not answer_all(afresh(search), [find])]
-    rest = [(find, error) for find, error in refused if find not in alone]
-    others = [find for find in finds if all(find is not one for one, _ in refused)]
+    if not refused:
+        return search
+    first = [find for find, _ in refused]
+    if len(finds) == 1 or any(answer_all(afresh(search), [find]) for find in first):
+        raise refused[0][1]
     search = afresh(search)
-    return search, [*rest, *answer_all(search, [*alone, *others])]
+    if answer_all(search, [*first, *(find for find in finds if find not in first)]):
+        raise refused[0][1]
+    return search
+
+
+def needed_for(find: Find, problem: Problem) -> tuple[Find, ...]:
+    """A question with those that it names, and those that settle an unknown letter by a condition of their own."""
+    finds = {item.name: item for item in problem.finds}
+    asked = {given.name for given in problem.givens if given.asked}
+    names = {
+        find.name,
+        *(item.name for item in problem.finds if item.where is not None and item.formula.symbols() & asked),
+    }
+    while more := {name for own in names for name in letters_of(finds[own]) if name in finds} - names:
+        names |= more
+    return tuple(item for item in problem.finds if item.name in names)
+
+
+def letters_of(item: object) -> Iterator[str]:
+    """All letters in a question, in its condition and in its options."""
+    if isinstance(item, Formula):
+        yield from item.symbols()
+    elif isinstance(item, tuple):
+        for part in item:
+            yield from letters_of(part)
+    elif isinstance(item, Struct):
+        for name in item.__struct_fields__:
+            yield from letters_of(getattr(item, name))
 
 
 def afresh(search: Search) -> Search:

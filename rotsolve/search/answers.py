@@ -73,12 +73,19 @@ class NoAnswer(ValueError):
     """Nothing settles an asked quantity; `shortage` tells what is open where that is why, `equation` what contradicts the others."""
 
     def __init__(
-        self, words: str, shortage: Shortage | None = None, equation: int | None = None, *, open_form: bool = False
+        self,
+        words: str,
+        shortage: Shortage | None = None,
+        equation: int | None = None,
+        *,
+        open_form: bool = False,
+        met: tuple[str, ...] = (),
     ) -> None:
         super().__init__(words)
         self.shortage = shortage
         self.equation = equation
         self.open_form = open_form  # whether only a closed form is missing
+        self.met = met  # the unknowns of plans that did not do
 
 
 CHECK_DATA = "check the givens and what the states say"

@@ -33,6 +33,10 @@ if TYPE_CHECKING:
     from rotsolve.questions.functions_of_time import Beside
 
 TRIES, FEW_TRIES = 30, 5  # plans for an answer, and for the confirmation of one
+STONES = {
+    kind: rank
+    for rank, kind in enumerate(("angle", "velocity", "angular_velocity", "time", "displacement", "rotation"))
+}
 
 
 class Ground:
@@ -161,8 +165,8 @@ class Search(Struct, dict=True):
         if asked.letter in self.solver.solved:
             answered = Answered(asked, self.solver.solved[asked.letter], (), parts=parts, aside=aside)
         else:
-            found, used = self._settle(asked)
-            answered = Answered(asked, found, used, (first, len(self.solver.steps)), parts, aside)
+            found, used, own = self._settle(asked)
+            answered = Answered(asked, found, used, (own, len(self.solver.steps)), parts, aside)
         self.known.add(asked.letter)
         self.answered.append(answered)
         self.retired |= self.definitions.spent(asked, self.solver.steps[first:])
@@ -196,9 +200,9 @@ class Search(Struct, dict=True):
 
     def step(self, letter: str) -> Found:
         """Settle a letter on the way to an answer, with a derivation of its own."""
-        first, asked = len(self.solver.steps), asked_letter(letter)
-        found, used = self._settle(asked)
-        self.answered.append(Answered(asked, found, used, (first, len(self.solver.steps)), aside=True))
+        asked = asked_letter(letter)
+        found, used, own = self._settle(asked)
+        self.answered.append(Answered(asked, found, used, (own, len(self.solver.steps)), aside=True))
         self.known.add(letter)
         return found
 
@@ -211,22 +215,31 @@ class Search(Struct, dict=True):
         self.solver.solved.setdefault(asked.letter, known.found)
         return replace(known, asked=asked)
 
-    def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
-        """In closed form by some plan, else numerically."""
+    def _settle(self, asked: Asked) -> tuple[Found, tuple[int, ...], int]:
+        """In closed form by some plan, also behind a letter that is settled first, else numerically; with the place of its first step."""
+        own = len(self.solver.steps)
         try:
-            return self._attempt(asked)
+            return *self._attempt(asked), own
         except NoAnswer as error:
-            if self.confirming or not error.open_form:
+            if self.confirming or error.equation is not None:
+                raise
+            stone = next((name for name in error.met if self._leads(name, asked)), None)
+            if stone is not None:
+                self.step(stone)
+                own = len(self.solver.steps)
+                return *self._attempt(asked), own
+            if not error.open_form:
                 raise
         self.solver.numeric = True
         try:
-            return self._attempt(asked)
+            return *self._attempt(asked), own
         finally:
             self.solver.numeric = False
 
     def _attempt(self, asked: Asked) -> tuple[Found, tuple[int, ...]]:
         """Plan and solve; an equation that says nothing new is left out and the plan made again."""
         banned: set[int] = set()
+        met: dict[str, None] = {}  # the unknowns of plans that did not do
         problem: ValueError | None = None
         open_: Shortage | None = None
         for _ in range(FEW_TRIES if self.confirming else TRIES):
@@ -237,6 +250,7 @@ class Search(Struct, dict=True):
                 if problem is not None:
                     break
                 raise NoAnswer("too little is known", plan)
+            met.update(dict.fromkeys(plan.unknowns))
             try:
                 found = self.solver.solve(plan)
             except (Redundant, Contradiction) as error:
@@ -252,7 +266,21 @@ class Search(Struct, dict=True):
         if isinstance(problem, Contradiction):
             raise NoAnswer("the data contradict each other", None, problem.index)
         open_form = isinstance(problem, (NoClosedForm, Undefined))
-        raise NoAnswer(str(problem) if open_form else "too little is known", open_, open_form=open_form)
+        words = str(problem) if open_form else "too little is known"
+        raise NoAnswer(words, open_, open_form=open_form, met=stones(met, asked.letter))
+
+    def _leads(self, stone: str, asked: Asked) -> bool:
+        """Whether a question has an answer once a letter of its plans is settled first; leaves no trace."""
+        other = self.another(self.families, spare=self.spare, confirming=True)
+        other.solver.solved.update(self.solver.solved)
+        other.known |= self.known
+        other.retired |= self.retired
+        try:
+            other.step(stone)
+            other.answer(asked)
+        except (NoAnswer, ValueError):
+            return False
+        return True
 
     def _hardest(self, plan: Plan) -> int:
         """The equation of a plan to do without: one with roots or bars round unknowns first, else the dearest."""
@@ -332,6 +360,12 @@ def places_and_speeds(passages: Iterable[Passage]) -> set[str]:
     letters += [travel.moving for travel in travels if travel.leads and travel.pace == RATE]
     names = [letter.name for letter in letters if isinstance(letter, Symbol)]
     return {name for name in names if key_of(name).running}
+
+
+def stones(met: Iterable[str], asked: str) -> tuple[str, ...]:
+    """The letters of plans by which an answer may be reached: where bodies are, how fast they move, and when, then all else."""
+    ranked = sorted(name for name in met if is_key(name) and name != asked)
+    return tuple(sorted(ranked, key=lambda name: STONES.get(key_of(name).kind, len(STONES))))
 
 
 def has_calls(equation: Equation) -> bool:
